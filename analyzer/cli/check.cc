@@ -1,0 +1,116 @@
+// `owlint check`: reads, lints in parallel, reports in the order of the paths.
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include "analyzer/cli/commands.h"
+#include "analyzer/cli/walk.h"
+#include "analyzer/report/report.h"
+
+namespace owlint::cli {
+namespace {
+
+bool use_color(const CommandLine& line) {
+  if (line.color != "auto") return line.color == "always";
+  const char* no_color = std::getenv("NO_COLOR");
+  return line.output.empty() && (no_color == nullptr || *no_color == '\0') && ::isatty(STDOUT_FILENO) != 0;
+}
+
+std::shared_ptr<const Source> read(const std::string& path, const CommandLine& line, std::string* error) {
+  if (path != "-") return Source::map(path, error);
+  std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
+  return Source::own(line.stdin_filename, std::move(bytes));
+}
+
+}  // namespace
+
+int check_command(const CommandLine& line) {
+  Severity fail_on{};
+  severity_from_text(line.fail_on, &fail_on);
+  const Walk found = walk(line.paths);
+  int status = kClean;
+  for (const std::string& problem : found.problems) {
+    complain(problem);
+    status = kUsage;
+  }
+  for (const std::string& folder : found.empty) complain("no programs in " + folder + " (*.ngc *.nc *.tap *.cnc *.gcode)");
+
+  Configuration configuration(line);
+  std::vector<Settings> settings(found.files.size());
+  std::string last_error;
+  std::vector<bool> usable(found.files.size());
+  for (size_t i = 0; i < found.files.size(); ++i) {
+    std::string error;
+    const std::string& path = found.files[i] == "-" ? line.stdin_filename : found.files[i];
+    usable[i] = configuration.settings_for(path, &settings[i], &error);
+    if (usable[i]) continue;
+    status = kUsage;
+    if (error != last_error) complain(error);  // once, not for every file below it
+    last_error = error;
+  }
+
+  std::vector<FileReport> reports(found.files.size());
+  std::vector<std::string> errors(found.files.size());
+  const auto check_one = [&](size_t i) {
+    if (!usable[i]) return;
+    const auto source = read(found.files[i], line, &errors[i]);
+    if (source != nullptr) reports[i] = lint(source, settings[i].profile, settings[i].options);
+  };
+  if (line.jobs == 1 || found.files.size() < 2) {
+    for (size_t i = 0; i < found.files.size(); ++i) check_one(i);
+  } else {
+    std::optional<tbb::global_control> limit;
+    if (line.jobs > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, line.jobs);
+    tbb::parallel_for(size_t{0}, found.files.size(), check_one);
+  }
+  for (size_t i = 0; i < found.files.size(); ++i) {
+    if (errors[i].empty()) continue;
+    complain("cannot read " + found.files[i] + ": " + errors[i]);
+    status = kUsage;
+  }
+  std::erase_if(reports, [](const FileReport& report) { return report.source == nullptr; });
+
+  std::ofstream file;
+  if (!line.output.empty()) {
+    file.open(line.output, std::ios::binary | std::ios::trunc);
+    if (!file) {
+      complain("cannot write " + line.output);
+      return kUsage;
+    }
+  }
+  std::ostream& out = line.output.empty() ? std::cout : file;
+  if (line.format == "json") {
+    write_json(out, reports);
+  } else {
+    for (const FileReport& report : reports) {
+      if (line.format == "jsonl") {
+        write_jsonl(out, report);
+      } else {
+        write_text(out, report, use_color(line));
+      }
+    }
+  }
+  out.flush();
+  if (!out) {
+    complain("cannot write the report");
+    return kUsage;
+  }
+  if (line.statistics) write_statistics(std::cerr, reports);
+  const Summary summary = summarize(reports);
+  if (line.format == "text" && !line.quiet && summary.files > 0) std::cerr << summary_text(summary) << '\n';
+  if (status != kClean) return status;
+  for (const FileReport& report : reports) {
+    for (const Finding& finding : report.findings) {
+      if (finding.severity >= fail_on) return kFindings;
+    }
+  }
+  return kClean;
+}
+
+}  // namespace owlint::cli

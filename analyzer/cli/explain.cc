@@ -1,0 +1,97 @@
+// `owlint explain`, `owlint rules`, `owlint graph`: what the catalogue and a program's structure say.
+#include <iostream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "analyzer/cli/commands.h"
+#include "analyzer/report/graph.h"
+#include "rules/rule.h"
+
+namespace owlint::cli {
+namespace {
+
+void indented(std::string_view program) {
+  while (!program.empty()) {
+    const size_t feed = program.find('\n');
+    std::cout << "    " << program.substr(0, feed) << '\n';
+    program = feed == std::string_view::npos ? std::string_view{} : program.substr(feed + 1);
+  }
+}
+
+}  // namespace
+
+void complain(const std::string& message) { std::cerr << "owlint: " << message << '\n'; }
+
+int explain_command(const std::string& code_or_name) {
+  const Rule* rule = find_rule(code_or_name);
+  if (rule == nullptr) {
+    const std::string_view near = nearest_rule(code_or_name);
+    complain(fmt::format("there is no rule `{}`{}", code_or_name,
+                         near.empty() ? "; `owlint rules` lists them" : fmt::format(", did you mean `{}`", near)));
+    return kUsage;
+  }
+  const Page& page = rule->page;
+  std::cout << fmt::format("{} {} ({})\n\n{}\n\n{}\n\n", rule->code, rule->name,
+                           rule->level == Severity::kInfo ? "info, off unless selected" : severity_text(rule->level), page.what, page.why);
+  if (!page.interpreter.empty()) std::cout << fmt::format("LinuxCNC says: {}\n\n", page.interpreter);
+  std::cout << "Found here" << (page.options.empty() ? "" : fmt::format(" with {}", page.options)) << ":\n\n";
+  indented(page.bad);
+  std::cout << "\nUse instead:\n\n";
+  indented(page.good);
+  std::cout << fmt::format("\n{}\n", page.fix);
+  return kClean;
+}
+
+int rules_command(const std::string& format) {
+  if (format == "json") {
+    auto list = nlohmann::ordered_json::array();
+    for (const Rule* rule : catalogue()) {
+      list.push_back({{"code", rule->code}, {"name", rule->name}, {"summary", rule->summary}, {"group", group_title(rule->group)},
+                      {"severity", severity_text(rule->level)}, {"default", rule->level != Severity::kInfo},
+                      {"interpreter", rule->page.interpreter}});
+    }
+    std::cout << list.dump(2) << '\n';
+    return kClean;
+  }
+  const bool markdown = format == "markdown";
+  std::string_view group;
+  for (const Rule* rule : catalogue()) {
+    if (group_title(rule->group) != group) {
+      const bool first = group.empty();
+      group = group_title(rule->group);
+      std::cout << (first ? "" : "\n");
+      if (markdown) {
+        std::cout << fmt::format("## OW{}xx {}\n\n| code | name | severity | finds |\n|---|---|---|---|\n", rule->code.substr(2, 1), group);
+      } else {
+        std::cout << fmt::format("{}\n", group);
+      }
+    }
+    if (markdown) {
+      std::cout << fmt::format("| {} | {} | {} | {} |\n", rule->code, rule->name, severity_text(rule->level), rule->summary);
+    } else {
+      std::cout << fmt::format("  {}  {:<25} {:<8} {}\n", rule->code, rule->name, severity_text(rule->level), rule->summary);
+    }
+  }
+  return kClean;
+}
+
+int graph_command(const std::string& path, const std::string& format) {
+  std::string error;
+  const auto source = Source::map(path, &error);
+  if (source == nullptr) {
+    complain("cannot read " + path + ": " + error);
+    return kUsage;
+  }
+  const auto program = build_program(source);
+  if (format == "json") {
+    write_graph_json(std::cout, *program);
+  } else if (format == "mermaid") {
+    write_graph_mermaid(std::cout, *program);
+  } else {
+    write_graph_dot(std::cout, *program);
+  }
+  return kClean;
+}
+
+}  // namespace owlint::cli

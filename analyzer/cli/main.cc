@@ -1,0 +1,93 @@
+// The command line of owlint.
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "analyzer/cli/commands.h"
+#include "analyzer/report/report.h"
+
+namespace {
+
+using owlint::cli::CommandLine;
+
+constexpr std::array<std::string_view, 4> kCommands = {"check", "graph", "explain", "rules"};
+
+void add_check_options(CLI::App& app, CommandLine& line) {
+  app.add_option("PATH", line.paths, "programs, folders (searched for *.ngc *.nc *.tap *.cnc *.gcode), or - for standard input")->required();
+  app.add_option("--ini", line.ini, "INI file of the machine that runs the programs")->type_name("FILE")->group("Machine");
+  app.add_option("--feature", line.feature, "FEATURE mask, as 32 or 0x20; 0x20 makes OW101 to OW108 warnings")->type_name("MASK")->group("Machine");
+  app.add_option("--linuxcnc", line.linuxcnc, "LinuxCNC version: 2.7, 2.8, 2.9 (default) or 2.10")->type_name("VERSION")->group("Machine");
+  app.add_option("--select", line.select, "only these rules: codes or beginnings, as OW3")->delimiter(',')->type_name("CODES")->group("Rules");
+  app.add_option("--extend-select", line.extend_select, "these rules as well")->delimiter(',')->type_name("CODES")->group("Rules");
+  app.add_option("--ignore", line.ignore, "not these rules")->delimiter(',')->type_name("CODES")->group("Rules");
+  app.add_option("--severity", line.severity, "severity of a rule: off, info, warning, error")->delimiter(',')->type_name("CODE=LEVEL")->group("Rules");
+  app.add_option("--fail-on", line.fail_on, "exit with 1 from this severity on")->check(CLI::IsMember({"error", "warning", "info"}))->capture_default_str()->group("Rules");
+  app.add_option("--config", line.config, "use this owlint.toml instead of the nearest one above each file")->type_name("FILE")->group("Rules");
+  app.add_flag("--isolated", line.isolated, "use no owlint.toml")->group("Rules");
+  app.add_option("--format", line.format, "how findings are written")->check(CLI::IsMember({"text", "json", "jsonl"}))->capture_default_str()->group("Output");
+  app.add_option("--output", line.output, "write the report to a file")->type_name("FILE")->group("Output");
+  app.add_option("--color", line.color, "colours in the text")->check(CLI::IsMember({"auto", "always", "never"}))->capture_default_str()->group("Output");
+  app.add_option("--stdin-filename", line.stdin_filename, "what standard input is called in the report")->type_name("NAME")->group("Output");
+  app.add_flag("--statistics", line.statistics, "count the findings by rule, on standard error")->group("Output");
+  app.add_flag("-q,--quiet", line.quiet, "no summary line")->group("Output");
+  app.add_option("--jobs", line.jobs, "files checked at the same time (default: one per core)")->type_name("N")->group("Output");
+}
+
+int run(std::vector<std::string> arguments) {
+  CLI::App app{"owlint finds the O-word mistakes in LinuxCNC G-code that stop the machine, before it moves.", "owlint"};
+  app.set_version_flag("--version", "owlint " + std::string(owlint::kToolVersion));
+  app.require_subcommand(1);
+  app.footer("`owlint PATH...` is short for `owlint check PATH...`.\n"
+             "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 usage, configuration or unreadable input, 3 internal error.");
+
+  CommandLine line;
+  CLI::App* check = app.add_subcommand("check", "lint programs");
+  add_check_options(*check, line);
+  check->footer("Silence a finding with a comment on the line before it: (owlint: ignore OW304 -- reason)");
+
+  std::string graph_path;
+  std::string graph_format = "dot";
+  CLI::App* graph = app.add_subcommand("graph", "print the block graph and the call graph of a program");
+  graph->add_option("FILE", graph_path, "the program")->required();
+  graph->add_option("--format", graph_format, "dot, mermaid or json")->check(CLI::IsMember({"dot", "mermaid", "json"}))->capture_default_str();
+
+  std::string code;
+  CLI::App* explain = app.add_subcommand("explain", "what a rule finds, why, an example, and how to mend it");
+  explain->add_option("CODE", code, "code or name of a rule, as OW104 or if-label-reused")->required();
+
+  std::string rules_format = "text";
+  CLI::App* rules = app.add_subcommand("rules", "list all rules");
+  rules->add_option("--format", rules_format, "text, json or markdown")->check(CLI::IsMember({"text", "json", "markdown"}))->capture_default_str();
+
+  // `check` may be left out.
+  if (!arguments.empty() && std::ranges::find(kCommands, arguments.front()) == kCommands.end() &&
+      arguments.front() != "--help" && arguments.front() != "-h" && arguments.front() != "--version") {
+    arguments.insert(arguments.begin(), "check");
+  }
+  try {
+    std::ranges::reverse(arguments);  // CLI11 takes them from the back
+    app.parse(arguments);
+  } catch (const CLI::ParseError& problem) {
+    const int status = app.exit(problem);
+    return status == 0 ? owlint::cli::kClean : owlint::cli::kUsage;
+  }
+  if (check->parsed()) return owlint::cli::check_command(line);
+  if (graph->parsed()) return owlint::cli::graph_command(graph_path, graph_format);
+  if (explain->parsed()) return owlint::cli::explain_command(code);
+  return owlint::cli::rules_command(rules_format);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const std::exception& problem) {
+    owlint::cli::complain(std::string("internal error: ") + problem.what());
+    return owlint::cli::kInternal;
+  }
+}

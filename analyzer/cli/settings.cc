@@ -1,0 +1,272 @@
+#include "analyzer/cli/settings.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "rules/stops.h"
+
+namespace owlint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kKeys = {"ini", "feature", "linuxcnc", "select", "ignore", "extend-select", "severity", "overrides"};
+const std::vector<std::string> kOverrideKeys = {"files", "select", "ignore", "extend-select", "severity"};
+
+/// The part of a configuration that `[[overrides]]` may change.
+struct Selection {
+  std::optional<std::vector<std::string>> select, ignore, extend_select;
+  std::map<std::string, Severity, std::less<>> severity;
+};
+
+bool check_keys(const toml::table& table, const std::vector<std::string>& known, std::string* error) {
+  for (const auto& [key, value] : table) {
+    const std::string name(key.str());
+    if (std::ranges::find(known, name) != known.end()) continue;
+    const std::string near = rules::nearest(name, known);
+    *error = fmt::format("line {}: unknown key `{}`{}", value.source().begin.line, name, near.empty() ? "" : ", did you mean `" + near + "`");
+    return false;
+  }
+  return true;
+}
+
+bool check_code(const std::string& code, std::string* error) {
+  if (known_prefix(code)) return true;
+  const std::string_view near = nearest_rule(code);
+  *error = fmt::format("`{}` is not a code of owlint{}", code, near.empty() ? "" : fmt::format(", did you mean `{}`", near));
+  return false;
+}
+
+bool read_codes(const toml::table& table, std::string_view key, std::optional<std::vector<std::string>>* codes, std::string* error) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return true;
+  const toml::array* array = node->as_array();
+  codes->emplace();
+  if (array != nullptr) {
+    for (const toml::node& entry : *array) {
+      const auto text = entry.value<std::string>();
+      if (!text) break;
+      if (!check_code(*text, error)) return false;
+      (*codes)->push_back(*text);
+    }
+  }
+  if (array == nullptr || (*codes)->size() != array->size()) {
+    *error = fmt::format("line {}: `{}` is a list of codes", node->source().begin.line, key);
+    return false;
+  }
+  return true;
+}
+
+bool read_selection(const toml::table& table, Selection* selection, std::string* error) {
+  if (!read_codes(table, "select", &selection->select, error) || !read_codes(table, "ignore", &selection->ignore, error) ||
+      !read_codes(table, "extend-select", &selection->extend_select, error)) {
+    return false;
+  }
+  const toml::node* node = table.get("severity");
+  if (node == nullptr) return true;
+  const toml::table* levels = node->as_table();
+  if (levels == nullptr) {
+    *error = fmt::format("line {}: `severity` is a table of codes and levels", node->source().begin.line);
+    return false;
+  }
+  for (const auto& [key, value] : *levels) {
+    const std::string code(key.str());
+    Severity severity{};
+    if (!check_code(code, error)) return false;
+    if (!severity_from_text(value.value_or(std::string()), &severity)) {
+      *error = fmt::format("line {}: the severity of `{}` is one of off, info, warning, error", value.source().begin.line, code);
+      return false;
+    }
+    selection->severity[code] = severity;
+  }
+  return true;
+}
+
+void apply(const Selection& selection, LintOptions* options) {
+  if (selection.select) options->select = *selection.select;
+  if (selection.ignore) options->ignore = *selection.ignore;
+  if (selection.extend_select) options->extend_select = *selection.extend_select;
+  for (const auto& [code, severity] : selection.severity) options->severity[code] = severity;
+}
+
+}  // namespace
+
+struct Configuration::File {
+  std::string folder;
+  std::optional<std::string> ini, linuxcnc;
+  std::optional<uint32_t> feature;
+  Selection base;
+  std::vector<std::pair<std::vector<std::string>, Selection>> overrides;
+};
+
+const Configuration::File* Configuration::load(const std::string& path, std::string* error) {
+  if (const auto known = files_.find(path); known != files_.end()) return known->second.get();
+  auto file = std::make_shared<File>();
+  std::error_code ignored;
+  file->folder = fs::absolute(path, ignored).parent_path().string();
+  toml::table table;
+  try {
+    table = toml::parse_file(path);
+  } catch (const toml::parse_error& problem) {
+    *error = fmt::format("{}: line {}: {}", path, problem.source().begin.line, problem.description());
+    return nullptr;
+  }
+  const auto text = [&](std::string_view key, std::optional<std::string>* value) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) return true;
+    *value = node->value<std::string>();
+    if (!*value) *error = fmt::format("line {}: `{}` is a text in quotes", node->source().begin.line, key);
+    return value->has_value();
+  };
+  bool good = check_keys(table, kKeys, error) && text("ini", &file->ini) && text("linuxcnc", &file->linuxcnc) && read_selection(table, &file->base, error);
+  if (const toml::node* node = table.get("feature"); good && node != nullptr) {
+    if (const auto number = node->value<int64_t>(); number && *number >= 0) {
+      file->feature = static_cast<uint32_t>(*number);
+    } else {
+      file->feature = parse_mask(node->value_or(std::string()));
+    }
+    if (!file->feature) {
+      *error = fmt::format("line {}: `feature` is a number, as 32 or 0x20", node->source().begin.line);
+      good = false;
+    }
+  }
+  if (const toml::node* node = table.get("overrides"); good && node != nullptr) {
+    const toml::array* list = node->as_array();
+    good = list != nullptr && list->is_array_of_tables();
+    if (!good) *error = fmt::format("line {}: `overrides` is a list of tables, written `[[overrides]]`", node->source().begin.line);
+    for (size_t i = 0; good && i < list->size(); ++i) {
+      const toml::table& entry = *list->get(i)->as_table();
+      std::vector<std::string> patterns;
+      if (const toml::array* files = entry["files"].as_array()) {
+        for (const toml::node& pattern : *files) patterns.push_back(pattern.value_or(std::string()));
+      }
+      Selection selection;
+      good = check_keys(entry, kOverrideKeys, error) && read_selection(entry, &selection, error);
+      if (good && (patterns.empty() || std::ranges::find(patterns, "") != patterns.end())) {
+        *error = fmt::format("line {}: an override needs `files`, a list of patterns", entry.source().begin.line);
+        good = false;
+      }
+      file->overrides.emplace_back(std::move(patterns), std::move(selection));
+    }
+  }
+  if (good && file->linuxcnc && !version_from_text(*file->linuxcnc)) {
+    *error = fmt::format("`linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, not `{}`", *file->linuxcnc);
+    good = false;
+  }
+  if (!good) {
+    *error = path + ": " + *error;
+    return nullptr;
+  }
+  return files_.emplace(path, std::move(file)).first->second.get();
+}
+
+const Configuration::File* Configuration::nearest(const std::string& program, std::string* error) {
+  std::error_code ignored;
+  fs::path folder = fs::absolute(program, ignored).parent_path();
+  const std::string key = folder.string();
+  if (const auto known = nearest_.find(key); known != nearest_.end()) {
+    return known->second.empty() ? nullptr : load(known->second, error);
+  }
+  std::string found;
+  for (;; folder = folder.parent_path()) {
+    for (const char* name : {"owlint.toml", ".owlint.toml"}) {
+      if (fs::is_regular_file(folder / name, ignored)) found = (folder / name).string();
+      if (!found.empty()) break;
+    }
+    if (!found.empty() || folder == folder.parent_path()) break;
+  }
+  nearest_[key] = found;
+  return found.empty() ? nullptr : load(found, error);
+}
+
+bool Configuration::read_machine_ini(const std::string& path, Profile* profile, std::string* error) {
+  auto known = inis_.find(path);
+  if (known == inis_.end()) {
+    Profile read;
+    if (!read_ini(path, &read, error)) {
+      *error = fmt::format("cannot read the INI {}: {}", path, *error);
+      return false;
+    }
+    known = inis_.emplace(path, std::move(read)).first;
+  }
+  profile->ini_given = true;
+  profile->ini_path = path;
+  profile->ini_mask = known->second.ini_mask;
+  profile->ini_warnonly = known->second.ini_warnonly;
+  return true;
+}
+
+bool Configuration::settings_for(const std::string& path, Settings* settings, std::string* error) {
+  const File* file = nullptr;
+  error->clear();
+  if (line_.config) {
+    file = load(*line_.config, error);
+  } else if (!line_.isolated) {
+    file = nearest(path, error);
+  }
+  if (!error->empty()) return false;
+
+  std::optional<std::string> ini = line_.ini;
+  std::optional<std::string> version = line_.linuxcnc;
+  Profile& profile = settings->profile;
+  LintOptions& options = settings->options;
+  if (file != nullptr) {
+    if (!ini && file->ini) ini = (fs::path(file->folder) / *file->ini).string();
+    if (!version) version = file->linuxcnc;
+    profile.feature = file->feature;
+    apply(file->base, &options);
+    std::error_code ignored;
+    const std::string relative = fs::absolute(path, ignored).lexically_relative(file->folder).string();
+    for (const auto& [patterns, selection] : file->overrides) {
+      if (std::ranges::any_of(patterns, [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {
+        apply(selection, &options);
+      }
+    }
+  }
+  if (version) {
+    const auto parsed = version_from_text(*version);
+    if (!parsed) {
+      *error = fmt::format("unknown LinuxCNC version `{}`: one of 2.7, 2.8, 2.9, 2.10", *version);
+      return false;
+    }
+    profile.version = *parsed;
+    profile.version_given = true;
+  }
+  if (line_.feature) {
+    profile.feature = parse_mask(*line_.feature);
+    if (!profile.feature) {
+      *error = fmt::format("`--feature {}` is not a number, as 32 or 0x20", *line_.feature);
+      return false;
+    }
+  }
+  if (ini && !read_machine_ini(*ini, &profile, error)) return false;
+
+  for (const auto* codes : {&line_.select, &line_.extend_select, &line_.ignore}) {
+    for (const std::string& code : *codes) {
+      if (!check_code(code, error)) return false;
+    }
+  }
+  if (!line_.select.empty()) options.select = line_.select;
+  for (const std::string& code : line_.extend_select) options.extend_select.push_back(code);
+  for (const std::string& code : line_.ignore) options.ignore.push_back(code);
+  for (const std::string& text : line_.severity) {
+    const size_t equals = text.find('=');
+    Severity severity{};
+    if (equals == std::string::npos || !severity_from_text(text.substr(equals + 1), &severity)) {
+      *error = fmt::format("`--severity {}`: write CODE=LEVEL, with a level of off, info, warning, error", text);
+      return false;
+    }
+    if (!check_code(text.substr(0, equals), error)) return false;
+    options.severity[text.substr(0, equals)] = severity;
+    // Giving an info rule a severity asks for it.
+    if (severity != Severity::kOff) options.extend_select.push_back(text.substr(0, equals));
+  }
+  return true;
+}
+
+}  // namespace owlint::cli

@@ -1,0 +1,57 @@
+// Settings for one file: the command line over the nearest owlint.toml over the defaults.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analyzer/machine/profile.h"
+#include "rules/lint.h"
+
+namespace owlint::cli {
+
+/// What the command line says; unset where it is silent.
+struct CommandLine {
+  std::vector<std::string> paths;
+  std::optional<std::string> ini, feature, linuxcnc, config;
+  std::vector<std::string> select, extend_select, ignore;
+  std::vector<std::string> severity;  ///< CODE=LEVEL
+  std::string fail_on = "error";
+  std::string format = "text";
+  std::string output;
+  std::string color = "auto";
+  std::string stdin_filename = "<stdin>";
+  unsigned jobs = 0;  ///< 0: as many as there are cores
+  bool isolated = false;
+  bool statistics = false;
+  bool quiet = false;
+};
+
+struct Settings {
+  Profile profile;
+  LintOptions options;
+};
+
+/// Finds and reads configuration files, each once. Not for several threads at a time.
+class Configuration {
+ public:
+  explicit Configuration(const CommandLine& line) : line_(line) {}
+
+  /// The settings for a file; false and a message when a configuration, INI or option is wrong.
+  bool settings_for(const std::string& path, Settings* settings, std::string* error);
+
+ private:
+  struct File;
+  const File* load(const std::string& path, std::string* error);
+  const File* nearest(const std::string& program, std::string* error);
+  bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
+
+  const CommandLine& line_;
+  std::map<std::string, std::shared_ptr<File>> files_;
+  std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
+  std::map<std::string, Profile> inis_;
+};
+
+}  // namespace owlint::cli

@@ -1,0 +1,64 @@
+// The findings room: one finding, and what decides its severity, whether it is silenced, how it is mended.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analyzer/text/reach.h"
+#include "analyzer/text/source.h"
+
+namespace owlint {
+
+/// Ordered: a higher one is worse.
+enum class Severity : uint8_t { kOff, kInfo, kWarning, kError };
+
+std::string_view severity_text(Severity severity);
+/// `off`, `info`, `warning`, `error`; false for anything else.
+bool severity_from_text(std::string_view text, Severity* severity);
+
+std::string_view reach_text(Reach reach);
+
+/// Another place that belongs to a finding.
+struct Related {
+  Span span;
+  std::string message;
+};
+
+struct Edit {
+  Span span;
+  std::string text;
+};
+
+/// A change that mends a finding. Safe: a program that ran still runs, with the same output.
+struct Fix {
+  std::string title;
+  bool safe = false;
+  std::vector<Edit> edits;
+};
+
+/// Another stop of the interpreter that the same mistake leads to, on other runs. Not a finding of its own.
+struct Consequence {
+  std::string_view code;
+  Span span;
+  std::string interpreter;
+};
+
+struct Finding {
+  std::string_view code;
+  std::string_view rule;
+  Severity severity = Severity::kWarning;
+  Span span;                 ///< bytes of the file
+  std::string message;       ///< what was seen; lower case, no full stop
+  std::string help;          ///< how to mend it; may be empty
+  std::string interpreter;   ///< the message that LinuxCNC prints; may be empty
+  Reach reach = Reach::kMaybe;
+  bool stops = false;        ///< the interpreter stops here with this error on some path
+  bool never_ends = false;   ///< it hangs or crashes here on some path
+  std::vector<Related> related;
+  std::vector<Fix> fixes;
+  std::vector<Consequence> consequences;
+};
+
+}  // namespace owlint

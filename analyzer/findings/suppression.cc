@@ -1,0 +1,77 @@
+#include "analyzer/findings/suppression.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace owlint {
+namespace {
+
+struct Word {
+  std::string_view text;
+  Span span;
+};
+
+/// Words up to `--`, separated by blanks and commas.
+std::vector<Word> words_of(std::string_view text, uint64_t offset) {
+  std::vector<Word> words;
+  size_t at = 0;
+  while (at < text.size()) {
+    const size_t from = text.find_first_not_of(" \t\r,", at);
+    if (from == std::string_view::npos) break;
+    size_t to = text.find_first_of(" \t\r,", from);
+    if (to == std::string_view::npos) to = text.size();
+    const std::string_view word = text.substr(from, to - from);
+    if (word.starts_with("--")) break;
+    words.push_back({word, {offset + from, offset + to}});
+    at = to;
+  }
+  return words;
+}
+
+}  // namespace
+
+std::vector<Suppression> parse_suppressions(const Source& source, Span words, uint32_t line, bool own_line) {
+  std::vector<Suppression> out;
+  const std::vector<Word> list = words_of(source.slice(words), words.begin);
+  Suppression base;
+  base.comment = words;
+  base.span = list.empty() ? words : list[0].span;
+  if (list.empty() || (list[0].text != "ignore" && list[0].text != "ignore-file")) {
+    base.malformed = true;
+    out.push_back(base);
+    return out;
+  }
+  if (list[0].text == "ignore") base.line = own_line ? line + 1 : line;
+  if (list.size() == 1) out.push_back(base);  // everything
+  for (size_t i = 1; i < list.size(); ++i) {
+    Suppression one = base;
+    one.span = list[i].span;
+    one.code = std::string(list[i].text);
+    std::ranges::transform(one.code, one.code.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+void apply_suppressions(const Source& source, std::vector<Suppression>& suppressions, std::vector<Finding>& findings) {
+  if (suppressions.empty()) return;
+  std::unordered_map<uint32_t, std::vector<Suppression*>> by_line;
+  for (Suppression& s : suppressions) {
+    if (!s.malformed) by_line[s.line].push_back(&s);
+  }
+  std::erase_if(findings, [&](const Finding& finding) {
+    bool silenced = false;
+    for (const uint32_t line : {0U, source.position(finding.span.begin).line}) {
+      const auto found = by_line.find(line);
+      if (found == by_line.end()) continue;
+      for (Suppression* s : found->second) {
+        if (!finding.code.starts_with(s->code)) continue;
+        s->used = true;
+        silenced = true;
+      }
+    }
+    return silenced;
+  });
+}
+
+}  // namespace owlint

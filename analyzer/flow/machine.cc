@@ -1,0 +1,163 @@
+#include "analyzer/flow/machine.h"
+
+#include <algorithm>
+
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+namespace {
+
+constexpr uint32_t kSetMark = 0x80000000U;
+// A label with more definers than this on merged paths is remembered by its first ones only; which line the message
+// names may then be another one of them, whether it stops does not change.
+constexpr size_t kMaxDefiners = 32;
+
+uint64_t combine(uint64_t hash, uint64_t value) { return mix(hash, value); }
+
+std::vector<std::pair<FullLabel, uint8_t>> join_counts(const std::vector<std::pair<FullLabel, uint8_t>>& a,
+                                                       const std::vector<std::pair<FullLabel, uint8_t>>& b) {
+  std::vector<std::pair<FullLabel, uint8_t>> out;
+  auto left = a.begin();
+  auto right = b.begin();
+  while (left != a.end() || right != b.end()) {
+    if (right == b.end() || (left != a.end() && left->first < right->first)) {
+      out.emplace_back((left++)->first, kAnyCount);
+    } else if (left == a.end() || right->first < left->first) {
+      out.emplace_back((right++)->first, kAnyCount);
+    } else {
+      uint8_t count = left->second;
+      if (left->second != right->second) {
+        count = left->second == kAnyCount || right->second == kAnyCount ? uint8_t{kAnyCount} : uint8_t{kManyLeft};
+      }
+      out.emplace_back(left->first, count);
+      ++left;
+      ++right;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+uint64_t State::hash() const {
+  uint64_t h = combine(position, skip);
+  h = combine(h, defining);
+  h = combine(h, static_cast<uint64_t>(executed) | breaking << 4 | continuing << 8 | returned << 12 |
+                     static_cast<uint64_t>(seek) << 16 | static_cast<uint64_t>(looped) << 17 |
+                     static_cast<uint64_t>(parameters.outside) << 18);
+  h = combine(h, table.hash());
+  h = combine(h, parameters.locals.hash());
+  h = combine(h, parameters.globals.hash());
+  for (const auto& [label, count] : counts) h = combine(h, static_cast<uint64_t>(label) << 8 | count);
+  return h;
+}
+
+Definers::Set Definers::get(uint32_t packed) const {
+  if (packed == 0) return {{}, true};
+  if ((packed & kSetMark) != 0) return sets_[packed & ~kSetMark];
+  return {{(packed >> 1) - 1}, (packed & 1) != 0};
+}
+
+uint32_t Definers::pack(Set set) {
+  if (set.lines.empty()) return 0;
+  if (set.lines.size() == 1) return one(set.lines[0]) | (set.undefined ? 1 : 0);
+  uint64_t hash = set.undefined ? 1 : 0;
+  for (const StatementId line : set.lines) hash = mix(hash, line);
+  const auto [entry, added] = ids_.emplace(hash, static_cast<uint32_t>(sets_.size()) | kSetMark);
+  if (added) sets_.push_back(std::move(set));
+  return entry->second;
+}
+
+uint32_t Definers::join(uint32_t a, uint32_t b) {
+  if (a == b) return a;
+  const Set left = get(a);
+  const Set right = get(b);
+  Set out;
+  out.undefined = left.undefined || right.undefined;
+  std::ranges::set_union(left.lines, right.lines, std::back_inserter(out.lines));
+  if (out.lines.size() > kMaxDefiners) out.lines.resize(kMaxDefiners);
+  return pack(std::move(out));
+}
+
+uint32_t Definers::without_undefined(uint32_t packed) {
+  Set set = get(packed);
+  set.undefined = false;
+  return pack(std::move(set));
+}
+
+Machine::Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool)
+    : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool) {
+  labels_.emplace_back(kNoName, kNoName);
+  index();
+}
+
+void Machine::index() {
+  const Syntax& syntax = program_.syntax;
+  for (StatementId id = 0; id < syntax.statements.size(); ++id) {
+    const Statement& s = syntax.statements[id];
+    const LineError* error = syntax.error(s);
+    if (s.kind == LineKind::kOWord && s.label_expr != kNoExpr) computed_.push_back(id);
+    if (s.opens_sub()) definitions_.push_back(id);
+    if (s.kind == LineKind::kPercent) percents_.push_back(id);
+    if (error == nullptr) continue;
+    if (error->kind < StopKind::kKeywordUnknown) always_errors_.push_back(id);
+    if (error->kind == StopKind::kKeywordUnknown) unknown_keywords_.push_back(id);
+  }
+}
+
+StatementId Machine::next_stop(const State& state, StatementId from) const {
+  auto next = static_cast<StatementId>(program_.size());
+  const auto look = [&](const std::vector<StatementId>& list) {
+    const auto found = std::ranges::lower_bound(list, from);
+    if (found != list.end()) next = std::min(next, *found);
+  };
+  const NameId label = labels_[state.skip].second;
+  if (label < program_.by_label.size()) look(program_.by_label[label]);
+  look(computed_);
+  look(always_errors_);
+  look(percents_);
+  if (state.defining != kNoName) {
+    look(definitions_);
+  } else {
+    look(unknown_keywords_);
+  }
+  return next;
+}
+
+FullLabel Machine::full_label(NameId scope, NameId label) {
+  const uint64_t key = static_cast<uint64_t>(scope) << 32 | label;
+  const auto [entry, added] = label_ids_.emplace(key, static_cast<FullLabel>(labels_.size()));
+  if (added) labels_.emplace_back(scope, label);
+  return entry->second;
+}
+
+State Machine::join(const State& a, const State& b) {
+  State out = a;
+  out.executed |= b.executed;
+  out.breaking |= b.breaking;
+  out.continuing |= b.continuing;
+  out.returned |= b.returned;
+  out.looped = a.looped && b.looped;
+  out.table = PersistentMap::merge(pool_, a.table, b.table, [this](uint32_t x, uint32_t y) { return definers_.join(x, y); });
+  if (a.counts != b.counts) out.counts = join_counts(a.counts, b.counts);
+  out.parameters.locals = PersistentMap::merge(pool_, a.parameters.locals, b.parameters.locals, join_values);
+  out.parameters.globals = PersistentMap::merge(pool_, a.parameters.globals, b.parameters.globals, join_values);
+  out.parameters.outside = a.parameters.outside || b.parameters.outside;
+  return out;
+}
+
+State Machine::resume(const State& caller, const State& exit, bool fanuc) const {
+  State out = exit;
+  out.position = caller.position + 1;
+  out.context = caller.context;
+  out.defining = kNoName;
+  out.skip = kNoLabel;
+  out.seek = false;
+  out.looped = false;
+  out.branch = 0;
+  // M98 does not save #1 to #30; an O-word call gives the caller's own values back.
+  if (!fanuc) out.parameters.locals = caller.parameters.locals;
+  return out;
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,131 @@
+// The O-word state machine, abstractly. A State is what the interpreter remembers between two lines, with sets
+// where paths were merged; `Machine::step` is one line. The transitions follow the measured table in
+// docs/interpreter.md; where a set has several members, a step has several successors.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "analyzer/flow/flow.h"
+#include "analyzer/flow/values.h"
+
+namespace owlint::flow {
+
+using ContextId = uint32_t;
+using FullLabel = uint32_t;  ///< a label with its scope, interned; 0 is none
+inline constexpr FullLabel kNoLabel = 0;
+inline constexpr int kMaxCallDepth = 9;  ///< measured: the tenth nested call is an error
+
+/// Sets of values of the interpreter's flags, one bit per possible value.
+enum FlagSet : uint8_t {
+  kNo = 1,
+  kYes = 2,       // for breaking and continuing: set by the kind of loop that clears it
+  kStale = 4,     // set by the other kind of loop, which leaves it behind
+};
+
+/// Remaining passes of a running `repeat`.
+enum Count : uint8_t {
+  // 0 to 3: exactly that many left
+  kManyLeft = 4,  // running, number not tracked
+  kAnyCount = 5,  // running or not
+};
+inline constexpr int kLargestExactCount = 3;
+
+struct State {
+  StatementId position = 0;
+  ContextId context = 0;
+  FullLabel skip = kNoLabel;
+  NameId defining = kNoName;
+  bool seek = false;
+  bool looped = false;          ///< arrived by the way back of a loop
+  uint8_t executed = kNo;       ///< "a branch has been taken"
+  uint8_t breaking = kNo;
+  uint8_t continuing = kNo;
+  uint8_t returned = kNo;       ///< level 0: a call has come back since the last definition
+  PersistentMap table;          ///< FullLabel -> definers, see Definers
+  std::vector<std::pair<FullLabel, uint8_t>> counts;  ///< running repeats, sorted
+  Parameters parameters;
+  uint32_t record = UINT32_MAX;  ///< the trace record that led here
+  uint8_t branch = 0;            ///< 1: a condition was true on the step here, 2: false
+
+  uint64_t hash() const;
+};
+
+/// Which opening lines a label may belong to, packed into a map value: undefined only (0), one line, or a set.
+class Definers {
+ public:
+  struct Set {
+    std::vector<StatementId> lines;
+    bool undefined = false;
+  };
+  static uint32_t one(StatementId line) { return (line + 1) << 1; }
+  Set get(uint32_t packed) const;
+  uint32_t join(uint32_t a, uint32_t b);
+  uint32_t without_undefined(uint32_t packed);
+
+ private:
+  uint32_t pack(Set set);
+  std::vector<Set> sets_;
+  std::unordered_map<uint64_t, uint32_t> ids_;
+};
+
+/// A call being executed, merged over all calls that begin in the same state.
+struct Context {
+  NameId sub = kNoName;
+  int depth = 0;
+  bool fanuc = false;  ///< made by M98
+  int passed = 0;      ///< number of arguments of the call that made it
+};
+
+/// What a step reports besides successors.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  virtual void successor(State state) = 0;
+  virtual void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) = 0;
+  virtual void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) = 0;
+  virtual void end(const State& at) = 0;                             ///< the program ends
+  virtual void call(const State& at, State entry, Context callee, int repeats) = 0;  ///< repeats: -1 unknown
+  virtual void leave(const State& at) = 0;                           ///< `return`, `endsub`, M99 in a call
+};
+
+class Machine {
+ public:
+  Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool);
+
+  /// Executes or passes over the line at `state.position`.
+  void step(State state, const Context& context, Listener& out);
+
+  /// The next position at which a skipping state has something to do.
+  StatementId next_stop(const State& state, StatementId from) const;
+
+  State join(const State& a, const State& b);
+  /// The state after a call: what the callee leaves behind, with the caller's own parameters back.
+  State resume(const State& caller, const State& exit, bool fanuc) const;
+
+  FullLabel full_label(NameId scope, NameId label);
+  NameId label_of(FullLabel label) const { return labels_[label].second; }
+  Definers& definers() { return definers_; }
+  const Evaluator& evaluator() const { return evaluator_; }
+
+ private:
+  struct Step;  // one step in progress: machine_step.cc
+  friend struct Step;
+
+  void index();
+  bool structured(const Block& block) const;
+
+  Program& program_;
+  const Profile& profile_;
+  PersistentMap::Pool& pool_;
+  Constants constants_;
+  Evaluator evaluator_;
+  Definers definers_;
+  std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
+  std::unordered_map<uint64_t, FullLabel> label_ids_;
+  // Positions at which a skip may be interrupted, each sorted.
+  std::vector<StatementId> computed_, always_errors_, unknown_keywords_, definitions_, percents_;
+};
+
+}  // namespace owlint::flow

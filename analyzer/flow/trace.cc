@@ -1,0 +1,117 @@
+#include "analyzer/flow/trace.h"
+
+#include <algorithm>
+
+namespace owlint::flow {
+namespace {
+
+// Questions that walk the whole graph are answered exactly up to these sizes; beyond, `maybe` and unpruned paths
+// are true as well, only less telling.
+constexpr size_t kMaxQuestions = 256;
+constexpr size_t kMaxRecords = 2'000'000;
+constexpr size_t kMaxDecisions = 8;
+
+void pack(const std::vector<std::pair<RecordId, RecordId>>& edges, size_t nodes, bool forward,
+          std::vector<uint32_t>& first, std::vector<uint32_t>& list) {
+  first.assign(nodes + 1, 0);
+  for (const auto& [from, to] : edges) ++first[(forward ? from : to) + 1];
+  for (size_t i = 1; i <= nodes; ++i) first[i] += first[i - 1];
+  list.resize(edges.size());
+  std::vector<uint32_t> fill(first.begin(), first.end() - 1);
+  for (const auto& [from, to] : edges) list[fill[forward ? from : to]++] = forward ? to : from;
+}
+
+}  // namespace
+
+void Trace::finish() {
+  std::vector<std::pair<RecordId, RecordId>> edges = links_;
+  for (RecordId id = 0; id < records_.size(); ++id) {
+    if (records_[id].parent != kNoRecord) edges.emplace_back(records_[id].parent, id);
+  }
+  pack(edges, records_.size(), true, next_first_, next_);
+  pack(edges, records_.size(), false, previous_first_, previous_);
+  std::vector<RecordId> ends;
+  for (const auto& [at, key] : terminals_) ends.push_back(at);
+  hanging_ = backward_from(ends);
+  hanging_.flip();
+}
+
+std::vector<bool> Trace::backward_from(const std::vector<RecordId>& goals) const {
+  std::vector<bool> seen(records_.size());
+  std::vector<RecordId> todo;
+  for (const RecordId goal : goals) {
+    if (!seen[goal]) todo.push_back(goal);
+    seen[goal] = true;
+  }
+  while (!todo.empty()) {
+    const RecordId id = todo.back();
+    todo.pop_back();
+    for (uint32_t i = previous_first_[id]; i < previous_first_[id + 1]; ++i) {
+      if (seen[previous_[i]]) continue;
+      seen[previous_[i]] = true;
+      todo.push_back(previous_[i]);
+    }
+  }
+  return seen;
+}
+
+bool Trace::only_end(uint32_t key) const {
+  return std::ranges::all_of(terminals_, [key](const auto& t) { return t.second == key; }) &&
+         std::ranges::find(hanging_, true) == hanging_.end();
+}
+
+Reach Trace::reach(StatementId statement) const {
+  if (const auto known = reaches_.find(statement); known != reaches_.end()) return known->second;
+  const auto hits = [&](RecordId id) { return records_[id].statement == statement && records_[id].executed; };
+  bool reached = false;
+  for (RecordId id = 0; id < records_.size() && !reached; ++id) reached = hits(id);
+  Reach answer = reached ? Reach::kMaybe : Reach::kNever;
+  if (reached && reaches_.size() < kMaxQuestions && records_.size() < kMaxRecords) {
+    // Can a run end (or never end) without coming here?
+    std::vector<bool> seen(records_.size());
+    std::vector<RecordId> todo{0};
+    seen[0] = true;
+    if (hits(0)) todo.clear();
+    while (!todo.empty()) {
+      const RecordId id = todo.back();
+      todo.pop_back();
+      for (uint32_t i = next_first_[id]; i < next_first_[id + 1]; ++i) {
+        if (seen[next_[i]] || hits(next_[i])) continue;
+        seen[next_[i]] = true;
+        todo.push_back(next_[i]);
+      }
+    }
+    const bool avoidable = std::ranges::any_of(terminals_, [&](const auto& t) { return seen[t.first]; });
+    bool hangs = false;
+    for (RecordId id = 0; id < records_.size() && !hangs; ++id) hangs = seen[id] && hanging_[id];
+    if (!avoidable && !hangs) answer = Reach::kAlways;
+  }
+  reaches_.emplace(statement, answer);
+  return answer;
+}
+
+std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {
+  std::vector<bool> can_stop;
+  if (records_.size() < kMaxRecords) {
+    std::vector<RecordId> goals;
+    for (const auto& [at, k] : terminals_) {
+      if (k == key) goals.push_back(at);
+    }
+    can_stop = backward_from(goals);
+  }
+  std::vector<Decision> path;
+  for (RecordId id = stop; records_[id].parent != kNoRecord; id = records_[id].parent) {
+    const Record& record = records_[id];
+    if (record.branch == 0) continue;
+    const RecordId parent = record.parent;
+    bool decides = can_stop.empty();
+    for (uint32_t i = next_first_[parent]; !decides && i < next_first_[parent + 1]; ++i) decides = !can_stop[next_[i]];
+    if (!decides) continue;
+    path.push_back({records_[parent].statement, record.branch == 1});
+    if (path.size() == kMaxDecisions) break;
+  }
+  std::ranges::reverse(path);
+  return path;
+}
+
+}  // namespace owlint::flow

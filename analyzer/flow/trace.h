@@ -1,0 +1,71 @@
+// What the flow analysis did, kept as a graph: one record per state that was processed. Answers afterwards how a
+// stop is reached: on every run or on some, by which branches, and where a run never ends.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "analyzer/flow/flow.h"
+
+namespace owlint::flow {
+
+using RecordId = uint32_t;
+inline constexpr RecordId kNoRecord = UINT32_MAX;
+
+class Trace {
+ public:
+  struct Record {
+    RecordId parent = kNoRecord;
+    StatementId statement = kNoStatement;
+    uint8_t branch = 0;     ///< of the step that led here: 1 true, 2 false
+    bool executed = false;  ///< not merely passed over
+  };
+
+  RecordId add(Record record) {
+    records_.push_back(record);
+    return static_cast<RecordId>(records_.size() - 1);
+  }
+  /// A state that came to a place where an equal state had been before.
+  void link(RecordId from, RecordId to) { links_.emplace_back(from, to); }
+  /// A run ends here; `key` tells different ends apart (0: a program end without error).
+  void terminate(RecordId at, uint32_t key) { terminals_.emplace_back(at, key); }
+
+  const Record& at(RecordId id) const { return records_[id]; }
+  size_t size() const { return records_.size(); }
+
+  /// Must be called once, after the last record and before the questions below.
+  void finish();
+
+  /// Whether every run that ends, ends with `key`.
+  bool only_end(uint32_t key) const;
+  Reach reach(StatementId statement) const;
+  /// The branch outcomes on the way to `stop` without which a run does not get to an end with `key`.
+  std::vector<Decision> path(RecordId stop, uint32_t key) const;
+  /// Records from which no end can be reached.
+  const std::vector<bool>& hanging() const { return hanging_; }
+  /// Walks back from a record to the nearest one whose statement satisfies `wanted`.
+  template <typename Wanted>
+  StatementId nearest(RecordId from, const Wanted& wanted) const {
+    for (RecordId id = from; id != kNoRecord; id = records_[id].parent) {
+      if (records_[id].statement != kNoStatement && wanted(records_[id].statement)) return records_[id].statement;
+    }
+    return kNoStatement;
+  }
+  /// Edges, for the search of endless loops.
+  const std::vector<std::pair<RecordId, RecordId>>& links() const { return links_; }
+
+ private:
+  std::vector<bool> backward_from(const std::vector<RecordId>& goals) const;
+
+  std::vector<Record> records_;
+  std::vector<std::pair<RecordId, RecordId>> links_;
+  std::vector<std::pair<RecordId, uint32_t>> terminals_;
+  // Successors and predecessors, packed: those of record i are [first[i], first[i + 1]).
+  std::vector<uint32_t> next_first_, next_, previous_first_, previous_;
+  std::vector<bool> hanging_;
+  mutable std::unordered_map<StatementId, Reach> reaches_;
+};
+
+}  // namespace owlint::flow

@@ -1,0 +1,306 @@
+#include "analyzer/flow/values.h"
+
+#include <algorithm>
+#include <bit>
+#include <string_view>
+
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+namespace {
+
+constexpr uint32_t kLocalNames = 32;
+constexpr uint32_t kGlobalNames = 8192;
+// Positions, offsets, probe results, tool data: the machine changes these between two lines.
+constexpr long kFirstVolatileNumber = 5061;
+// Above this many tracked numbers a write to a computed number would cost too much to model.
+constexpr size_t kMaxTracked = 512;
+
+// LinuxCNC's predefined named parameters; each was tried: reading works, assigning stops.
+constexpr std::string_view kPredefined[] = {
+    "_a", "_abs_a", "_abs_b", "_abs_c", "_abs_x", "_abs_y", "_abs_z", "_absolute", "_adaptive_feed", "_b", "_c",
+    "_call_level", "_ccomp", "_coord_system", "_current_pocket", "_current_tool", "_feed", "_feed_hold",
+    "_feed_override", "_flood", "_ijk_absolute_mode", "_imperial", "_incremental", "_inverse_time",
+    "_lathe_diameter_mode", "_lathe_radius_mode", "_line", "_metric", "_mist", "_motion_mode", "_plane",
+    "_remap_level", "_retract_old_z", "_retract_r_plane", "_rpm", "_selected_pocket", "_selected_tool",
+    "_speed_override", "_spindle_css_mode", "_spindle_cw", "_spindle_on", "_spindle_rpm_mode", "_task",
+    "_tool_offset", "_u", "_units_per_minute", "_units_per_rev", "_v", "_value", "_value_returned", "_vmajor",
+    "_vminor", "_w", "_x", "_y", "_z"};
+
+bool is_global_name(std::string_view name) { return !name.empty() && name[0] == '_'; }
+
+}  // namespace
+
+bool predefined_name(std::string_view name) { return std::ranges::binary_search(kPredefined, name); }
+
+bool read_only_number(long number) {
+  return (number >= 5400 && number <= 5413) || (number >= 5420 && number <= 5428);
+}
+
+ValueId Constants::intern(double value) {
+  if (value == 0) value = 0;  // -0 is 0
+  const auto [entry, added] =
+      ids_.emplace(std::bit_cast<uint64_t>(value), static_cast<ValueId>(values_.size()) + kFirstConstant);
+  if (added) values_.push_back(value);
+  return entry->second;
+}
+
+ValueId join_values(ValueId a, ValueId b) {
+  if (a == b) return a;
+  const auto assigned = [](ValueId v) { return v != kUnassigned && v != kMaybeUnassigned; };
+  return assigned(a) && assigned(b) ? kUnknown : kMaybeUnassigned;
+}
+
+Evaluator::Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::Pool& pool)
+    : syntax_(syntax), constants_(constants), pool_(pool), relevant_number_(kLastNumber + 1),
+      relevant_name_(syntax.names.size()) {
+  find_relevant();
+}
+
+/// Marks the parameters that an expression reads; true when one of them is new.
+bool Evaluator::mark(ExprId id) {
+  bool grew = false;
+  std::vector<ExprId> todo{id};
+  while (!todo.empty()) {
+    const Expr& expr = syntax_.exprs[todo.back()];
+    todo.pop_back();
+    double number = 0;
+    long index = 0;
+    if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) {
+      if (!relevant_name_[expr.name]) grew = relevant_name_[expr.name] = true;
+    } else if (expr.op == Operator::kParameter && literal_value(syntax_.exprs, expr.left, &number)) {
+      if (to_integer(number, &index) && index > 0 && index <= kLastNumber && !relevant_number_[index]) {
+        grew = relevant_number_[index] = true;
+        tracked_numbers_.push_back(static_cast<uint32_t>(index));
+      }
+      continue;
+    }
+    if (expr.left != kNoExpr) todo.push_back(expr.left);
+    if (expr.right != kNoExpr) todo.push_back(expr.right);
+  }
+  return grew;
+}
+
+void Evaluator::find_relevant() {
+  for (const ExprId value : syntax_.values) mark(value);
+  for (const Statement& s : syntax_.statements) {
+    if (s.label_expr != kNoExpr) mark(s.label_expr);
+  }
+  // An assignment to a parameter that matters makes what it reads matter. Few rounds suffice in practice; the
+  // limit only costs precision.
+  bool grew = true;
+  for (int round = 0; grew && round < 8; ++round) {
+    grew = false;
+    for (const Item& item : syntax_.items) {
+      double number = 0;
+      long index = 0;
+      bool matters = item.target_name != kNoName && relevant_name_[item.target_name];
+      if (item.target != kNoExpr) {
+        if (!literal_value(syntax_.exprs, item.target, &number)) {
+          computed_targets_ = true;
+          matters = true;
+          grew |= mark(item.target);
+        } else if (to_integer(number, &index) && index > 0 && index <= kLastNumber) {
+          matters = relevant_number_[index];
+        }
+      }
+      if (matters) grew |= mark(item.value);
+    }
+  }
+  if (computed_targets_ && tracked_numbers_.size() > kMaxTracked) {
+    relevant_number_.assign(kLastNumber + 1, false);
+    tracked_numbers_.clear();
+  }
+}
+
+void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
+  if (number < 1 || number > kLastNumber || !relevant_number_[number]) return;
+  PersistentMap& map = number < kFirstGlobalNumber ? p.locals : p.globals;
+  map.set(pool_, static_cast<uint32_t>(number), value);
+}
+
+void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
+  const bool global = is_global_name(syntax_.names.text(name));
+  // A constant that decides nothing is only "assigned".
+  if (value >= kFirstConstant && !relevant_name_[name]) value = kUnknown;
+  (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
+}
+
+void Evaluator::forget_numbers(Parameters& p) const {
+  for (const uint32_t number : tracked_numbers_) set_number(p, number, kUnknown);
+}
+
+ValueId Evaluator::read_number(long number, const Parameters& in) const {
+  if (number >= kFirstVolatileNumber || !relevant_number_[number]) return kUnknown;
+  if (number < kFirstGlobalNumber) return in.locals.get(static_cast<uint32_t>(number));
+  const ValueId value = in.globals.get(static_cast<uint32_t>(number));
+  return value == kUnassigned && in.outside ? kUnknown : value;
+}
+
+Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining) const {
+  const std::string_view text = syntax_.names.text(name);
+  Evaluation out;
+  if (is_global_name(text)) {
+    // A global name may have been assigned by another program or by hand: never called undefined here.
+    if (!predefined_name(text)) out.value = in.globals.get(kGlobalNames + name);
+    if (out.value < kFirstConstant) out.value = kUnknown;
+    return out;
+  }
+  out.value = in.locals.get(kLocalNames + name);
+  if (out.value >= kFirstConstant || out.value == kUnknown || out.value == kNotPassed) return out;
+  if (!defining) {
+    (out.value == kUnassigned ? out.fails : out.may_fail) = StopKind::kNameUndefined;
+    out.name = name;
+  }
+  out.value = kUnknown;
+  return out;
+}
+
+Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
+  Evaluation out;
+  if (expr.op == Operator::kExistsNumbered) return out;
+  const std::string_view text = syntax_.names.text(expr.name);
+  if (is_global_name(text)) {
+    const ValueId value = predefined_name(text) ? kUnknown : in.globals.get(kGlobalNames + expr.name);
+    if (value == kUnknown || value >= kFirstConstant) out.value = constants_.intern(1);
+    return out;
+  }
+  const ValueId value = in.locals.get(kLocalNames + expr.name);
+  if (value == kUnassigned) out.value = constants_.intern(0);
+  if (value == kUnknown || value >= kFirstConstant) out.value = constants_.intern(1);
+  return out;
+}
+
+// Recursion is bounded by the length of one line.
+Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_unassigned, bool defining,
+                               ReadLog* log) const {
+  const Expr& expr = syntax_.exprs[id];
+  Evaluation out;
+  switch (expr.op) {
+    case Operator::kNumber:
+      out.value = constants_.intern(expr.value);
+      return out;
+    case Operator::kNamed:
+      return read_name(expr.name, in, defining);
+    case Operator::kExistsNamed: case Operator::kExistsNumbered:
+      return exists(expr, in);
+    default:
+      break;
+  }
+  const Evaluation left = evaluate(expr.left, in, zero_when_unassigned, defining, log);
+  if (left.fails != StopKind::kNone) return left;
+  out.may_fail = left.may_fail;
+  out.name = left.name;
+  out.message = left.message;
+  if (expr.op == Operator::kParameter) {
+    if (!constants_.is_constant(left.value)) return out;
+    long number = 0;
+    if (!to_integer(constants_.value(left.value), &number)) {
+      out.fails = StopKind::kParameterRange;
+      out.message = "Non integer value for integer";
+    } else if (number < 1 || number > kLastNumber) {
+      out.fails = StopKind::kParameterRange;
+      out.message = "Parameter number out of range";
+    } else {
+      out.value = read_number(number, in);
+      if (out.value == kNotPassed) {
+        if (log != nullptr) log->not_passed |= 1U << number;
+        out.value = constants_.intern(0);
+      }
+      if (out.value == kUnassigned && zero_when_unassigned) out.value = constants_.intern(0);
+      if (out.value < kFirstConstant) out.value = kUnknown;
+    }
+    return out;
+  }
+  ValueId right_value = left.value;
+  if (expr.right != kNoExpr) {
+    const Evaluation right = evaluate(expr.right, in, zero_when_unassigned, defining, log);
+    if (right.fails != StopKind::kNone) return right;
+    if (out.may_fail == StopKind::kNone) {
+      out.may_fail = right.may_fail;
+      out.name = right.name;
+      out.message = right.message;
+    }
+    right_value = right.value;
+  }
+  const bool left_known = constants_.is_constant(left.value);
+  const bool right_known = constants_.is_constant(right_value);
+  if (left_known && right_known) {
+    double result = 0;
+    const char* message = apply(expr.op, constants_.value(left.value), constants_.value(right_value), &result);
+    if (message != nullptr) {
+      out.fails = StopKind::kValueFails;
+      out.message = message;
+    } else {
+      out.value = constants_.intern(result);
+    }
+  } else if (expr.op == Operator::kDivide && right_known && constants_.value(right_value) == 0) {
+    out.fails = StopKind::kValueFails;
+    out.message = "Attempt to divide by zero";
+  }
+  return out;
+}
+
+Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) const {
+  Evaluation may;  // the first thing that stops on some of the merged paths
+  struct Write {
+    long number;  // 0: unknown number; -1: a name
+    NameId name;
+    ValueId value;
+  };
+  std::vector<Write> writes;
+  Parameters reading = parameters;
+  for (uint32_t i = 0; i < s.item_count; ++i) {
+    const Item& item = syntax_.items[s.first_item + i];
+    Write write{-1, item.target_name, kUnknown};
+    if (item.target != kNoExpr) {
+      const Evaluation index = evaluate(item.target, reading, false, false, log);
+      if (index.fails != StopKind::kNone) return index;
+      write.number = 0;
+      if (constants_.is_constant(index.value)) {
+        Evaluation out;
+        if (!to_integer(constants_.value(index.value), &write.number)) {
+          out.fails = StopKind::kParameterRange;
+          out.message = "Non integer value for integer";
+        } else if (write.number < 1 || write.number > kLastNumber) {
+          out.fails = StopKind::kParameterRange;
+          out.message = "Parameter number out of range";
+        } else if (read_only_number(write.number)) {
+          out.fails = StopKind::kParameterReadOnly;
+          out.message = "Parameter is readonly";
+        }
+        if (out.fails != StopKind::kNone) return out;
+      }
+    }
+    const Evaluation value = evaluate(item.value, reading, false, false, log);
+    if (value.fails != StopKind::kNone) return value;
+    if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) may = value;
+    write.value = value.value;
+    const bool assigns = item.target != kNoExpr || item.target_name != kNoName;
+    if (!assigns) continue;
+    if (item.target_name != kNoName) {
+      if (predefined_name(syntax_.names.text(item.target_name))) {
+        Evaluation out;
+        out.fails = StopKind::kNameReadOnly;
+        out.name = item.target_name;
+        return out;
+      }
+      // A name exists from here on, also for the rest of its own line (measured).
+      set_name(reading, item.target_name, kUnknown);
+    }
+    writes.push_back(write);
+  }
+  for (const Write& write : writes) {
+    if (write.number == 0) {
+      forget_numbers(parameters);
+    } else if (write.number > 0) {
+      set_number(parameters, write.number, write.value);
+    } else {
+      set_name(parameters, write.name, write.value);
+    }
+  }
+  return may;
+}
+
+}  // namespace owlint::flow

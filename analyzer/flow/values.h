@@ -1,0 +1,102 @@
+// What is known of parameters: nothing, one constant, or that something was assigned. Constants come from literals
+// and arithmetic on them; everything else is unknown, so that both outcomes of a condition are followed.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "analyzer/flow/persistent_map.h"
+#include "analyzer/syntax/statement.h"
+
+namespace owlint::flow {
+
+/// A value in a state's parameter maps. Constants are numbered from kFirstConstant.
+using ValueId = uint32_t;
+inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
+inline constexpr ValueId kUnknown = 1;          ///< assigned, value not known
+inline constexpr ValueId kMaybeUnassigned = 2;  ///< assigned on some paths
+inline constexpr ValueId kNotPassed = 3;        ///< #n of a sub whose call passes fewer arguments: reads 0
+inline constexpr ValueId kFirstConstant = 4;
+
+/// #1 to #30 belong to the sub that is executed, named ones without `_` too; the rest is global.
+inline constexpr long kFirstGlobalNumber = 31;
+inline constexpr long kLastNumber = 5601;
+
+class Constants {
+ public:
+  ValueId intern(double value);
+  bool is_constant(ValueId id) const { return id >= kFirstConstant; }
+  double value(ValueId id) const { return values_[id - kFirstConstant]; }
+
+ private:
+  std::vector<double> values_;
+  std::unordered_map<uint64_t, ValueId> ids_;
+};
+
+/// What is known when two paths meet.
+ValueId join_values(ValueId a, ValueId b);
+
+/// Parameters as one state sees them.
+struct Parameters {
+  PersistentMap locals;   ///< keys: 1-30, and 32 + NameId
+  PersistentMap globals;  ///< keys: number, and 8192 + NameId
+  bool outside = false;   ///< an unknown sub has run: globals may have any value
+};
+
+/// The result of evaluating an expression in one state.
+struct Evaluation {
+  ValueId value = kUnknown;
+  StopKind fails = StopKind::kNone;      ///< evaluation always stops here
+  StopKind may_fail = StopKind::kNone;   ///< on some of the merged paths it stops
+  NameId name = kNoName;                 ///< the undefined name
+  const char* message = nullptr;         ///< the interpreter's words for a failing operation
+};
+
+/// What the evaluator tells about reads, besides the value.
+struct ReadLog {
+  uint32_t not_passed = 0;  ///< bit n: #n was read though the call did not pass it
+};
+
+/// Whether a name is one that LinuxCNC predefines and that cannot be assigned.
+bool predefined_name(std::string_view name);
+/// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured).
+bool read_only_number(long number);
+
+class Evaluator {
+ public:
+  Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::Pool& pool);
+
+  /// Evaluates `id`. `zero_when_unassigned`: numbered parameters that the program never set read 0, as they do
+  /// in a freshly started interpreter; used only to tell whether a value can fail. `defining`: while a sub
+  /// definition is passed over, undefined names do not stop.
+  Evaluation evaluate(ExprId id, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const;
+
+  /// Applies the assignments of a line, in order, after all its values were read.
+  /// Returns what stops it, if anything does.
+  Evaluation assign(const Statement& s, Parameters& parameters, ReadLog* log) const;
+
+  Constants& constants() const { return constants_; }
+  void set_number(Parameters& p, long number, ValueId value) const;
+  void set_name(Parameters& p, NameId name, ValueId value) const;
+
+ private:
+  void find_relevant();
+  bool mark(ExprId id);
+  ValueId read_number(long number, const Parameters& in) const;
+  Evaluation read_name(NameId name, const Parameters& in, bool defining) const;
+  Evaluation exists(const Expr& expr, const Parameters& in) const;
+  void forget_numbers(Parameters& p) const;
+
+  const Syntax& syntax_;
+  Constants& constants_;
+  PersistentMap::Pool& pool_;
+  // Only parameters on which a condition, label, count, argument or value can depend are tracked: others would
+  // tell states apart that behave alike.
+  std::vector<bool> relevant_number_;
+  std::vector<bool> relevant_name_;
+  std::vector<uint32_t> tracked_numbers_;
+  bool computed_targets_ = false;
+};
+
+}  // namespace owlint::flow

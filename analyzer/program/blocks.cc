@@ -1,0 +1,220 @@
+// Pairs the parts of blocks, region by region. Where labels or keywords do not fit, it looks for the most likely
+// reading: an end with the right label first, then a mistaken end, then the place that indentation points to.
+#include <algorithm>
+#include <unordered_map>
+
+#include "analyzer/program/program.h"
+
+namespace owlint {
+namespace {
+
+class Matcher {
+ public:
+  Matcher(Program& program, RegionId region) : program_(program), region_(region) {}
+
+  void run(const std::vector<StatementId>& lines) {
+    lines_ = &lines;
+    for (size_t i = 0; i < lines.size(); ++i) {
+      index_ = i;
+      note_definitions(lines[i]);
+      line(lines[i]);
+    }
+    note_definitions(static_cast<StatementId>(program_.size()));
+    while (!open_.empty()) {
+      unclosed(open_.back(), lines.empty() ? 0 : lines.back() + 1);
+      open_.pop_back();
+    }
+  }
+
+ private:
+  Block& block(BlockId id) { return program_.blocks[id]; }
+
+  /// Definitions before `id` stand in the innermost block that is open now.
+  void note_definitions(StatementId id) {
+    if (region_ != kMainRegion) return;
+    for (; next_region_ < program_.regions.size() && program_.regions[next_region_].opener < id; ++next_region_) {
+      if (!open_.empty()) program_.regions[next_region_].enclosing = open_.back();
+    }
+  }
+
+  void line(StatementId id) {
+    const Statement& s = program_.at(id);
+    if (s.kind != LineKind::kOWord || s.label == kNoName) return;
+    switch (s.keyword) {
+      case Keyword::kWhile:
+        if (const size_t at = find(Keyword::kDo, s.label); at != open_.size()) return close(at, id);
+        return open(id);
+      case Keyword::kIf: case Keyword::kDo: case Keyword::kRepeat:
+        return open(id);
+      case Keyword::kElseif: case Keyword::kElse:
+        if (const size_t at = find(Keyword::kIf, s.label); at != open_.size()) {
+          block(open_[at]).parts.push_back(id);
+          program_.block_of[id] = open_[at];
+        }
+        return;
+      case Keyword::kBreak: case Keyword::kContinue:
+        for (size_t at = open_.size(); at-- > 0;) {
+          if (block(open_[at]).label != s.label) continue;
+          program_.block_of[id] = open_[at];
+          return;
+        }
+        return;
+      case Keyword::kEndif: case Keyword::kEndwhile: case Keyword::kEndrepeat:
+        return end(id);
+      default:
+        return;
+    }
+  }
+
+  void open(StatementId id) {
+    const Statement& s = program_.at(id);
+    Block b;
+    b.kind = s.keyword;
+    b.label = s.label;
+    b.region = region_;
+    b.opener = id;
+    b.parent = open_.empty() ? kNoBlock : open_.back();
+    const auto number = static_cast<BlockId>(program_.blocks.size());
+    program_.block_of[id] = number;
+    program_.blocks.push_back(std::move(b));
+    open_.push_back(number);
+    by_label_[s.label].push_back(number);
+  }
+
+  /// Position in the stack of the innermost open block of that kind and label; the stack's size if there is none.
+  size_t find(Keyword kind, NameId label) {
+    const auto found = by_label_.find(label);
+    if (found == by_label_.end()) return open_.size();
+    for (size_t i = found->second.size(); i-- > 0;) {
+      if (block(found->second[i]).kind != kind) continue;
+      const auto at = std::ranges::lower_bound(open_, found->second[i]);
+      return static_cast<size_t>(at - open_.begin());
+    }
+    return open_.size();
+  }
+
+  void forget(BlockId id) {
+    auto& list = by_label_[block(id).label];
+    // From the back: it is nearly always the last, and a thousand blocks may share a label.
+    const auto found = std::find(list.rbegin(), list.rend(), id);
+    if (found != list.rend()) list.erase(std::next(found).base());
+  }
+
+  void end(StatementId id) {
+    const Statement& s = program_.at(id);
+    const size_t at = find(opener_of(s.keyword), s.label);
+    if (at != open_.size()) return close(at, id);
+    if (open_.empty()) return;
+    // No open block fits. The innermost one was probably meant if only its label or its keyword differs and its
+    // proper end does not come later.
+    Block& top = block(open_.back());
+    const bool same_label = top.label == s.label;
+    const bool same_kind = top.kind == opener_of(s.keyword);
+    if ((same_label || same_kind) && !comes_later(top)) {
+      top.mistaken_end = id;
+      program_.block_of[id] = open_.back();
+      forget(open_.back());
+      open_.pop_back();
+    }
+  }
+
+  bool comes_later(const Block& b) const {
+    // Bounded: an end further away than this is not looked for.
+    constexpr size_t kHorizon = 4096;
+    const auto& lines = program_.by_label[b.label];
+    auto at = std::ranges::upper_bound(lines, (*lines_)[index_]);
+    for (size_t n = 0; at != lines.end() && n < kHorizon; ++at, ++n) {
+      if (program_.region_of[*at] != region_) continue;
+      const Statement& s = program_.at(*at);
+      if (s.is(end_of(b.kind))) return true;
+      if (opens_block(s.keyword)) return false;
+    }
+    return false;
+  }
+
+  void close(size_t at, StatementId id) {
+    const BlockId closing = open_[at];
+    while (open_.size() > at + 1) {
+      const BlockId inner = open_.back();
+      if (comes_later(block(inner))) {
+        crossing_.push_back(inner);
+        block(inner).crossed = closing;
+      } else {
+        unclosed(inner, id);
+      }
+      forget(inner);
+      open_.pop_back();
+    }
+    block(closing).end = id;
+    program_.block_of[id] = closing;
+    forget(closing);
+    open_.pop_back();
+    // Crossing blocks go on behind the end of the one that they cross.
+    while (!crossing_.empty()) {
+      const BlockId inner = crossing_.back();
+      crossing_.pop_back();
+      open_.push_back(inner);
+      std::ranges::sort(open_);
+      by_label_[block(inner).label].push_back(inner);
+    }
+  }
+
+  size_t indent(StatementId id) const {
+    const Statement& s = program_.at(id);
+    const std::string_view text = program_.source->slice({s.offset, s.end});
+    const size_t first = text.find_first_not_of(" \t");
+    return first == std::string_view::npos ? 0 : first;
+  }
+
+  /// Guesses where the missing end belongs: before the first O-word at the opener's own indentation or further out,
+  /// and not behind `limit`, where an enclosing block ends. Without indentation there is nothing to tell ties apart.
+  void unclosed(BlockId id, StatementId limit) {
+    Block& b = block(id);
+    const size_t own = indent(b.opener);
+    bool indented = false;
+    // The scan is bounded: a guess further away than this would not help anybody.
+    constexpr StatementId kHorizon = 256;
+    const StatementId last = std::min<StatementId>({limit, static_cast<StatementId>(program_.size()), b.opener + kHorizon});
+    for (StatementId at = b.opener + 1; at < last; ++at) {
+      if (program_.region_of[at] != region_) break;
+      if (std::ranges::find(b.parts, at) != b.parts.end()) continue;
+      const size_t depth = indent(at);
+      if (depth > own) {
+        indented = true;
+      } else if (indented) {
+        b.suggested_line = program_.at(at).line;
+        return;
+      }
+    }
+    const bool within = limit < program_.size() && limit - b.opener < kHorizon;
+    // Inside another block the end of that block is the last possible place; it is the only one when nothing else
+    // opens or ends between.
+    const bool only_place = within && limit == b.opener + 1 + b.parts.size();
+    if (within && (indented || only_place)) b.suggested_line = program_.at(limit).line;
+  }
+
+  Program& program_;
+  RegionId region_;
+  const std::vector<StatementId>* lines_ = nullptr;
+  size_t index_ = 0;
+  RegionId next_region_ = 1;
+  std::vector<BlockId> open_;
+  std::vector<BlockId> crossing_;
+  std::unordered_map<NameId, std::vector<BlockId>> by_label_;  // open blocks
+};
+
+}  // namespace
+
+void match_blocks(Program& program) {
+  program.blocks.clear();
+  program.block_of.assign(program.size(), kNoBlock);
+  std::vector<std::vector<StatementId>> lines(program.regions.size());
+  for (StatementId id = 0; id < program.size(); ++id) lines[program.region_of[id]].push_back(id);
+  for (RegionId region = 0; region < program.regions.size(); ++region) Matcher(program, region).run(lines[region]);
+  for (Region& region : program.regions) {
+    // A block that never ends encloses nothing.
+    if (region.enclosing != kNoBlock && program.blocks[region.enclosing].end == kNoStatement) region.enclosing = kNoBlock;
+  }
+}
+
+}  // namespace owlint

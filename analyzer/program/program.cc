@@ -1,0 +1,104 @@
+#include "analyzer/program/program.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <unordered_map>
+
+namespace owlint {
+namespace {
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+void index_labels(Program& program) {
+  program.by_label.resize(program.syntax.names.size());
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    if (s.kind == LineKind::kOWord && s.label != kNoName) program.by_label[s.label].push_back(id);
+  }
+}
+
+void collect_calls(Program& program) {
+  std::unordered_map<NameId, RegionId> first_definition;
+  for (RegionId r = 1; r < program.regions.size(); ++r) first_definition.emplace(program.regions[r].name, r);
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    if (!s.is(Keyword::kCall) && s.kind != LineKind::kM98) continue;
+    Call call{id, program.region_of[id], s.label};
+    if (const auto found = first_definition.find(call.callee); found != first_definition.end()) call.target = found->second;
+    program.calls.push_back(call);
+  }
+}
+
+/// A file that defines the sub it is named after and does nothing else is called, not run.
+void decide_entry(Program& program) {
+  const std::string stem = lower(std::filesystem::path(program.source->path()).stem().string());
+  const NameId name = program.syntax.names.find(stem);
+  if (name == kNoName || program.syntax.first_plain_line != 0) return;
+  bool defined = false;
+  for (const Region& region : program.regions) {
+    if (region.opener == kNoStatement) continue;
+    if (region.name == name && program.at(region.opener).is(Keyword::kSub)) defined = true;
+  }
+  if (!defined) return;
+  for (StatementId id = 0; id < program.size(); ++id) {
+    if (program.region_of[id] != kMainRegion) {
+      // Plain code behind an `endsub` is counted with the statement before it.
+      const Region& region = program.regions[program.region_of[id]];
+      if (id == region.end && program.at(id).plain_code_follows) return;
+      continue;
+    }
+    const Statement& s = program.at(id);
+    const bool ends = s.kind == LineKind::kProgramEnd || s.kind == LineKind::kPercent;
+    if (!ends) return;
+    if (s.kind == LineKind::kPercent && s.plain_code_follows) return;
+  }
+  program.sub_file = true;
+  program.entry = name;
+}
+
+/// Called names that are not defined here, but by a file in the program's own folder: LinuxCNC looks there first.
+void find_outside_subs(Program& program) {
+  const auto folder = std::filesystem::path(program.source->path()).parent_path();
+  for (const Call& call : program.calls) {
+    if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+    const std::string& name = program.name(call.callee);
+    if (name.empty() || name.find_first_of("/$`~") != std::string::npos) continue;
+    struct stat info {};
+    if (::stat((folder / (name + ".ngc")).c_str(), &info) == 0 && S_ISREG(info.st_mode)) program.outside_subs.insert(call.callee);
+  }
+}
+
+}  // namespace
+
+std::string Program::label_text(NameId id) const {
+  const std::string& text = name(id);
+  const bool number = !text.empty() && text.find_first_not_of("-0123456789") == std::string::npos;
+  return number ? "o" + text : "o<" + text + ">";
+}
+
+std::string Program::head(StatementId id) const {
+  const Statement& s = at(id);
+  std::string text = s.label != kNoName ? label_text(s.label) : std::string(source->slice(s.label_span()));
+  if (!spelling(s.keyword).empty()) text += " " + std::string(spelling(s.keyword));
+  return text;
+}
+
+std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source) {
+  auto program = std::make_unique<Program>();
+  program->syntax = scan(*source);
+  program->source = std::move(source);
+  index_labels(*program);
+  find_regions(*program);
+  match_blocks(*program);
+  collect_calls(*program);
+  decide_entry(*program);
+  find_outside_subs(*program);
+  return program;
+}
+
+}  // namespace owlint

@@ -1,0 +1,88 @@
+// The program room: what the lines of a file are to each other. Subs and their bodies, blocks with their parts,
+// who calls whom. Built once from the syntax; the flow room and the rules read it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "analyzer/syntax/statement.h"
+
+namespace owlint {
+
+using RegionId = uint32_t;
+using BlockId = uint32_t;
+inline constexpr RegionId kMainRegion = 0;
+inline constexpr BlockId kNoBlock = UINT32_MAX;
+
+/// The main program, or the lines of one sub definition from its `sub` to its `endsub`. Labels of blocks are local
+/// to a region.
+struct Region {
+  NameId name = kNoName;                ///< label of the sub; kNoName for the main program
+  StatementId opener = kNoStatement;
+  StatementId end = kNoStatement;       ///< the `endsub` with the sub's label; none when it is missing
+  StatementId likely_end = kNoStatement;  ///< an `endsub` with another label that was probably meant
+  BlockId enclosing = UINT32_MAX;       ///< a block of the main program in which the definition stands
+  StatementId last = 0;                 ///< one past the last statement that belongs to it
+};
+
+/// One `if`, `while`, `do` or `repeat` with everything that belongs to it.
+struct Block {
+  Keyword kind = Keyword::kIf;
+  NameId label = kNoName;
+  RegionId region = kMainRegion;
+  StatementId opener = 0;
+  std::vector<StatementId> parts;  ///< `elseif`, `else`
+  StatementId end = kNoStatement;  ///< its end, or none
+  BlockId parent = kNoBlock;
+  BlockId crossed = kNoBlock;      ///< a block that ends between this one's opener and end without nesting in it
+  StatementId mistaken_end = kNoStatement;  ///< a line that is probably meant to be the missing end
+  uint32_t suggested_line = 0;     ///< the missing end most likely belongs before this line; 0: no guess
+};
+
+/// One call: O-word or M98.
+struct Call {
+  StatementId statement = 0;
+  RegionId caller = kMainRegion;
+  NameId callee = kNoName;      ///< kNoName: computed at run time
+  RegionId target = UINT32_MAX;  ///< the region of the callee's first definition in this file
+};
+
+struct Program {
+  std::shared_ptr<const Source> source;
+  Syntax syntax;
+
+  std::vector<Region> regions;        ///< [0] is the main program
+  std::vector<RegionId> region_of;    ///< by statement
+  std::vector<Block> blocks;          ///< in the order of their openers
+  std::vector<BlockId> block_of;      ///< by statement: the block that it opens, divides, ends, breaks or continues
+  std::vector<Call> calls;
+  std::vector<std::vector<StatementId>> by_label;  ///< by NameId: the O-words with that label, in file order
+
+  /// The file is called from elsewhere: it defines the sub it is named after, and does nothing else.
+  bool sub_file = false;
+  NameId entry = kNoName;  ///< that sub
+  std::unordered_set<NameId> outside_subs;  ///< called names that a file beside the program defines
+
+  const Statement& at(StatementId id) const { return syntax.statements[id]; }
+  const std::string& name(NameId id) const { return syntax.names.text(id); }
+  size_t size() const { return syntax.statements.size(); }
+  /// `o100` or `o<name>`, as a machinist would write the label.
+  std::string label_text(NameId id) const;
+  /// `o100 if`: label and keyword of a statement.
+  std::string head(StatementId id) const;
+  /// The block's keyword and label, `o100 if`.
+  std::string head_of(const Block& block) const { return head(block.opener); }
+};
+
+/// Builds everything above from the bytes of one file.
+std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source);
+
+// The two passes of build_program, each in its own file.
+void find_regions(Program& program);
+void match_blocks(Program& program);
+
+}  // namespace owlint

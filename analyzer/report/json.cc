@@ -1,0 +1,83 @@
+#include <nlohmann/json.hpp>
+
+#include "analyzer/report/report.h"
+
+namespace owlint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json position(const Source& source, uint64_t offset) {
+  const Position p = source.position(offset);
+  return {{"line", p.line}, {"column", p.column}, {"offset", p.offset}};
+}
+
+Json finding_json(const Source& source, const Finding& f) {
+  const auto place = [&](Json& json, Span span) {
+    json["start"] = position(source, span.begin);
+    json["end"] = position(source, span.end);
+  };
+  Json json;
+  json["code"] = f.code;
+  json["rule"] = f.rule;
+  json["severity"] = severity_text(f.severity);
+  json["message"] = printable(f.message);
+  place(json, f.span);
+  json["reach"] = reach_text(f.reach);
+  json["stops"] = f.stops;
+  if (!f.interpreter.empty()) json["interpreter"] = printable(f.interpreter);
+  if (!f.help.empty()) json["help"] = printable(f.help);
+  json["related"] = Json::array();
+  for (const Related& related : f.related) {
+    Json entry{{"path", printable(source.path())}, {"message", printable(related.message)}};
+    place(entry, related.span);
+    json["related"].push_back(std::move(entry));
+  }
+  json["fixes"] = Json::array();
+  for (const Fix& fix : f.fixes) {
+    Json entry{{"title", printable(fix.title)}, {"safe", fix.safe}, {"edits", Json::array()}};
+    for (const Edit& edit : fix.edits) {
+      Json change;
+      place(change, edit.span);
+      change["text"] = printable(edit.text);
+      entry["edits"].push_back(std::move(change));
+    }
+    json["fixes"].push_back(std::move(entry));
+  }
+  if (!f.consequences.empty()) {
+    json["consequences"] = Json::array();
+    for (const Consequence& c : f.consequences) {
+      Json entry{{"code", c.code}, {"interpreter", printable(c.interpreter)}};
+      place(entry, c.span);
+      json["consequences"].push_back(std::move(entry));
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+void write_json(std::ostream& out, const std::vector<FileReport>& files) {
+  Json report;
+  report["schema"] = "owlint-report-1";
+  report["tool"] = {{"name", kToolName}, {"version", kToolVersion}};
+  report["files"] = Json::array();
+  for (const FileReport& file : files) {
+    Json entry{{"path", printable(file.source->path())}, {"findings", Json::array()}};
+    for (const Finding& f : file.findings) entry["findings"].push_back(finding_json(*file.source, f));
+    report["files"].push_back(std::move(entry));
+  }
+  const Summary summary = summarize(files);
+  report["summary"] = {{"files", summary.files}, {"errors", summary.errors}, {"warnings", summary.warnings}, {"infos", summary.infos}};
+  out << report.dump(2) << '\n';
+}
+
+void write_jsonl(std::ostream& out, const FileReport& file) {
+  for (const Finding& f : file.findings) {
+    Json line{{"path", printable(file.source->path())}};
+    line.update(finding_json(*file.source, f));
+    out << line.dump() << '\n';
+  }
+}
+
+}  // namespace owlint

@@ -1,0 +1,42 @@
+// Findings to output. Every format writes to a stream; nothing here decides anything.
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "rules/lint.h"
+
+namespace owlint {
+
+inline constexpr std::string_view kToolName = "owlint";
+inline constexpr std::string_view kToolVersion = OWLINT_VERSION;
+
+struct Summary {
+  size_t files = 0;
+  size_t errors = 0;
+  size_t warnings = 0;
+  size_t infos = 0;
+
+  void count(const Finding& finding);
+  size_t total() const { return errors + warnings + infos; }
+};
+
+Summary summarize(const std::vector<FileReport>& files);
+
+/// For people: place, message, the line with carets, related places, what LinuxCNC says, how to mend it.
+void write_text(std::ostream& out, const FileReport& file, bool color);
+/// `2 errors, 1 warning in 3 files`.
+std::string summary_text(const Summary& summary);
+
+/// `owlint-report-1`, see share/owlint-report-1.schema.json.
+void write_json(std::ostream& out, const std::vector<FileReport>& files);
+/// One finding an object, one object a line, with its `path`.
+void write_jsonl(std::ostream& out, const FileReport& file);
+
+/// How often each rule was found, most often first.
+void write_statistics(std::ostream& out, const std::vector<FileReport>& files);
+
+/// Bytes for terminals and JSON: invalid UTF-8 is taken for Latin-1, control characters become visible.
+std::string printable(std::string_view bytes);
+
+}  // namespace owlint

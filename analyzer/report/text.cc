@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "analyzer/report/report.h"
+
+namespace owlint {
+namespace {
+
+constexpr size_t kWidest = 120;  // longer source lines are cut around the finding
+
+struct Colors {
+  std::string_view bold, red, yellow, blue, cyan, dim, reset;
+};
+constexpr Colors kPlain{"", "", "", "", "", "", ""};
+constexpr Colors kAnsi{"\x1b[1m", "\x1b[1;31m", "\x1b[1;33m", "\x1b[1;34m", "\x1b[36m", "\x1b[2m", "\x1b[0m"};
+
+std::string_view severity_color(const Colors& c, Severity severity) {
+  return severity == Severity::kError ? c.red : severity == Severity::kWarning ? c.yellow : c.blue;
+}
+
+/// A source line with the span underlined by `mark`, and words behind the underline.
+void write_snippet(std::ostream& out, const Source& source, Span span, char mark, std::string_view words,
+                   std::string_view color, const Colors& c) {
+  const Position start = source.position(span.begin);
+  const Span line = source.line(start.line);
+  uint64_t from = line.begin;
+  if (span.begin > from + kWidest / 2 && line.end - line.begin > kWidest) from = span.begin - kWidest / 2;
+  const uint64_t to = std::min<uint64_t>(line.end, from + kWidest);
+  std::string text = printable(source.slice({from, to}));
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.pop_back();
+  std::string pad;
+  const uint64_t shown = std::min(span.begin, to);
+  for (const char ch : source.slice({from, shown})) {
+    if ((static_cast<unsigned char>(ch) & 0xC0) != 0x80) pad += ch == '\t' ? '\t' : ' ';
+  }
+  const uint64_t end = std::clamp(span.end, shown, to);
+  const size_t width = std::max<size_t>(1, count_code_points(source.slice({shown, end})));
+  out << fmt::format("{}{:>5} |{} {}\n", c.dim, start.line, c.reset, text);
+  out << fmt::format("{}      |{} {}{}{}{}{}\n", c.dim, c.reset, pad, color, std::string(width, mark), c.reset,
+                     words.empty() ? "" : " " + std::string(words));
+}
+
+}  // namespace
+
+void Summary::count(const Finding& finding) {
+  if (finding.severity == Severity::kError) ++errors;
+  if (finding.severity == Severity::kWarning) ++warnings;
+  if (finding.severity == Severity::kInfo) ++infos;
+}
+
+Summary summarize(const std::vector<FileReport>& files) {
+  Summary summary;
+  summary.files = files.size();
+  for (const FileReport& file : files) {
+    for (const Finding& finding : file.findings) summary.count(finding);
+  }
+  return summary;
+}
+
+std::string printable(std::string_view bytes) {
+  std::string out;
+  for (size_t at = 0; at < bytes.size();) {
+    const auto byte = static_cast<unsigned char>(bytes[at]);
+    size_t length = 1;
+    if (byte >= 0xC2) {
+      // A valid sequence is one code point for count_code_points; anything else is single bytes.
+      while (length < 4 && at + length < bytes.size() && (static_cast<unsigned char>(bytes[at + length]) & 0xC0) == 0x80) ++length;
+      const size_t wanted = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : 2;
+      length = length >= wanted && byte < 0xF5 ? wanted : 1;
+      const auto second = at + 1 < bytes.size() ? static_cast<unsigned char>(bytes[at + 1]) : 0;
+      // Overlong forms, surrogates and code points beyond the last one are not UTF-8.
+      if ((byte == 0xE0 && second < 0xA0) || (byte == 0xED && second > 0x9F) || (byte == 0xF0 && second < 0x90) ||
+          (byte == 0xF4 && second > 0x8F)) {
+        length = 1;
+      }
+    }
+    if (length > 1) {
+      out += bytes.substr(at, length);
+    } else if (byte >= 0x80) {
+      out += static_cast<char>(0xC0 | byte >> 6);
+      out += static_cast<char>(0x80 | (byte & 0x3F));
+    } else if ((byte < 0x20 && byte != '\t') || byte == 0x7F) {
+      out += "\xEF\xBF\xBD";
+    } else {
+      out += static_cast<char>(byte);
+    }
+    at += length;
+  }
+  return out;
+}
+
+void write_text(std::ostream& out, const FileReport& file, bool color) {
+  const Colors& c = color ? kAnsi : kPlain;
+  const Source& source = *file.source;
+  for (const Finding& f : file.findings) {
+    const Position at = source.position(f.span.begin);
+    const std::string_view tint = severity_color(c, f.severity);
+    out << fmt::format("{}{}:{}:{}:{} {}{}{} {}{}{} {}[{} {}]{}\n", c.bold, printable(source.path()), at.line, at.column,
+                       c.reset, tint, severity_text(f.severity), c.reset, c.bold, printable(f.message), c.reset, c.dim,
+                       f.code, f.rule, c.reset);
+    write_snippet(out, source, f.span, '^', "", tint, c);
+    for (const Related& related : f.related) write_snippet(out, source, related.span, '-', printable(related.message), c.blue, c);
+    const auto line = [&](std::string_view label, std::string_view words) {
+      if (!words.empty()) out << fmt::format("      {}= {}:{} {}\n", c.cyan, label, c.reset, printable(words));
+    };
+    line("LinuxCNC says", f.interpreter);
+    for (const Consequence& consequence : f.consequences) line("or, on other runs", consequence.interpreter);
+    if (f.reach == Reach::kNever) line("reach", "no run gets here; it is wrong all the same");
+    line("mend", f.help);
+    out << '\n';
+  }
+}
+
+std::string summary_text(const Summary& summary) {
+  const auto count = [](size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
+  const std::string files = count(summary.files, "file");
+  if (summary.total() == 0) return fmt::format("nothing found in {}", files);
+  std::string text = count(summary.errors, "error") + ", " + count(summary.warnings, "warning");
+  if (summary.infos > 0) text += ", " + count(summary.infos, "info");
+  return text + " in " + files;
+}
+
+void write_statistics(std::ostream& out, const std::vector<FileReport>& files) {
+  std::map<std::string_view, std::pair<size_t, std::string_view>> counts;
+  FlowStatistics flow;
+  for (const FileReport& file : files) {
+    flow.steps += file.statistics.steps;
+    flow.merges += file.statistics.merges;
+    for (const Finding& f : file.findings) {
+      ++counts[f.code].first;
+      counts[f.code].second = f.rule;
+    }
+  }
+  std::vector<std::pair<std::string_view, std::pair<size_t, std::string_view>>> sorted(counts.begin(), counts.end());
+  std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) { return a.second.first > b.second.first; });
+  for (const auto& [code, entry] : sorted) out << fmt::format("{:>7}  {}  {}\n", entry.first, code, entry.second);
+  out << fmt::format("{:>7}  files, {} flow steps, {} merges\n", files.size(), flow.steps, flow.merges);
+}
+
+}  // namespace owlint

@@ -1,0 +1,83 @@
+// Expressions of RS274/NGC as flat nodes: `[#1 + 2]`, `ATAN[1]/[2]`, `EXISTS[#<a>]`. Parsing never throws; what is
+// malformed comes back as an error with its place and the interpreter's message.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "analyzer/syntax/line_text.h"
+#include "analyzer/syntax/names.h"
+
+namespace owlint {
+
+enum class Operator : uint8_t {
+  // leaves
+  kNumber,     // value
+  kNamed,      // #<name>: name
+  kParameter,  // #n, #[...], ##n: left is the number
+  kExistsNamed,
+  kExistsNumbered,
+  // one operand, left
+  kNegate, kAbs, kAcos, kAsin, kCos, kExp, kFix, kFup, kLn, kRound, kSin, kSqrt, kTan,
+  // two operands
+  kAtan, kPower, kTimes, kDivide, kModulo, kPlus, kMinus,
+  kEq, kNe, kGt, kGe, kLt, kLe, kAnd, kOr, kXor,
+};
+
+using ExprId = uint32_t;
+inline constexpr ExprId kNoExpr = UINT32_MAX;
+
+struct Expr {
+  Operator op = Operator::kNumber;
+  ExprId left = kNoExpr;
+  ExprId right = kNoExpr;
+  NameId name = kNoName;
+  double value = 0;
+};
+
+/// All expressions of a program, in one array; an operand always stands before its operator.
+using ExprPool = std::vector<Expr>;
+
+/// What is wrong with a piece of a line: the interpreter's message, and the normalised characters it is about.
+struct ReadError {
+  StopKind kind = StopKind::kNone;
+  size_t from = 0;  ///< index into the LineText
+  size_t to = 0;
+  std::string message;
+};
+
+/// Reads values out of one line. The cursor stays where reading ended; after a failure `error()` says why.
+class ExpressionParser {
+ public:
+  ExpressionParser(const LineText& line, ExprPool& pool, Names& names) : line_(line), pool_(pool), names_(names) {}
+
+  /// Reads `[ ... ]` at the cursor.
+  ExprId bracketed();
+  /// Reads any value: number, `[...]`, `#...`, a function, with signs.
+  ExprId value();
+  /// Reads what follows `#`: `5`, `[...]`, `<name>`, `#5`.
+  ExprId parameter();
+
+  size_t cursor = 0;
+  const ReadError& error() const { return error_; }
+
+ private:
+  ExprId add(Expr expr);
+  ExprId fail(size_t from, size_t to, std::string message);
+  ExprId number();
+  ExprId function();
+  ExprId exists();
+  bool read_operator(Operator* op, bool* closed);
+  bool read_name(NameId* name);
+
+  const LineText& line_;
+  ExprPool& pool_;
+  Names& names_;
+  ReadError error_;
+};
+
+/// Name of an operator as it is written (`**`, `LT`, `SQRT`), for messages and graphs.
+std::string_view operator_text(Operator op);
+
+}  // namespace owlint

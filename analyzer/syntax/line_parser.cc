@@ -1,0 +1,409 @@
+#include "analyzer/syntax/line_parser.h"
+
+#include <algorithm>
+
+#include "analyzer/syntax/arithmetic.h"
+
+namespace owlint {
+namespace {
+
+constexpr size_t kMaxArguments = 30;
+
+bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::string quoted_character(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (byte >= 0x20 && byte < 0x7F) return std::string(1, c);
+  std::string octal = "\\000";
+  octal[1] = static_cast<char>('0' + (byte >> 6));
+  octal[2] = static_cast<char>('0' + ((byte >> 3) & 7));
+  octal[3] = static_cast<char>('0' + (byte & 7));
+  return octal;
+}
+
+std::string bad_character(char c) { return "Bad character '" + quoted_character(c) + "' used"; }
+
+}  // namespace
+
+bool label_of_number(double value, std::string* name) {
+  long number = 0;
+  if (!to_integer(value, &number)) return false;
+  *name = std::to_string(number);
+  return true;
+}
+
+bool literal_value(const ExprPool& pool, ExprId id, double* value) {
+  const Expr& expr = pool[id];
+  if (expr.op == Operator::kNumber) {
+    *value = expr.value;
+    return true;
+  }
+  if (expr.left == kNoExpr || expr.op == Operator::kParameter || expr.op == Operator::kExistsNumbered) return false;
+  // Depth is bounded by the length of one line.
+  double left = 0;
+  double right = 0;
+  if (!literal_value(pool, expr.left, &left)) return false;
+  if (expr.right != kNoExpr && !literal_value(pool, expr.right, &right)) return false;
+  return apply(expr.op, left, right, value) == nullptr;
+}
+
+uint16_t LineParser::relative(size_t at) const { return static_cast<uint16_t>(line_.offset(at) - line_.offset(0)); }
+
+void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message) {
+  if (s.error != UINT32_MAX) return;  // the first error on a line is the one that the interpreter reports
+  s.error = static_cast<uint32_t>(out_.errors.size());
+  out_.errors.push_back({kind, line_.span(from, to), std::move(message)});
+}
+
+size_t LineParser::skip_comments(size_t at, bool* any) const {
+  while (line_[at] == '(') {
+    const size_t close = line_.text().find(')', at);
+    at = close == std::string_view::npos ? line_.size() : close + 1;
+    *any = true;
+  }
+  if (line_[at] == ';') {
+    *any = true;
+    return line_.size();
+  }
+  return at;
+}
+
+bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* statement) {
+  Statement& s = *statement;
+  s.offset = offset;
+  s.end = offset + raw.size();
+  const StopKind comment = line_.assign(raw, offset);
+  s.nul = line_.has_nul();
+  const size_t cr = raw.find('\r');
+  s.inner_cr = cr != std::string_view::npos && raw.find_first_not_of(" \t\r\v\f", cr) != std::string_view::npos;
+  if (comment != StopKind::kNone) {
+    s.error = static_cast<uint32_t>(out_.errors.size());
+    out_.errors.push_back({comment, line_.error(),
+                           comment == StopKind::kCommentNested ? "Nested comment found" : "Unclosed comment found"});
+    return true;
+  }
+  size_t at = 0;
+  if (line_.text() == "%") {
+    s.kind = LineKind::kPercent;
+    s.keyword_from = relative(0);
+    s.keyword_to = static_cast<uint16_t>(s.keyword_from + 1);
+    return true;
+  }
+  if (line_[at] == '/') {
+    s.block_delete = true;
+    ++at;
+  }
+  if (line_[at] == 'n') {
+    const size_t digits = at + 1;
+    size_t end = digits;
+    while (is_digit(line_[end])) ++end;
+    const size_t point = end;
+    if (line_[end] == '.') {
+      ++end;
+      while (is_digit(line_[end])) ++end;
+    }
+    if (point == digits) {
+      fail(s, StopKind::kLineNumber, at, std::max(end, at + 1), "Bad format unsigned integer");
+      return true;
+    }
+    at = end;
+    if (line_[at] == '/') {
+      fail(s, StopKind::kBlockDelete, at, at + 1, bad_character('/'));
+      return true;
+    }
+  }
+  if (line_[at] == 'o') {
+    o_word(at, s);
+    return true;
+  }
+  return words(at, s) || s.nul || s.inner_cr;
+}
+
+void LineParser::label(ExpressionParser& in, Statement& s) {
+  const size_t from = in.cursor;  // at the `o`
+  ++in.cursor;
+  s.label_from = relative(from);
+  if (line_[in.cursor] == '<') {
+    s.named = true;
+    size_t close = line_.text().find('>', in.cursor);
+    s.name_open = close == std::string_view::npos;
+    if (s.name_open) close = line_.size();
+    s.label = out_.names.intern(line_.text().substr(in.cursor + 1, close - in.cursor - 1));
+    in.cursor = s.name_open ? close : close + 1;
+    s.label_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    return;
+  }
+  const char first = line_[in.cursor];
+  const ExprId expr = in.value();
+  s.label_to = static_cast<uint16_t>(line_.span(from, std::max(in.cursor, from + 1)).end - s.offset);
+  if (expr == kNoExpr) {
+    const ReadError& e = in.error();
+    const bool digits = is_digit(first) || first == '.' || first == '-' || first == '+';
+    const StopKind kind = is_letter(first)                    ? StopKind::kLabelWord
+                          : first == '[' || first == '#'      ? StopKind::kLabelExpression
+                          : digits                            ? StopKind::kLabelNotInteger
+                                                              : StopKind::kLabelMissing;
+    fail(s, kind, kind == StopKind::kLabelExpression ? e.from : from, std::max(e.to, from + 1), e.message);
+    return;
+  }
+  double value = 0;
+  if (!literal_value(out_.exprs, expr, &value)) {
+    s.label_expr = expr;
+    return;
+  }
+  std::string name;
+  if (!label_of_number(value, &name)) {
+    fail(s, StopKind::kLabelNotInteger, from, in.cursor, "Non integer value for integer");
+    return;
+  }
+  s.label = out_.names.intern(name);
+}
+
+void LineParser::arguments(ExpressionParser& in, Statement& s) {
+  bool comments = false;
+  for (;;) {
+    in.cursor = skip_comments(in.cursor, &comments);
+    if (line_[in.cursor] != '[') break;
+    const size_t from = in.cursor;
+    const ExprId argument = in.bracketed();
+    if (argument == kNoExpr) {
+      fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
+      break;
+    }
+    if (s.value_count == kMaxArguments) {
+      fail(s, StopKind::kTooManyArguments, from, in.cursor, "Too many subroutine parameters");
+      break;
+    }
+    out_.values.push_back(argument);
+    ++s.value_count;
+  }
+  s.comment |= comments;
+}
+
+void LineParser::o_word(size_t at, Statement& s) {
+  s.kind = LineKind::kOWord;
+  s.first_value = static_cast<uint32_t>(out_.values.size());
+  ExpressionParser in(line_, out_.exprs, out_.names);
+  in.cursor = at;
+  label(in, s);
+  if (s.error != UINT32_MAX) return;
+
+  const std::string_view rest = line_.text().substr(in.cursor);
+  s.keyword_from = s.keyword_to = relative(in.cursor);
+  bool comments = false;
+  if (rest.empty() || rest[0] == '(' || rest[0] == ';') {
+    s.keyword = Keyword::kBare;
+    s.keyword_from = s.keyword_to = s.label_to;
+  } else {
+    const auto word = std::ranges::find_if(kKeywordSpellings, [&](auto k) { return rest.starts_with(k); });
+    if (word == kKeywordSpellings.end()) {
+      size_t to = in.cursor;
+      while (is_letter(line_[to])) ++to;
+      if (to == in.cursor) ++to;
+      s.keyword_to = static_cast<uint16_t>(line_.span(in.cursor, to).end - s.offset);
+      fail(s, StopKind::kKeywordUnknown, in.cursor, to, "Unknown control command in o word");
+      return;
+    }
+    s.keyword = static_cast<Keyword>(word - kKeywordSpellings.begin());
+    const size_t from = in.cursor;
+    in.cursor += word->size();
+    s.keyword_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+  }
+
+  s.has_bracket = line_[in.cursor] == '[';
+  switch (s.keyword) {
+    case Keyword::kCall:
+      arguments(in, s);
+      break;
+    case Keyword::kIf: case Keyword::kElseif: case Keyword::kWhile: case Keyword::kRepeat:
+      if (!s.has_bracket) {
+        fail(s, StopKind::kBracketMissing, in.cursor, std::max(line_.size(), in.cursor),
+             "Left bracket missing after '" + std::string(spelling(s.keyword)) + "'");
+        return;
+      }
+      [[fallthrough]];
+    case Keyword::kReturn: case Keyword::kEndsub:
+      if (!s.has_bracket) break;
+      if (const ExprId value = in.bracketed(); value != kNoExpr) {
+        out_.values.push_back(value);
+        s.value_count = 1;
+      } else {
+        fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
+      }
+      break;
+    default:
+      break;
+  }
+  if (s.error != UINT32_MAX) return;
+  const size_t rest_at = skip_comments(in.cursor, &comments);
+  s.comment |= comments;
+  if (rest_at < line_.size()) {
+    const Span rest_span = line_.span(rest_at, line_.size());
+    s.rest_from = static_cast<uint16_t>(rest_span.begin - s.offset);
+    s.rest_to = static_cast<uint16_t>(rest_span.end - s.offset);
+    fail(s, StopKind::kTrailingText, rest_at, line_.size(), "Unexpected character after O-word");
+  }
+}
+
+bool LineParser::misplaced_character(size_t at, Statement& s) {
+  const char c = line_[at];
+  if (c == 'o') {
+    size_t to = at + 1;
+    while (to < line_.size() && line_[to] != '(' && line_[to] != ';') ++to;
+    fail(s, StopKind::kWordBefore, at, to, bad_character('o'));
+    return true;
+  }
+  if (c == '0') {
+    size_t to = at;
+    while (is_digit(line_[to])) ++to;
+    const std::string_view rest = line_.text().substr(to);
+    if (std::ranges::any_of(kKeywordSpellings, [&](auto k) { return rest.starts_with(k); })) {
+      fail(s, StopKind::kZeroForO, at, to, bad_character('0'));
+      return true;
+    }
+  }
+  size_t to = at + 1;
+  while (to < line_.size() && static_cast<unsigned char>(line_[to]) >= 0x80) ++to;  // a whole run of foreign bytes
+  fail(s, StopKind::kBadCharacter, at, to, bad_character(c));
+  return true;
+}
+
+bool LineParser::assignment(ExpressionParser& in, Statement& s) {
+  const size_t from = in.cursor;
+  ++in.cursor;  // '#'
+  Item item{.from = relative(from)};
+  const ExprId target = in.parameter();
+  if (target == kNoExpr) {
+    fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
+    return false;
+  }
+  const Expr& parameter = out_.exprs[target];
+  item.target = parameter.left;
+  item.target_name = parameter.name;
+  if (line_[in.cursor] != '=') {
+    fail(s, StopKind::kExpression, from, in.cursor, "Equal sign missing in parameter setting");
+    return false;
+  }
+  ++in.cursor;
+  item.value = in.value();
+  if (item.value == kNoExpr) {
+    fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
+    return false;
+  }
+  item.to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+  out_.items.push_back(item);
+  ++s.item_count;
+  return true;
+}
+
+bool LineParser::word(ExpressionParser& in, Statement& s) {
+  const size_t from = in.cursor;
+  const char letter = line_[from];
+  ++in.cursor;
+  const bool plain_number = is_digit(line_[in.cursor]) || line_[in.cursor] == '.' || line_[in.cursor] == '-' ||
+                            line_[in.cursor] == '+';
+  const ExprId value = in.value();
+  if (value == kNoExpr) {
+    // A word without its number is the business of a G-code checker; an expression is ours.
+    const bool ours = line_[from + 1] == '[' || line_[from + 1] == '#';
+    if (ours || plain_number) fail(s, StopKind::kExpression, in.error().from, in.error().to, in.error().message);
+    return false;
+  }
+  double number = 0;
+  if (letter == 'm' && literal_value(out_.exprs, value, &number) && (number == 2 || number == 30)) {
+    s.kind = LineKind::kProgramEnd;
+    s.keyword_from = relative(from);
+    s.keyword_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+  }
+  if (out_.exprs[value].op != Operator::kNumber) {
+    Item item{.value = value, .from = relative(from)};
+    item.to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    out_.items.push_back(item);
+    ++s.item_count;
+  }
+  return true;
+}
+
+void LineParser::m98(ExpressionParser& in, Statement& s) {
+  s.label_from = relative(in.cursor);
+  s.first_value = static_cast<uint32_t>(out_.values.size());
+  bool has_target = false;
+  bool comments = false;
+  for (;;) {
+    in.cursor = skip_comments(in.cursor, &comments);
+    const size_t from = in.cursor;
+    const char letter = line_[from];
+    if (!is_letter(letter)) break;
+    ++in.cursor;
+    const ExprId value = in.value();
+    if (value == kNoExpr) {
+      fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
+      return;
+    }
+    if (letter == 'l') {
+      out_.values.push_back(value);
+      s.value_count = 1;
+    }
+    if (letter != 'p') continue;
+    has_target = true;
+    s.label_from = relative(from);
+    s.label_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    double number = 0;
+    std::string name;
+    if (!literal_value(out_.exprs, value, &number)) {
+      s.label_expr = value;
+    } else if (label_of_number(number, &name)) {
+      s.label = out_.names.intern(name);
+    } else {
+      fail(s, StopKind::kM98Number, from, in.cursor, "Non integer value for integer");
+      return;
+    }
+  }
+  if (!has_target) {
+    s.label_from = s.keyword_from;
+    s.label_to = s.keyword_to;
+    fail(s, StopKind::kM98NoTarget, 0, line_.size(), "Found 'm98' code with no P-word");
+  }
+}
+
+bool LineParser::words(size_t at, Statement& s) {
+  ExpressionParser in(line_, out_.exprs, out_.names);
+  in.cursor = at;
+  s.first_item = static_cast<uint32_t>(out_.items.size());
+  bool comments = false;
+  if (line_[at] == 'm') {  // M98 and M99 are calls only as the line's first word (measured)
+    ExpressionParser first(line_, out_.exprs, out_.names);
+    first.cursor = at + 1;
+    const ExprId code = first.value();
+    double number = 0;
+    if (code != kNoExpr && literal_value(out_.exprs, code, &number) && (number == 98 || number == 99)) {
+      s.kind = number == 98 ? LineKind::kM98 : LineKind::kM99;
+      s.keyword_from = s.label_from = relative(at);
+      s.keyword_to = s.label_to = static_cast<uint16_t>(line_.span(at, first.cursor).end - s.offset);
+      if (number == 98) m98(first, s);
+      return true;
+    }
+  }
+  for (;;) {
+    in.cursor = skip_comments(in.cursor, &comments);
+    if (in.cursor >= line_.size()) break;
+    const char c = line_[in.cursor];
+    if (c == '#') {
+      if (!assignment(in, s)) return true;
+    } else if ((is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^') {
+      if (!word(in, s)) break;
+    } else {
+      if (c == ']') {
+        fail(s, StopKind::kExpression, in.cursor, in.cursor + 1, bad_character(c));
+      } else {
+        misplaced_character(in.cursor, s);
+      }
+      return true;
+    }
+  }
+  s.comment |= comments;
+  return s.kind != LineKind::kWords || s.item_count > 0 || s.error != UINT32_MAX;
+}
+
+}  // namespace owlint

@@ -1,0 +1,49 @@
+// One line as the interpreter sees it: blanks gone, letters lowered, comments kept. Every character remembers
+// where in the file it came from, so that whatever is found in it can be shown in the machinist's own text.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "analyzer/syntax/stop.h"
+#include "analyzer/text/source.h"
+
+namespace owlint {
+
+/// The interpreter reads at most 252 characters and a line feed (measured; see OW309).
+inline constexpr size_t kLineLimit = 252;
+
+class LineText {
+ public:
+  /// Normalises one line. `raw` is the line without its line feed, `offset` where it begins in the file.
+  /// Returns kNone, kCommentNested or kCommentUnclosed (then `error_at()` is the place).
+  /// `raw` must not be longer than kLineLimit + 1.
+  StopKind assign(std::string_view raw, uint64_t offset);
+
+  std::string_view text() const { return {text_.data(), length_}; }
+  size_t size() const { return length_; }
+  char operator[](size_t i) const { return i < length_ ? text_[i] : '\0'; }
+
+  /// File offset of the normalised character `i`; of the end of the last character when `i` is the size.
+  uint64_t offset(size_t i) const { return offset_ + (i < length_ ? at_[i] : end_); }
+
+  /// The file's bytes behind the normalised characters [from, to).
+  Span span(size_t from, size_t to) const {
+    return {offset(from), to > from ? offset(to - 1) + 1 : offset(from)};
+  }
+
+  Span error() const { return error_; }
+  bool has_nul() const { return nul_; }
+
+ private:
+  std::array<char, 256> text_;
+  std::array<uint16_t, 256> at_;
+  size_t length_ = 0;
+  uint16_t end_ = 0;
+  uint64_t offset_ = 0;
+  Span error_;
+  bool nul_ = false;
+};
+
+}  // namespace owlint

@@ -1,0 +1,115 @@
+// A statement is one line that matters to O-words: an O-word, M98/M99, the program end, `%`, a line that sets or
+// reads parameters, or a line that the interpreter refuses. Plain motion lines leave no statement.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "analyzer/syntax/expression.h"
+#include "analyzer/syntax/keyword.h"
+#include "analyzer/syntax/names.h"
+#include "analyzer/syntax/stop.h"
+#include "analyzer/text/source.h"
+
+namespace owlint {
+
+enum class LineKind : uint8_t {
+  kOWord,
+  kM98,         // Fanuc-style call
+  kM99,         // Fanuc-style return
+  kProgramEnd,  // M2 or M30, with whatever else is on the line
+  kPercent,     // `%` alone on its line
+  kWords,       // any other line that is kept
+};
+
+/// One value on a line of words, in reading order: a word's value (`X[#1]`) or an assignment (`#<a>=3`).
+struct Item {
+  ExprId value = kNoExpr;
+  ExprId target = kNoExpr;      ///< assignment to a numbered parameter: the number
+  NameId target_name = kNoName;  ///< assignment to a named one
+  uint16_t from = 0;             ///< bytes from the line's beginning
+  uint16_t to = 0;
+};
+
+/// An error of reading: what the interpreter would say, and about which bytes.
+struct LineError {
+  StopKind kind = StopKind::kNone;
+  Span span;
+  std::string message;
+};
+
+using StatementId = uint32_t;
+inline constexpr StatementId kNoStatement = UINT32_MAX;
+
+struct Statement {
+  uint64_t offset = 0;  ///< where the line begins
+  uint64_t end = 0;     ///< where it ends, line feed excluded
+  uint32_t line = 0;    ///< from 1
+  LineKind kind = LineKind::kWords;
+  Keyword keyword = Keyword::kUnknown;
+
+  bool block_delete : 1 = false;    ///< `/` first on the line
+  bool comment : 1 = false;         ///< a comment stands on the line
+  bool inner_cr : 1 = false;        ///< a carriage return within the line
+  bool nul : 1 = false;             ///< a NUL byte hides the rest of the line
+  bool name_open : 1 = false;       ///< `o<name` without `>`
+  bool named : 1 = false;           ///< the label is written in `< >`
+  bool has_bracket : 1 = false;     ///< `[` follows the keyword
+  bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
+
+  NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
+  ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98)
+
+  // Bytes from the line's beginning; equal when there is no such piece.
+  uint16_t label_from = 0, label_to = 0;      ///< with the `o`
+  uint16_t keyword_from = 0, keyword_to = 0;  ///< the keyword, or the unknown word
+  uint16_t rest_from = 0, rest_to = 0;        ///< text left over after the O-word
+
+  uint32_t first_value = 0;  ///< into Syntax::values: condition, arguments or returned value; L of M98
+  uint16_t value_count = 0;
+  uint16_t item_count = 0;
+  uint32_t first_item = 0;  ///< into Syntax::items, for lines of words
+  uint32_t error = UINT32_MAX;  ///< into Syntax::errors; raised after the values that stand before it
+  uint32_t first_plain_line = 0;  ///< the first of the lines that plain_code_follows speaks of
+
+  bool is(Keyword k) const { return kind == LineKind::kOWord && keyword == k; }
+  bool opens_sub() const { return is(Keyword::kSub) || is(Keyword::kBare); }
+  Span span(uint16_t from, uint16_t to) const { return {offset + from, offset + to}; }
+  Span label_span() const { return span(label_from, label_to); }
+  Span keyword_span() const { return span(keyword_from, keyword_to); }
+  /// Label and keyword: what a finding about the whole O-word underlines.
+  Span head_span() const { return span(label_from, keyword_to > label_to ? keyword_to : label_to); }
+  Span rest_span() const { return span(rest_from, rest_to); }
+};
+
+/// A comment that speaks to the linter: `(owlint: ignore OW301 -- reason)`.
+struct Directive {
+  uint32_t line = 0;
+  Span span;           ///< the words behind `owlint:`
+  bool own_line = false;  ///< nothing else stands on the line
+  bool on_oword = false;
+};
+
+/// Everything that reading one file gives.
+struct Syntax {
+  std::vector<Statement> statements;  ///< in file order
+  std::vector<ExprId> values;
+  std::vector<Item> items;
+  std::vector<LineError> errors;
+  std::vector<Directive> directives;
+  ExprPool exprs;
+  Names names;
+  uint32_t lines = 0;       ///< number of lines in the file
+  uint32_t last_code = 0;   ///< the last line that is neither blank nor comment; 0 if there is none
+  uint32_t first_plain_line = 0;  ///< the first code line before the first statement, 0 if none
+  bool percent = false;     ///< the file begins with `%`: another `%` ends it
+  bool blank = false;       ///< nothing but blank lines: LinuxCNC refuses to open it
+
+  const LineError* error(const Statement& s) const { return s.error == UINT32_MAX ? nullptr : &errors[s.error]; }
+};
+
+/// Reads a whole file. Any bytes are accepted; nothing is reported here, only recorded.
+Syntax scan(const Source& source);
+
+}  // namespace owlint

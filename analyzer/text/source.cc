@@ -1,0 +1,122 @@
+#include "analyzer/text/source.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace owlint {
+namespace {
+
+constexpr uint32_t kMarkEvery = 256;
+
+/// Length of the UTF-8 sequence at `at`, or 1 for a byte that starts none.
+size_t sequence_length(std::string_view bytes, size_t at) {
+  const auto lead = static_cast<unsigned char>(bytes[at]);
+  const size_t length = lead >= 0xF0 && lead < 0xF8 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC2 ? 2 : 1;
+  if (lead >= 0xF8 || length == 1 || at + length > bytes.size()) return 1;
+  for (size_t i = 1; i < length; ++i) {
+    if ((static_cast<unsigned char>(bytes[at + i]) & 0xC0) != 0x80) return 1;
+  }
+  return length;
+}
+
+}  // namespace
+
+uint32_t count_code_points(std::string_view bytes) {
+  uint32_t count = 0;
+  for (size_t at = 0; at < bytes.size(); at += sequence_length(bytes, at)) ++count;
+  return count;
+}
+
+std::shared_ptr<const Source> Source::map(const std::string& path, std::string* error) {
+  // O_NONBLOCK: opening a FIFO that nobody writes to must not hang; fstat then refuses it.
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd < 0) {
+    *error = std::strerror(errno);
+    return nullptr;
+  }
+  struct stat info {};
+  if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) {
+    *error = S_ISDIR(info.st_mode) ? "is a directory" : "is not a regular file";
+    ::close(fd);
+    return nullptr;
+  }
+  std::shared_ptr<Source> source(new Source(path));
+  const auto size = static_cast<size_t>(info.st_size);
+  if (size > 0) {
+    void* memory = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
+    if (memory == MAP_FAILED) {
+      *error = std::strerror(errno);
+      ::close(fd);
+      return nullptr;
+    }
+    source->mapping_ = memory;
+    source->mapping_size_ = size;
+    source->bytes_ = {static_cast<const char*>(memory), size};
+  }
+  ::close(fd);
+  return source;
+}
+
+std::shared_ptr<const Source> Source::own(std::string path, std::string bytes) {
+  std::shared_ptr<Source> source(new Source(std::move(path)));
+  source->owned_ = std::move(bytes);
+  source->bytes_ = source->owned_;
+  return source;
+}
+
+Source::~Source() {
+  if (mapping_ != nullptr) ::munmap(mapping_, mapping_size_);
+}
+
+void Source::index() const {
+  if (!marks_.empty()) return;
+  marks_.push_back(0);
+  const char* const begin = bytes_.data();
+  const char* const end = begin + bytes_.size();
+  const char* at = begin;
+  uint32_t feeds = 0;
+  while (at < end) {
+    const auto* feed = static_cast<const char*>(std::memchr(at, '\n', static_cast<size_t>(end - at)));
+    if (feed == nullptr) break;
+    at = feed + 1;
+    if (++feeds % kMarkEvery == 0) marks_.push_back(static_cast<uint64_t>(at - begin));
+  }
+  line_count_ = feeds + (at < end ? 1 : 0);
+}
+
+uint32_t Source::line_count() const {
+  index();
+  return line_count_;
+}
+
+Span Source::line(uint32_t number) const {
+  index();
+  if (number == 0 || number > line_count_) return {bytes_.size(), bytes_.size()};
+  uint64_t begin = marks_[(number - 1) / kMarkEvery];
+  for (uint32_t left = (number - 1) % kMarkEvery; left > 0; --left) begin = bytes_.find('\n', begin) + 1;
+  const size_t feed = bytes_.find('\n', begin);
+  return {begin, feed == std::string_view::npos ? bytes_.size() : feed};
+}
+
+Position Source::position(uint64_t offset) const {
+  index();
+  offset = std::min<uint64_t>(offset, bytes_.size());
+  const auto mark = std::upper_bound(marks_.begin(), marks_.end(), offset) - 1;
+  uint32_t line = static_cast<uint32_t>(mark - marks_.begin()) * kMarkEvery + 1;
+  uint64_t begin = *mark;
+  for (;;) {
+    const size_t feed = bytes_.find('\n', begin);
+    if (feed == std::string_view::npos || feed >= offset) break;
+    begin = feed + 1;
+    ++line;
+  }
+  return {line, count_code_points(bytes_.substr(begin, offset - begin)) + 1, offset};
+}
+
+}  // namespace owlint

@@ -1,0 +1,73 @@
+// The text room: a file as bytes, and places in it. Everything else in owlint points into a Source by
+// byte offset; lines and columns are computed on demand, for findings only.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace owlint {
+
+/// A half-open range of bytes: offsets from 0, `end` exclusive.
+struct Span {
+  uint64_t begin = 0;
+  uint64_t end = 0;
+
+  bool operator==(const Span&) const = default;
+};
+
+/// A place as people and editors count it.
+struct Position {
+  uint32_t line = 1;    ///< from 1; a line ends at a line feed, as for LinuxCNC
+  uint32_t column = 1;  ///< from 1, in Unicode code points; a byte that is not UTF-8 counts as one
+  uint64_t offset = 0;  ///< bytes from 0
+};
+
+/// The bytes of one program, mapped or owned, and never changed. A Source always exists: an empty file is empty bytes.
+class Source {
+ public:
+  /// Maps the regular file `path`. On failure returns null and sets `*error` to a message for people.
+  /// Anything that is not a regular file (folder, device, FIFO) is refused without being opened for reading.
+  static std::shared_ptr<const Source> map(const std::string& path, std::string* error);
+
+  /// Takes bytes that are already in memory (standard input, an editor's buffer); `path` is how reports name them.
+  static std::shared_ptr<const Source> own(std::string path, std::string bytes);
+
+  ~Source();
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+
+  const std::string& path() const { return path_; }
+  std::string_view bytes() const { return bytes_; }
+  std::string_view slice(Span span) const { return bytes_.substr(span.begin, span.end - span.begin); }
+
+  /// Line and column of an offset (clamped to the file's size).
+  Position position(uint64_t offset) const;
+
+  /// The bytes of a line (from 1) without its line end; empty beyond the last line.
+  Span line(uint32_t number) const;
+
+  /// How many lines there are: line feeds, plus one when bytes follow the last of them.
+  uint32_t line_count() const;
+
+ private:
+  explicit Source(std::string path) : path_(std::move(path)) {}
+  void index() const;
+
+  std::string path_;
+  std::string owned_;
+  std::string_view bytes_;
+  void* mapping_ = nullptr;
+  size_t mapping_size_ = 0;
+  // Offsets of every 256th line only, built at the first question: a gigabyte of motion costs a few megabytes.
+  mutable std::vector<uint64_t> marks_;
+  mutable uint32_t line_count_ = 0;
+};
+
+/// Number of code points in `bytes` (invalid bytes count one each).
+uint32_t count_code_points(std::string_view bytes);
+
+}  // namespace owlint

@@ -1,0 +1,175 @@
+#include "rules/blocks.h"
+
+#include <algorithm>
+#include <map>
+
+namespace owlint::rules {
+namespace {
+
+/// The ancestors of a statement's place, outermost first, each with the index of the branch that holds it.
+std::vector<std::pair<BlockId, size_t>> branches_of(const Program& program, StatementId id) {
+  std::vector<std::pair<BlockId, size_t>> out;
+  BlockId at = program.block_of[id];
+  if (at != kNoBlock && program.blocks[at].opener == id) at = program.blocks[at].parent;
+  constexpr size_t kMaxDepth = 64;  // deeper nests are not compared
+  for (; at != kNoBlock && out.size() < kMaxDepth; at = program.blocks[at].parent) {
+    const Block& block = program.blocks[at];
+    const auto branch = std::ranges::upper_bound(block.parts, id) - block.parts.begin();
+    out.emplace_back(at, static_cast<size_t>(branch));
+  }
+  std::ranges::reverse(out);
+  return out;
+}
+
+}  // namespace
+
+std::string with_article(Keyword keyword) {
+  const std::string word(spelling(keyword));
+  const bool vowel = !word.empty() && std::string_view("aeiou").find(word[0]) != std::string_view::npos;
+  return (vowel ? "an `" : "a `") + word + "`";
+}
+
+bool in_exclusive_branches(const Program& program, StatementId a, StatementId b) {
+  const auto left = branches_of(program, a);
+  const auto right = branches_of(program, b);
+  for (size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
+    if (left[i].first != right[i].first) return false;
+    if (left[i].second != right[i].second) return true;
+  }
+  return false;
+}
+
+void for_shared_labels(const Input& in, const std::function<void(StatementId, StatementId)>& each) {
+  std::map<std::pair<RegionId, NameId>, StatementId> first;
+  for (const Block& block : in.program.blocks) {
+    const auto [entry, added] = first.try_emplace({block.region, block.label}, block.opener);
+    if (!added) each(entry->second, block.opener);
+  }
+}
+
+void add_relabel_fix(const Input& in, StatementId opener, Finding& finding) {
+  const BlockId id = in.program.block_of[opener];
+  if (id == kNoBlock || in.program.blocks[id].end == kNoStatement) return;
+  const Block& block = in.program.blocks[id];
+  const std::string label = free_label(in.program, block.label);
+  if (label.empty()) return;
+  Fix fix;
+  fix.title = "use the free number " + label + " for this block";
+  for (StatementId at = block.opener; at <= block.end; ++at) {
+    if (in.program.block_of[at] == id) fix.edits.push_back({in.program.at(at).label_span(), label});
+  }
+  // Relabelling is only safe where the interpreter stopped anyway.
+  fix.safe = finding.stops;
+  finding.fixes.push_back(std::move(fix));
+}
+
+void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
+  const Program& p = in.program;
+  const auto report = [&](StatementId at, StatementId other) -> Finding* {
+    const Statement& first = p.at(other);
+    Finding& f = out.add(p.at(at).label_span(), "label `" + p.label_text(p.at(at).label) + "` already opened " +
+                                                    with_article(first.keyword) + " on line " + std::to_string(first.line));
+    relate(f, p, other, "`" + p.head(other) + "` first opened here");
+    f.help = "give this block a label of its own, on all of its lines";
+    return &f;
+  };
+  const auto stop = [&](const FlowStop& s) -> Finding* {
+    if (p.at(s.statement).label == kNoName || s.other == kNoStatement) {
+      Finding& f = out.add(p.at(s.statement).label_span(), "this label is already taken");
+      f.help = "give this block a label of its own, on all of its lines";
+      return &f;
+    }
+    Finding* f = report(s.statement, s.other);
+    f->stops = true;
+    add_relabel_fix(in, s.statement, *f);
+    return f;
+  };
+  for_stops(in, out, stop);
+  for_warned(in, out, [&](const FlowStop& s) -> Finding* {
+    FlowStop with_other = s;
+    for (const StatementId at : p.at(s.statement).label == kNoName ? std::vector<StatementId>{} : p.by_label[p.at(s.statement).label]) {
+      if (at != s.statement && opens_block(p.at(at).keyword) && p.region_of[at] == p.region_of[s.statement]) {
+        with_other.other = at;
+        break;
+      }
+    }
+    Finding* f = stop(with_other);
+    f->stops = false;
+    return f;
+  });
+  for_shared_labels(in, [&](StatementId first, StatementId later) {
+    if (!p.at(later).is(keyword) || has_stop(in, later) || in.flow.executed[later]) return;
+    if (in_exclusive_branches(p, first, later)) return;  // OW214 speaks of those
+    Finding* f = report(later, first);
+    f->reach = Reach::kNever;
+    add_relabel_fix(in, later, *f);
+  });
+}
+
+void check_parts(const Input& in, Reporter& out, const std::function<bool(Keyword)>& wanted, std::string_view openers) {
+  const Program& p = in.program;
+  const auto report = [&](const FlowStop& s) -> Finding* {
+    const Statement& line = p.at(s.statement);
+    const std::string head = p.head(s.statement);
+    const BlockId id = p.block_of[s.statement];
+    const Block* block = id == kNoBlock ? nullptr : &p.blocks[id];
+    if (block != nullptr && block->mistaken_end == s.statement) {
+      Finding& f = out.add(line.label_span(), "`" + head + "` does not close `" + p.head_of(*block) + "` on line " + std::to_string(p.at(block->opener).line));
+      relate(f, p, block->opener, "`" + p.head_of(*block) + "` is open here");
+      const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
+      f.help = "write `" + right + "`";
+      if (block->label != line.label) {
+        f.fixes.push_back({"write `" + right + "`", true, {{line.head_span(), right}}});
+      } else if (block->kind != Keyword::kDo) {
+        f.fixes.push_back({"write `" + right + "`", true, {{line.keyword_span(), std::string(spelling(end_of(block->kind)))}}});
+      }
+      return &f;
+    }
+    if (s.other != kNoStatement) {
+      const Statement& opener = p.at(s.other);
+      Finding& f = out.add(line.label_span(), "`" + head + "` belongs to no " + std::string(openers) + ": `" + p.head(s.other) + "` on line " + std::to_string(opener.line) + " opened that label");
+      relate(f, p, s.other, "`" + p.head(s.other) + "` opened the label here");
+      f.help = "use the label of " + std::string(openers) + " that is meant";
+      return &f;
+    }
+    if (block != nullptr && block->crossed != kNoBlock) {
+      const Block& outer = p.blocks[block->crossed];
+      Finding& f = out.add(line.label_span(), "`" + head + "` stands outside `" + p.head_of(outer) + "`, in which its block was opened: where that is skipped, the label is unknown here");
+      relate(f, p, block->opener, "`" + p.head_of(*block) + "` is opened here");
+      relate(f, p, outer.end, "`" + p.head_of(outer) + "` ends here, before it");
+      f.help = "close the inner block before the outer one ends";
+      return &f;
+    }
+    const RegionId region = p.region_of[s.statement];
+    Finding& f = out.add(line.label_span(), "`" + head + "` has no " + std::string(openers) + " with that label");
+    for (RegionId r = 1; r < p.regions.size() && r < 4096; ++r) {
+      // The block was opened in a sub that an early `endsub` has already ended.
+      const Region& sub = p.regions[r];
+      if (region != kMainRegion || sub.end == kNoStatement || sub.end >= s.statement || sub.end + 8 < s.statement) continue;
+      for (StatementId at = sub.opener; at < sub.end; ++at) {
+        if (p.at(at).label == line.label && opens_block(p.at(at).keyword) && p.block_of[at] != kNoBlock &&
+            p.blocks[p.block_of[at]].end == kNoStatement) {
+          f.message = "`" + head + "` stands outside the sub: `" + p.head(sub.end) + "` on line " + std::to_string(p.at(sub.end).line) + " has already ended it";
+          relate(f, p, sub.end, "the definition ends here");
+          f.help = "write `return` instead of the early `endsub`";
+        }
+      }
+    }
+    if (f.help.empty()) f.help = "correct the label, or remove the line";
+    return &f;
+  };
+  for_stops(in, out, report);
+  for_warned(in, out, report);
+  for (StatementId id = 0; id < p.size(); ++id) {
+    const Statement& s = p.at(id);
+    if (s.kind != LineKind::kOWord || !wanted(s.keyword) || s.label == kNoName || has_stop(in, id)) continue;
+    const BlockId block = p.block_of[id];
+    const bool mistaken = block != kNoBlock && p.blocks[block].mistaken_end == id;
+    if (block != kNoBlock && !mistaken) continue;
+    FlowStop unmet;
+    unmet.statement = id;
+    if (Finding* f = report(unmet)) f->reach = in.flow.reach(id);
+  }
+}
+
+}  // namespace owlint::rules

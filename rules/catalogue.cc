@@ -1,0 +1,176 @@
+// The catalogue: every rule, in the order of the codes. A new rule is added here and nowhere else.
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "rules/stops.h"
+
+namespace owlint {
+namespace rules {
+
+extern const Rule kOw001;
+extern const Rule kOw002;
+extern const Rule kOw101;
+extern const Rule kOw102;
+extern const Rule kOw103;
+extern const Rule kOw104;
+extern const Rule kOw105;
+extern const Rule kOw106;
+extern const Rule kOw107;
+extern const Rule kOw108;
+extern const Rule kOw201;
+extern const Rule kOw202;
+extern const Rule kOw203;
+extern const Rule kOw204;
+extern const Rule kOw205;
+extern const Rule kOw206;
+extern const Rule kOw207;
+extern const Rule kOw208;
+extern const Rule kOw209;
+extern const Rule kOw210;
+extern const Rule kOw211;
+extern const Rule kOw212;
+extern const Rule kOw213;
+extern const Rule kOw214;
+extern const Rule kOw215;
+extern const Rule kOw216;
+extern const Rule kOw301;
+extern const Rule kOw302;
+extern const Rule kOw303;
+extern const Rule kOw304;
+extern const Rule kOw305;
+extern const Rule kOw306;
+extern const Rule kOw307;
+extern const Rule kOw308;
+extern const Rule kOw309;
+extern const Rule kOw310;
+extern const Rule kOw311;
+extern const Rule kOw312;
+extern const Rule kOw313;
+extern const Rule kOw314;
+extern const Rule kOw315;
+extern const Rule kOw316;
+extern const Rule kOw501;
+extern const Rule kOw502;
+extern const Rule kOw503;
+extern const Rule kOw504;
+extern const Rule kOw507;
+extern const Rule kOw508;
+extern const Rule kOw509;
+extern const Rule kOw510;
+extern const Rule kOw511;
+extern const Rule kOw512;
+extern const Rule kOw603;
+extern const Rule kOw604;
+
+}  // namespace rules
+
+namespace {
+
+constexpr std::array<std::string_view, 7> kGroupTitles = {
+    "the linter itself", "the documented abort list", "blocks and calls", "the line", "files and machine configuration",
+    "hazards", "data flow"};
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+}  // namespace
+
+std::string_view group_title(Group group) { return kGroupTitles[static_cast<size_t>(group)]; }
+
+const std::vector<const Rule*>& catalogue() {
+  using namespace rules;
+  static const std::vector<const Rule*> all = {
+      &kOw001,
+      &kOw002,
+      &kOw101,
+      &kOw102,
+      &kOw103,
+      &kOw104,
+      &kOw105,
+      &kOw106,
+      &kOw107,
+      &kOw108,
+      &kOw201,
+      &kOw202,
+      &kOw203,
+      &kOw204,
+      &kOw205,
+      &kOw206,
+      &kOw207,
+      &kOw208,
+      &kOw209,
+      &kOw210,
+      &kOw211,
+      &kOw212,
+      &kOw213,
+      &kOw214,
+      &kOw215,
+      &kOw216,
+      &kOw301,
+      &kOw302,
+      &kOw303,
+      &kOw304,
+      &kOw305,
+      &kOw306,
+      &kOw307,
+      &kOw308,
+      &kOw309,
+      &kOw310,
+      &kOw311,
+      &kOw312,
+      &kOw313,
+      &kOw314,
+      &kOw315,
+      &kOw316,
+      &kOw501,
+      &kOw502,
+      &kOw503,
+      &kOw504,
+      &kOw507,
+      &kOw508,
+      &kOw509,
+      &kOw510,
+      &kOw511,
+      &kOw512,
+      &kOw603,
+      &kOw604,
+  };
+  return all;
+}
+
+const Rule* find_rule(std::string_view code_or_name) {
+  const std::string wanted = lower(code_or_name);
+  for (const Rule* rule : catalogue()) {
+    if (wanted == lower(rule->code) || wanted == rule->name) return rule;
+  }
+  return nullptr;
+}
+
+bool known_prefix(std::string_view prefix) {
+  return std::ranges::any_of(catalogue(), [prefix](const Rule* rule) { return rule->code.starts_with(prefix); });
+}
+
+std::string_view nearest_rule(std::string_view text) {
+  std::vector<std::string> candidates;
+  const bool code = !text.empty() && (text[0] == 'o' || text[0] == 'O') && text.size() > 1 && (text[1] == 'w' || text[1] == 'W');
+  for (const Rule* rule : catalogue()) candidates.emplace_back(code ? lower(rule->code) : std::string(rule->name));
+  const std::string near = rules::nearest(lower(text), candidates);
+  const Rule* rule = near.empty() ? nullptr : find_rule(near);
+  if (rule == nullptr) return {};
+  return code ? rule->code : rule->name;
+}
+
+Finding& Reporter::add(Span span, std::string message) {
+  Finding& finding = findings_.emplace_back();
+  finding.code = rule_.code;
+  finding.rule = rule_.name;
+  finding.span = span;
+  finding.message = std::move(message);
+  return finding;
+}
+
+}  // namespace owlint

@@ -1,0 +1,60 @@
+// OW001 suppression-unknown: a suppression comment that names a code the catalogue does not have.
+// Rests on no fact of the interpreter: to LinuxCNC every suppression is an ordinary comment.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  if (in.suppressions_applied) return;
+  for (const Suppression& s : in.suppressions) {
+    if (s.malformed) {
+      Finding& f = out.add(s.span, "a comment for owlint says neither `ignore` nor `ignore-file`");
+      f.help = "write `(owlint: ignore CODE -- reason)`";
+      f.reach = Reach::kAlways;
+    } else if (!known_prefix(s.code)) {
+      Finding& f = out.add(s.span, "`" + s.code + "` is not a code of owlint");
+      const std::string_view near = nearest_rule(s.code);
+      f.help = near.empty() ? "`owlint rules` lists the codes" : "did you mean `" + std::string(near) + "`";
+      f.reach = Reach::kAlways;
+    }
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw001{
+    .code = "OW001",
+    .name = "suppression-unknown",
+    .summary = "a suppression names a code that does not exist",
+    .group = Group::kLinter,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A comment such as `(owlint: ignore OW999)` whose code is not in the catalogue: most often a typing
+error, or a prefix with a figure too many.)",
+        .why = R"(A misspelt suppression suppresses nothing. The finding it was meant for is still reported, and
+somebody who reads the program believes that the place has been looked at and judged.
+
+LinuxCNC reads the line as a comment and does nothing.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+(owlint: ignore OW999 -- checked by the foreman)
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+        .fix = R"(Correct the code (`owlint rules` lists all of them) or take the comment out. A prefix such as `OW3`
+names a whole group and is allowed.)",
+        .interpreter = "",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,76 @@
+// OW201 sub-redefined: a second definition of a sub that the run already knows.
+// Rests on: a sub is entered in one table for the whole run, called files included; meeting a
+// second definition of the name is an error. 0x20 does not soften it.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id, StatementId first) {
+  const Program& p = in.program;
+  Finding& f = out.add(p.at(id).head_span(), "sub `" + p.label_text(p.at(first).label) + "` is already defined on line " + std::to_string(p.at(first).line));
+  relate(f, p, first, "first defined here");
+  f.help = "rename one of the two, or remove it";
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, s.other); });
+  std::unordered_map<NameId, StatementId> first;
+  for (const Region& region : p.regions) {
+    if (region.opener == kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
+    const auto [entry, added] = first.try_emplace(region.name, region.opener);
+    if (added || has_stop(in, region.opener)) continue;
+    report(in, out, region.opener, entry->second)->reach = in.flow.reach(region.opener);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw201{
+    .code = "OW201",
+    .name = "sub-redefined",
+    .summary = "two definitions of one sub, in one program or across files",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(Two `sub` lines with the same label in one program, or a sub of the program that has the name of one
+already called from a file. Sub names are shared by the whole run, other than block labels.)",
+        .why = R"(The interpreter stops at the second `sub` line that a run meets, whether the bodies are equal or
+not. A second definition after `M2` or `M30`, or in a skipped block, is never met: the first one is
+used, and edits made in the other have no effect.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+o100 endsub
+o100 sub
+  G81 X#1 Y30 Z-8 R2 F80
+o100 endsub
+o100 call [10]
+G80
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+o100 endsub
+o110 sub
+  G81 X#1 Y30 Z-8 R2 F80
+o110 endsub
+o100 call [10]
+o110 call [10]
+G80
+M2
+)",
+        .fix = R"(Take out the definition that is out of date, or give one of the two another label and call it by
+that.)",
+        .interpreter = "redefining sub: o|100| already defined in file:PROGRAM",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,85 @@
+// OW203 sub-in-block: a sub that is defined inside an `if` or a loop.
+// Rests on: a definition only exists once its `sub` line has been met, and meeting it a second
+// time is an error, from the same line too.
+#include <algorithm>
+
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Block& block = p.blocks[p.regions[p.region_of[id]].enclosing];
+  const bool loop = block.kind != Keyword::kIf;
+  Finding& f = out.add(p.at(id).head_span(), "`" + p.head(id) + "` is defined inside `" + p.head_of(block) + "`" +
+                                                 (loop ? ": the second pass meets the definition again" : ": where that is skipped, the sub is unknown"));
+  relate(f, p, block.opener, "the block begins here");
+  f.help = "move the definition out of the block, before the first call";
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for (const Region& region : p.regions) {
+    if (region.opener == kNoStatement || region.enclosing == kNoBlock || has_stop(in, region.opener)) continue;
+    if (!p.at(region.opener).is(Keyword::kSub)) continue;
+    const auto lost = in.stops.by_code.find("OW208");
+    const bool reported = lost != in.stops.by_code.end() && std::ranges::any_of(lost->second, [&](const FlowStop* s) {
+      return p.at(s->statement).label == region.name;  // the call that does not find it says so
+    });
+    if (!reported) report(in, out, region.opener)->reach = in.flow.reach(region.opener);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw203{
+    .code = "OW203",
+    .name = "sub-in-block",
+    .summary = "a sub defined inside an `if` or loop: lost when skipped, an error when met twice",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `sub` … `endsub` that stands inside an `if`, `while`, `do` or `repeat`. The definition is then
+part of the flow of the program.)",
+        .why = R"(In a loop the interpreter stops at the `sub` line on the second pass: the parts of the first pass
+are already cut. In an `if` that is skipped there is no such sub: a later call looks for it until
+the end of the file and stops with `EOF in file … seeking o-word`. In an `if` that is taken it
+works.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+#<x> = 0
+o100 while [#<x> LT 40]
+  o200 sub
+    G81 X#1 Y10 Z-5 R2 F80
+  o200 endsub
+  o200 call [#<x>]
+  #<x> = [#<x> + 10]
+o100 endwhile
+G80
+M2
+)",
+        .good = R"(G21 G90
+o200 sub
+  G81 X#1 Y10 Z-5 R2 F80
+o200 endsub
+#<x> = 0
+o100 while [#<x> LT 40]
+  o200 call [#<x>]
+  #<x> = [#<x> + 10]
+o100 endwhile
+G80
+M2
+)",
+        .fix = R"(Move the definition to the top of the program, in front of the block. To choose between two bodies,
+define both and choose the `call`.)",
+        .interpreter = "sub: o|200| found in illegal location",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,83 @@
+// OW204 sub-not-closed: a `sub` whose `endsub` is missing or carries another label.
+// Rests on: a definition is passed over by skipping to exactly its own label; nothing else ends
+// the skip but the end of the file, and another `sub` on the way is a nesting error.
+#include <algorithm>
+
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Region& region = p.regions[p.region_of[id]];
+  Finding& f = out.add(p.at(id).head_span(), "`" + p.head(id) + "` is not closed");
+  const std::string end = p.label_text(p.at(id).label) + " endsub";
+  f.help = "write `" + end + "` where the sub ends";
+  if (region.opener == id && region.likely_end != kNoStatement) {
+    const Statement& other = p.at(region.likely_end);
+    f.message += ": `" + p.head(region.likely_end) + "` on line " + std::to_string(other.line) + " has another label";
+    relate(f, p, region.likely_end, "this probably means `" + end + "`");
+    f.help = "write `" + end + "` on line " + std::to_string(other.line);
+    f.fixes.push_back({"write `" + end + "`", true, {{other.head_span(), end}}});
+  }
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  const auto own = in.stops.by_code.find("OW204");
+  const auto nested = in.stops.by_code.find("OW202");
+  for (const Region& region : p.regions) {
+    if (region.opener == kNoStatement || region.end != kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
+    if (own != in.stops.by_code.end() && std::ranges::any_of(own->second, [&](const FlowStop* s) { return s->statement == region.opener; })) continue;
+    // A `sub` that begins before this one is closed stops the interpreter there and is reported there.
+    if (nested != in.stops.by_code.end() && std::ranges::any_of(nested->second, [&](const FlowStop* s) { return s->statement > region.opener; })) continue;
+    report(in, out, region.opener)->reach = in.flow.reach(region.opener);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw204{
+    .code = "OW204",
+    .name = "sub-not-closed",
+    .summary = "`sub` without its `endsub`",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `sub` line without an `endsub` of the same label below it. Where an `endsub` with another label
+stands in the right place, it is named.)",
+        .why = R"(The interpreter reads over everything below the `sub`, `M2` included, and stops at the end of the
+file: no move of the program is made, and the message speaks of the file's end instead of the sub.
+From 2.9.10 it reads `File ended with no percent sign (%) or program end (M2)`, in a program between
+`%` signs `Failed to find sub 'O100' before EOF`; if another `sub` follows,
+`Nested subroutine definition`.
+
+A sub at the end of the file that is reached by a call and ended by `M2` runs without a word and
+never comes back.)",
+        .bad = R"(G21 G90
+o100 sub
+  G81 X#1 Y#2 Z-5 R2 F80
+  G80
+o101 endsub
+o100 call [10] [20]
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  G81 X#1 Y#2 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10] [20]
+M2
+)",
+        .fix = R"(Give the `endsub` the label of its `sub`, or add the missing line.)",
+        .interpreter = "File ended with no percent sign or program end",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

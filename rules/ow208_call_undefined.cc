@@ -1,0 +1,108 @@
+// OW208 call-undefined: a call of a sub that is defined nowhere.
+// Rests on: an unknown sub is looked for as a file, then by reading ahead to the end of the
+// program; not found is an error there.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+std::string number_only(const std::string& name) {
+  return name.find_first_not_of("-0123456789") == std::string::npos ? name : std::string();
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  std::vector<std::string> known;
+  for (const Region& region : p.regions) {
+    if (region.name != kNoName) known.push_back(p.name(region.name));
+  }
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const Statement& s = p.at(stop.statement);
+    if (stop.kind == StopKind::kM98NoTarget) {
+      Finding& f = out.add(s.keyword_span(), "`M98` has no `P` with the number of the sub");
+      f.help = "write `M98 P100`";
+      return &f;
+    }
+    const std::string label = number_only(stop.detail).empty() ? "o<" + stop.detail + ">" : "o" + stop.detail;
+    Finding& f = out.add(s.head_span(), "no sub `" + label + "` is found from here on, and no file `" + stop.detail + ".ngc` beside the program");
+    const std::string near = nearest(stop.detail, known);
+    for (const Region& region : p.regions) {
+      if (region.name == kNoName || p.name(region.name) != stop.detail) continue;
+      f.message = "`" + label + "` is not known here: its definition on line " + std::to_string(p.at(region.opener).line) + " was not run before";
+      relate(f, p, region.opener, region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
+      f.help = "define the sub before the call, outside of blocks";
+      return &f;
+    }
+    if (!near.empty() && near != stop.detail) {
+      const std::string meant = number_only(near).empty() ? "o<" + near + ">" : "o" + near;
+      f.help = "did you mean `" + meant + "`";
+      for (const Region& region : p.regions) {
+        if (region.name != kNoName && p.name(region.name) == near) relate(f, p, region.opener, "`" + meant + "` is defined here");
+      }
+    } else if (number_only(stop.detail).empty() && !in.profile.ini_given) {
+      f.help = "give the machine's INI with `--ini`, if the sub is in a file on its search path";
+    } else {
+      f.help = "define the sub, or correct the label";
+    }
+    return &f;
+  });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
+    Finding& f = out.add(p.at(id).keyword_span(), "`M98` has no `P` with the number of the sub");
+    f.interpreter = error.message;
+    f.reach = Reach::kNever;
+  });
+  // Calls that no run gets to, of subs that nobody defines.
+  for (const Call& call : p.calls) {
+    if (call.callee == kNoName || call.target != UINT32_MAX || has_stop(in, call.statement)) continue;
+    if (in.flow.executed[call.statement] || p.outside_subs.contains(call.callee)) continue;
+    if (number_only(p.name(call.callee)).empty() && !in.profile.ini_given) continue;
+    Finding& f = out.add(p.at(call.statement).head_span(), "no sub `" + p.label_text(call.callee) + "` is defined");
+    f.help = "define the sub, or correct the label";
+    f.reach = Reach::kNever;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw208{
+    .code = "OW208",
+    .name = "call-undefined",
+    .summary = "`call` or M98 of a sub that neither the program nor a file in the search path defines",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `call`, or `M98 P…`, whose sub is neither defined in the program nor found as a file with that
+name in the program folder or the machine's subroutine path.)",
+        .why = R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`),
+then reads ahead through the rest of the program for the `sub` line, and stops at the end of the
+file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. It
+happens when the call is executed, not when the program is loaded.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+o200 call [30]
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+o100 call [30]
+M2
+)",
+        .fix = R"(Correct the name, or add the definition. If the sub lives in a file, give the machine's INI with
+`--ini`, so that its search path is known.)",
+        .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,81 @@
+// OW214 label-shared: one label on several blocks of one scope that no run meets together.
+// Rests on: a label is defined when its opening line is met; in a branch that is not taken it
+// never is.
+#include "rules/blocks.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_shared_labels(in, [&](StatementId first, StatementId later) {
+    if (has_stop(in, later) || has_stop(in, first)) return;
+    const bool exclusive = in_exclusive_branches(p, first, later);
+    const Keyword kind = p.at(later).keyword;
+    if (!exclusive && !in.flow.executed[later] && kind != Keyword::kDo) return;  // OW102 to OW104
+    // The `while` behind a `do` with a used label is where the interpreter notices.
+    const BlockId block = p.block_of[later];
+    if (block != kNoBlock && p.blocks[block].end != kNoStatement && has_stop(in, p.blocks[block].end)) return;
+    // A `do` in a `do` with its label is OW510.
+    const BlockId parent = block == kNoBlock ? kNoBlock : p.blocks[block].parent;
+    if (kind == Keyword::kDo && parent != kNoBlock && p.blocks[parent].label == p.at(later).label) return;
+    Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` also opens " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
+    relate(f, p, first, "`" + p.head(first) + "` is opened here");
+    f.help = "give this block a label of its own: a later change can bring both onto one path, and then LinuxCNC stops";
+    f.reach = in.flow.reach(later);
+    add_relabel_fix(in, later, f);
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw214{
+    .code = "OW214",
+    .name = "label-shared",
+    .summary = "one label on several blocks of one scope where no path meets two of them",
+    .group = Group::kBlocks,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(Two blocks of the same sub or main program with the same label, in branches of which only one is
+ever taken.)",
+        .why = R"(It runs, because the interpreter never meets the second opening line. It is one edit away from
+stopping: put a loop around it that takes one branch in the first pass and the other in the second,
+and the program stops with `duplicate O-word label` after part of the work is cut.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  o110 if [#5063 GT -5]
+    G10 L20 P1 Z0
+  o110 endif
+o100 else
+  o110 if [#<_current_tool> GT 5]
+    (MSG,not the probe in the spindle)
+  o110 endif
+o100 endif
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  o110 if [#5063 GT -5]
+    G10 L20 P1 Z0
+  o110 endif
+o100 else
+  o120 if [#<_current_tool> GT 5]
+    (MSG,not the probe in the spindle)
+  o120 endif
+o100 endif
+G0 Z5
+M2
+)",
+        .fix = R"(Give each block a label of its own.)",
+        .interpreter = "",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,81 @@
+// OW216 endsub-early: an `endsub` that is not the last one of its sub.
+// Rests on: passing over a definition in the program ends at the first `endsub` with the label,
+// whatever block it stands in; in a called file the interpreter enters at `sub` and leaves at the
+// `endsub` it executes.
+#include <algorithm>
+
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Region& region : p.regions) {
+    if (region.opener == kNoStatement || region.end == kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
+    const auto& lines = p.by_label[region.name];
+    const auto next = std::ranges::upper_bound(lines, region.end);
+    if (next == lines.end() || !p.at(*next).is(Keyword::kEndsub)) continue;
+    // Where the interpreter stops in what is left of the body, that stop says so.
+    bool stopped = false;
+    for (StatementId id = region.end + 1; id <= *next; ++id) stopped = stopped || has_stop(in, id);
+    if (stopped) continue;
+    Finding& f = out.add(p.at(region.end).head_span(), "`" + p.head(region.end) + "` comes before the sub's last `endsub` on line " + std::to_string(p.at(*next).line));
+    relate(f, p, *next, "the last `endsub` stands here");
+    f.help = "write `" + p.label_text(region.name) + " return` for an early way out";
+    f.reach = in.flow.reach(region.end);
+    f.fixes.push_back({"write `return`", true, {{p.at(region.end).keyword_span(), "return"}}});
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw216{
+    .code = "OW216",
+    .name = "endsub-early",
+    .summary = "`endsub` before the sub's last one",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(An `endsub` inside an `if` or loop of its own sub, with another `endsub` at the end: meant as an
+early return.)",
+        .why = R"(In the program itself the definition ends at the first `endsub`. What follows runs at once as main
+program, with the main program's values: in the example the interpreter stops at the `endif`, whose
+`if` it has never seen. Without a block around it, the rest of the body is cut before any call, and
+the last `endsub` then stops with `not in a subroutine definition`. With the subs below `M2` it
+happens to work, and in a called file it does what was meant.
+
+Under FEATURE 0x20 (`OWORD_WARNONLY`) the `endif` **crashes** LinuxCNC.)",
+        .bad = R"(G21 G90
+o100 sub
+  o110 if [#1 LE 0]
+    o100 endsub
+  o110 endif
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+o100 call [#5420]
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  o110 if [#1 LE 0]
+    o100 return
+  o110 endif
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+o100 call [#5420]
+M2
+)",
+        .fix = R"(Write `return` for every early way out and keep one `endsub` as the last line of the sub, in files
+too.)",
+        .interpreter = "undefined O-word label: 'o110 endif'",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,85 @@
+// OW301 keyword-unknown: a word after the label that is no O-word keyword.
+// Rests on: the keyword is checked whenever a line is read, while skipping too; only inside a sub
+// that is being passed over is it let through.
+#include <algorithm>
+
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  std::string word(p.source->slice(s.keyword_span()));
+  std::erase_if(word, [](char c) { return c == ' ' || c == '\t'; });
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  Finding& f = out.add(s.keyword_span(), "`" + word + "` is not an O-word");
+  const std::string near = nearest(word, {kKeywordSpellings.begin(), kKeywordSpellings.end()});
+  f.help = "an O-label is followed by sub, endsub, call, return, if, elseif, else, endif, while, endwhile, do, repeat, endrepeat, break or continue";
+  if (!near.empty()) {
+    f.help = "did you mean `" + near + "`";
+    f.fixes.push_back({"write `" + near + "`", false, {{s.keyword_span(), near}}});
+  }
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = Reach::kNever; });
+}
+
+}  // namespace
+
+extern const Rule kOw301{
+    .code = "OW301",
+    .name = "keyword-unknown",
+    .summary = "an unknown word after the label",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A line with an O-word whose next word is none of `sub`, `endsub`, `call`, `do`, `while`, `endwhile`,
+`repeat`, `endrepeat`, `if`, `elseif`, `else`, `endif`, `break`, `continue`, `return`. The nearest
+of these is named. Typical are words from other controls and languages: `goto`, `wend`, `elsif`,
+`until`, `for`.)",
+        .why = R"(The interpreter stops at the line, also in a branch that is not taken. Inside a sub it goes
+unnoticed until the sub is called.
+
+Keywords are recognised by their beginning: `endiff` is `endif` with an `f` too much and stops with
+`Unexpected character after O-word`; `iff [1]` is `if` without its bracket. Blanks do not matter:
+`end if` is `endif`.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  G0 Z5
+o100 elsif [#5063 LT -9]
+  G0 Z50
+o100 else
+  G0 Z20
+o100 endif
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  G0 Z5
+o100 elseif [#5063 LT -9]
+  G0 Z50
+o100 else
+  G0 Z20
+o100 endif
+M2
+)",
+        .fix = R"(Write the keyword as LinuxCNC knows it. There is no jump to a line: `GOTO` has to become an `if` or
+a loop.)",
+        .interpreter = "Unknown control command in o word",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,65 @@
+// OW302 condition-missing: `if`, `elseif`, `while` or `repeat` without a value in brackets.
+// Rests on: when one of these is evaluated the next character must be `[`; on a line that is
+// skipped it is not looked at.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  const std::string word(spelling(s.keyword));
+  const std::string what = s.is(Keyword::kRepeat) ? "count" : "condition";
+  Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` is not followed by `[`");
+  f.help = "put the " + what + " in brackets: `" + word + " [" + (s.is(Keyword::kRepeat) ? "5" : "#1 GT 2") + "]`";
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = in.flow.reach(id); });
+}
+
+}  // namespace
+
+extern const Rule kOw302{
+    .code = "OW302",
+    .name = "condition-missing",
+    .summary = "`if`, `elseif`, `while` or `repeat` without `[`",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A condition or a count that is not in square brackets, or is missing: `o100 if #1 GT 5`,
+`o100 repeat 3`, `o100 while (#1 LT 3)`.)",
+        .why = R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment to LinuxCNC, so
+the condition in them is gone; a comment between the keyword and the bracket has the same effect. In
+a branch that is skipped nothing is said, so the mistake may wait for the first run that gets there.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if #5070 EQ 1
+  G10 L20 P1 Z0
+o100 endif
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  G10 L20 P1 Z0
+o100 endif
+G0 Z5
+M2
+)",
+        .fix = R"(Put the whole condition, or the count, in one pair of square brackets.)",
+        .interpreter = "Left bracket missing after 'if'",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

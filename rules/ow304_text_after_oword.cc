@@ -1,0 +1,73 @@
+// OW304 text-after-oword: something left on the line after the O-word is complete.
+// Rests on: what is left is refused, unless a skip was under way when the line was read: then it
+// is swallowed, also on the line that ends the skip.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  std::string text(p.source->slice(s.rest_span()));
+  if (text.size() > 40) text = text.substr(0, 37) + "...";
+  Finding& f = out.add(s.rest_span(), "`" + text + "` stands behind `" + p.head(id) + "`, where nothing but a comment may stand");
+  const std::string written = std::string(spelling(s.keyword)) + text.substr(0, text.find_first_of(" \t([;"));
+  const std::string near = s.keyword_to == s.rest_from ? nearest(written, {kKeywordSpellings.begin(), kKeywordSpellings.end()}) : std::string();
+  f.help = near.empty() || near == written ? "put it on a line of its own" : "did you mean `" + near + "`";
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) {
+    if (p.at(id).inner_cr) return;
+    Finding* f = report(in, out, id);
+    f->reach = in.flow.reach(id);
+    f->message += "; LinuxCNC drops it here without a word";
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw304{
+    .code = "OW304",
+    .name = "text-after-oword",
+    .summary = "other words on the line after the O-word",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(Moves, M-codes, a second O-word or anything else behind a complete O-word:
+`o100 if [#1 GT 0] G0 X5`, `o100 endif M2`, `o100 return 5`. An O-word needs a line of its own.)",
+        .why = R"(The interpreter stops at the line. But if it is skipping when it reads the line, it drops the text
+without a word, and that includes the line on which the skip ends. So `o100 endif G0 Z50` stops the
+program if the `if` was true and **leaves out the retract** if it was false; the same goes for
+`else`, `elseif`, `endwhile`, `endrepeat` and for the `endsub` of a definition.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1] G10 L20 P1 Z0
+o100 endif
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  G10 L20 P1 Z0
+o100 endif
+G0 Z5
+M2
+)",
+        .fix = R"(Put the rest on the next line.)",
+        .interpreter = "Unexpected character after O-word",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,64 @@
+// OW305 word-before-oword: a word, an assignment or a comment in front of the O-word.
+// Rests on: only `/` and a line number may stand before `o`; anywhere else `o` is not a letter the
+// interpreter knows.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Statement& s = in.program.at(id);
+  Finding& f = out.add(in.program.syntax.error(s)->span, "an O-word must come first on its line");
+  f.help = "put it on a line of its own; only `/` and a line number may stand before it";
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = in.flow.reach(id); });
+}
+
+}  // namespace
+
+extern const Rule kOw305{
+    .code = "OW305",
+    .name = "word-before-oword",
+    .summary = "a word before the O-word",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(An O-word that is not the first thing on its line: `M5 o100 call`, `G0 Z5 o110 endif`,
+`#1=3 o100 call [#1]`. Only the block delete `/` and a line number `N…` may stand before it, not
+even a comment.)",
+        .why = R"(The interpreter reads such a line as ordinary G-code and stops at the `o`. While skipping or inside
+an uncalled sub it does not see the O-word at all: an `endif` or `endwhile` on such a line does not
+end its block, and the program runs to the end of the file without it.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+G0 Z5 o100 call [30]
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+G0 Z5
+o100 call [30]
+M2
+)",
+        .fix = R"(Put the O-word on a line of its own.)",
+        .interpreter = "Bad character 'o' used",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

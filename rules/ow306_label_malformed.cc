@@ -1,0 +1,104 @@
+// OW306 label-malformed: an O-word whose label is missing, no integer, or a name that is not closed.
+// Rests on: a label is an integer (to 0.0001) or `<name>`; after `<` everything to the end of the
+// line is the name if there is no `>`, and an O-word without keyword is a program number.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
+  switch (kind) {
+    case StopKind::kLabelMissing:
+      f.message = "the O-word has no label";
+      f.help = "write a number or `<name>` after the `o`";
+      break;
+    case StopKind::kLabelWord:
+      f.message = "the O-word has no label before its keyword";
+      f.help = "write a number or `<name>` after the `o`: `o100 " + std::string("if` or `o<name> call`");
+      break;
+    case StopKind::kLabelNotInteger: case StopKind::kM98Number:
+      f.message = "`" + std::string(p.source->slice(s.label_span())) + "` is not a whole number";
+      f.help = "use a whole number or a name in `<>`";
+      break;
+    default:
+      f.message = "this label cannot be computed";
+      f.help = "check the expression after the `o`";
+      break;
+  }
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const Statement& s = p.at(stop.statement);
+    const LineError* error = p.syntax.error(s);
+    Finding& f = out.add(error != nullptr ? error->span : s.label_span(), "");
+    word(p, s, stop.kind, f);
+    return &f;
+  });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
+    Finding& f = out.add(error.span, "");
+    word(p, p.at(id), error.kind, f);
+    f.interpreter = error.message;
+    f.reach = in.flow.reach(id);
+  });
+  // Without `>` the rest of the line is the name, and the line does nothing: no error, whatever was meant.
+  for (StatementId id = 0; id < p.size(); ++id) {
+    const Statement& s = p.at(id);
+    if (!s.name_open || has_stop(in, id)) continue;
+    Finding& f = out.add(s.label_span(), "the label's name is not closed with `>`: LinuxCNC takes the rest of the line for a program number and does nothing");
+    f.help = "close the name with `>`";
+    f.reach = in.flow.reach(id);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw306{
+    .code = "OW306",
+    .name = "label-malformed",
+    .summary = "a label that is missing, not an integer, or an unterminated name",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(An `o` with no number or name behind it, a number with decimals such as `o100.5`, a word without
+`< >`, or a name whose `>` is missing.)",
+        .why = R"(`o100.5 if` stops with `Non integer value for integer`, `odrill call` and `o if` with
+`Unknown word where unary operation could be`, a lone `o` with
+`No characters found in reading real value`.
+
+Worse is the missing `>`: **nothing is said**. In `o<drill call [10]` the whole rest of the line
+becomes the name, no keyword is left, and the interpreter takes it for a program number: the sub is
+not called. A block whose lines all lack the `>` runs once, whatever its condition says, and so does
+the body of a sub. If only one of its lines lacks it, the other end meets an undefined label, or is
+looked for to the end of the file. Inside a sub such a line stops with
+`Nested subroutine definition`.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100.5 if [#5070 EQ 1]
+  G10 L20 P1 Z0
+o100.5 endif
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o105 if [#5070 EQ 1]
+  G10 L20 P1 Z0
+o105 endif
+G0 Z5
+M2
+)",
+        .fix = R"(Use a whole number, or a name between `<` and `>`. Number labels in steps of ten to leave room for
+inserted blocks.)",
+        .interpreter = "Non integer value for integer",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

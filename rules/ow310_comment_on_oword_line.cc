@@ -1,0 +1,66 @@
+// OW310 comment-on-oword-line: a comment on the line of an O-word.
+// Rests on: comments after the O-word are dropped, active ones such as MSG and PRINT too; before
+// or inside it they are errors of other rules.
+#include <algorithm>
+
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (StatementId id = 0; id < p.size(); ++id) {
+    const Statement& s = p.at(id);
+    if (s.kind != LineKind::kOWord || !s.comment || p.syntax.error(s) != nullptr) continue;
+    const std::string_view line = p.source->slice({s.offset, s.end});
+    const size_t at = line.find_first_of("(;", std::max(s.label_to, s.keyword_to));
+    if (at == std::string_view::npos) continue;
+    Finding& f = out.add({s.offset + at, s.end}, "a comment stands on the line of `" + p.head(id) + "`");
+    f.help = "put it on a line of its own: the documentation calls this undefined, though it runs";
+    f.reach = in.flow.reach(id);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw310{
+    .code = "OW310",
+    .name = "comment-on-oword-line",
+    .summary = "a comment on an O-word line",
+    .group = Group::kLine,
+    .level = Severity::kInfo,
+    .page = {
+        .what = R"(A `( … )` or `;` comment on a line that has an O-word. The documentation calls the result undefined.)",
+        .why = R"(LinuxCNC runs such lines today, but an **active comment there does nothing**: `(MSG,…)`, `(PRINT,…)`
+and `(DEBUG,…)` on an O-word line are neither shown nor evaluated, although the line is executed. A
+comment before the O-word, between label and keyword, or between `if` or `return` and the bracket
+stops the program.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 0] (MSG,no contact: check the probe)
+  M2
+o100 endif
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 0]
+  (MSG,no contact: check the probe)
+  M2
+o100 endif
+G0 Z5
+M2
+)",
+        .fix = R"(Put the comment on a line of its own, above or below. It is off unless selected, because a plain
+remark behind an O-word is harmless in the versions measured.)",
+        .interpreter = "",
+        .options = "--select OW310",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,59 @@
+// OW311 uppercase-o: a capital O in front of a label.
+// Rests on: letters are lowered before a line is read, so this always works.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (StatementId id = 0; id < p.size(); ++id) {
+    const Statement& s = p.at(id);
+    if (s.kind != LineKind::kOWord || p.source->bytes()[s.offset + s.label_from] != 'O') continue;
+    const Span letter{s.offset + s.label_from, s.offset + s.label_from + 1};
+    Finding& f = out.add(letter, "a capital `O` is easily taken for a zero");
+    f.help = "write a small `o`";
+    f.reach = in.flow.reach(id);
+    f.fixes.push_back({"write a small `o`", true, {{letter, "o"}}});
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw311{
+    .code = "OW311",
+    .name = "uppercase-o",
+    .summary = "a capital `O` that reads like a zero",
+    .group = Group::kLine,
+    .level = Severity::kInfo,
+    .page = {
+        .what = R"(An O-word written with a capital `O`: `O100 sub`.)",
+        .why = R"(LinuxCNC does not care. On a screen `O100` and `0100` can hardly be told apart, and the second stops
+the program or, in a skipped branch, is passed over (OW307).)",
+        .bad = R"(G21 G90
+G0 X0 Y0 Z5
+O100 repeat [4]
+  G91 G0 X10
+  G90 G1 Z-2 F80
+  G0 Z5
+O100 endrepeat
+M2
+)",
+        .good = R"(G21 G90
+G0 X0 Y0 Z5
+o100 repeat [4]
+  G91 G0 X10
+  G90 G1 Z-2 F80
+  G0 Z5
+o100 endrepeat
+M2
+)",
+        .fix = R"(Write a small `o`. Shops whose other controls want the capital may leave the rule off; it is off
+unless selected.)",
+        .interpreter = "",
+        .options = "--select OW311",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,58 @@
+// OW313 block-delete-misplaced: a `/` that is not the first thing on its line.
+// Rests on: block delete is looked for before the line number; a later `/` outside brackets is not
+// known.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  Finding& f = out.add(in.program.syntax.error(in.program.at(id))->span, "block delete `/` stands behind the line number");
+  f.help = "put the `/` before the `N`";
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = in.flow.reach(id); });
+}
+
+}  // namespace
+
+extern const Rule kOw313{
+    .code = "OW313",
+    .name = "block-delete-misplaced",
+    .summary = "block delete `/` after the line number",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A line such as `N40 /G0 Z5` or `N40 /o100 call`: the slash stands behind the line number. Other
+controls allow that; also several skip levels such as `/2`.)",
+        .why = R"(LinuxCNC looks for `/` at the very start of the line only. Elsewhere it stops with the message
+below; `/2 G0 X5` stops with `Bad character '2' used`, `o100 /if [1]` with
+`Unknown control command in o word`. It does so whether block delete is switched on or off. Skipped
+lines and uncalled subs are not looked at.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(N10 G21 G90
+N20 G0 X10 Y10 Z5
+N30 G1 Z-2 F80
+N40 /G1 Z-4
+N50 G0 Z5
+N60 M2
+)",
+        .good = R"(N10 G21 G90
+N20 G0 X10 Y10 Z5
+N30 G1 Z-2 F80
+/N40 G1 Z-4
+N50 G0 Z5
+N60 M2
+)",
+        .fix = R"(Put the slash in front of the line number.)",
+        .interpreter = "Bad character '/' used",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,98 @@
+// OW314 bytes-unreadable: bytes that the interpreter refuses or silently stops reading at.
+// Rests on: outside comments and names only ASCII is known; a NUL ends its line; lines end at line
+// feed, not at CR.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  const LineError* error = p.syntax.error(s);
+  if (s.inner_cr) {
+    const size_t at = p.source->bytes().find('\r', s.offset);
+    Finding& f = out.add({at, at + 1}, "a carriage return stands inside the line: LinuxCNC ends lines at line feeds only");
+    f.help = "save the file with line feeds";
+    return &f;
+  }
+  const Span span = error == nullptr ? Span{s.offset, s.end} : error->span;
+  const std::string_view bytes = p.source->slice(span);
+  Finding& f = out.add(span, "");
+  if (bytes.starts_with("\xEF\xBB\xBF") && span.begin == 0) {
+    f.message = "the file begins with a byte order mark";
+    f.help = "save it as UTF-8 without byte order mark, or as plain text";
+    f.fixes.push_back({"remove the byte order mark", true, {{{0, 3}, ""}}});
+  } else if (!bytes.empty() && static_cast<unsigned char>(bytes[0]) >= 0x80) {
+    f.message = "LinuxCNC reads plain letters only, and not this character";
+    f.help = "such characters may stand in comments and names only";
+  } else if (!bytes.empty() && (static_cast<unsigned char>(bytes[0]) < 0x20 || bytes[0] == 0x7F)) {
+    f.message = "a control character stands here";
+    f.help = "remove it";
+  } else {
+    f.message = "`" + std::string(bytes) + "` means nothing here";
+    f.help = "remove it, or put it in a comment";
+  }
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for (StatementId id = 0; id < p.size(); ++id) {
+    const Statement& s = p.at(id);
+    const LineError* error = p.syntax.error(s);
+    const bool refused = error != nullptr && error->kind == StopKind::kBadCharacter;
+    if (s.nul) {
+      const size_t at = p.source->bytes().find('\0', s.offset);
+      Finding& f = out.add({at, at + 1}, "a NUL byte stands here: LinuxCNC drops the rest of the line without a word");
+      f.help = "the file is damaged, or not a program";
+      f.reach = in.flow.reach(id);
+    } else if ((refused || s.inner_cr) && !has_stop(in, id)) {
+      report(in, out, id)->reach = in.flow.reach(id);
+    }
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw314{
+    .code = "OW314",
+    .name = "bytes-unreadable",
+    .summary = "byte order mark, NUL, CR-only line ends, or characters the interpreter refuses",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A byte order mark at the start of the file, no-break spaces, typographic minus signs or quotes from
+a web page or a manual, letters with accents outside comments and names, control characters, NUL
+bytes, or a file whose lines end with CR alone. The example has a no-break space between `G0` and
+`X10`, which no editor shows.)",
+        .why = R"(The interpreter stops with `Bad character '\357' used` (a byte order mark), `'\302'` (a no-break
+space), `'\303'` (an accented letter); the number is the first byte in octal. A typographic minus in
+a value gives `bad number format (conversion failed) parsing ''`.
+
+Some cases are silent. A NUL byte **cuts the rest of its line**: a `Y` word behind it is lost. A
+file with CR alone is one long line to LinuxCNC: if it starts with a `;` comment, all of it is
+comment. In comments, and in names between `< >`, accented letters are accepted.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = "G21 G90\n"
+               "G0\xC2\xA0X10 Y10 Z5\n"
+               "G1 Z-2 F80\n"
+               "G0 Z5\n"
+               "M2\n",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+        .fix = R"(Save the file as plain text: ASCII or UTF-8 without byte order mark, lines ending in LF or CR LF.
+Retype the marked place by hand.)",
+        .interpreter = "Bad character '\\302' used",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,87 @@
+// OW501 stale-break: a `break` out of a `while` after which a `do` … `while` can run.
+// Rests on: all loops share one "breaking" flag, and only the `while` that closes a `do` clears
+// it.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kStaleBreak) continue;
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a flag behind: the `do` loop that ends on line " + std::to_string(p.at(h.other == kNoStatement ? h.statement : h.other).line) + " then ends after one pass");
+    relate(f, p, h.other, "this loop ends early");
+    f.help = "leave the `while` by its condition instead, or write the other loop as a `while`";
+    f.reach = h.reach;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw501{
+    .code = "OW501",
+    .name = "stale-break",
+    .summary = "`break` out of a `while` after which a `do … while` can run: it ends after one pass",
+    .group = Group::kHazards,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A `while` loop that can be left by `break`, and a `do` loop that the program can run after that. The
+`do` loop then makes only one pass.)",
+        .why = R"(`break` sets a mark that LinuxCNC clears only at the end of a `do` loop, not at `endwhile`. The next
+`do` loop, however far below, finds the mark at its first closing `while`, ignores the condition and
+is done. Measured: a `do` loop for four holes drills one, with no message. It depends on whether the
+`break` was executed, so one part comes out right and the next does not.
+
+A loop with `while` … `endwhile` is not affected.)",
+        .bad = R"(G21 G90
+G0 X0 Y0 Z5
+#<x> = 0
+o100 while [#<x> LT 100]
+  G0 X#<x>
+  G38.3 Z-10 F50
+  o110 if [#5070 EQ 0]
+    o100 break
+  o110 endif
+  G0 Z5
+  #<x> = [#<x> + 20]
+o100 endwhile
+G0 Z5
+#<y> = 0
+o120 do
+  G81 X0 Y#<y> Z-5 R2 F80
+  #<y> = [#<y> + 10]
+o120 while [#<y> LT 40]
+G80
+M2
+)",
+        .good = R"(G21 G90
+G0 X0 Y0 Z5
+#<x> = 0
+o100 while [#<x> LT 100]
+  G0 X#<x>
+  G38.3 Z-10 F50
+  o110 if [#5070 EQ 0]
+    o100 break
+  o110 endif
+  G0 Z5
+  #<x> = [#<x> + 20]
+o100 endwhile
+G0 Z5
+#<y> = 0
+o120 while [#<y> LT 40]
+  G81 X0 Y#<y> Z-5 R2 F80
+  #<y> = [#<y> + 10]
+o120 endwhile
+G80
+M2
+)",
+        .fix = R"(Write the later loop with `while` … `endwhile`, or end the first one by its condition instead of
+`break`.)",
+        .interpreter = "",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,80 @@
+// OW502 stale-repeat-count: a `return` out of a `repeat` in a sub that can be called again.
+// Rests on: the remaining count is kept with the label, labels live for the whole run, and
+// `return` does not reset it.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kStaleRepeatCount) continue;
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a `repeat` before its last pass: the next call of the sub runs only the passes that are left");
+    relate(f, p, h.other, "this count is left behind");
+    f.help = "use a `while` with a counter, or leave the loop before returning";
+    f.reach = h.reach;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw502{
+    .code = "OW502",
+    .name = "stale-repeat-count",
+    .summary = "`return` out of a `repeat` in a sub that can be called again: it repeats only the rest",
+    .group = Group::kHazards,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A sub that can `return` from inside a `repeat`, and is called more than once.)",
+        .why = R"(LinuxCNC keeps the number of passes still to do with the label of the `repeat`. Leaving by `return`
+does not clear it, so the next call does not begin anew: it makes only the passes that were left
+over. Measured: `repeat [4]`, left in its first pass, makes three passes in the next call and the
+full four in the one after. No message.)",
+        .bad = R"(G21 G90
+o100 sub
+  o110 repeat [4]
+    G91 G38.3 Z-2 F50
+    G90
+    o120 if [#5070 EQ 1]
+      o100 return
+    o120 endif
+  o110 endrepeat
+o100 endsub
+G0 X10 Y10 Z5
+o100 call
+G0 Z5
+G0 X30
+o100 call
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  #<n> = 0
+  o110 while [#<n> LT 4]
+    G91 G38.3 Z-2 F50
+    G90
+    o120 if [#5070 EQ 1]
+      o100 return
+    o120 endif
+    #<n> = [#<n> + 1]
+  o110 endwhile
+o100 endsub
+G0 X10 Y10 Z5
+o100 call
+G0 Z5
+G0 X30
+o100 call
+G0 Z5
+M2
+)",
+        .fix = R"(Make it a `while` with a counter, which starts anew in each call, or let the `repeat` run to its end
+and skip the work inside.)",
+        .interpreter = "",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,78 @@
+// OW509 stale-continue: a `continue` in a `do` … `while` after which a `break` or a `repeat` can run.
+// Rests on: all loops share one "continuing" flag, and only `endwhile` and `endrepeat` at the end
+// of a skip clear it.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kStaleContinue) continue;
+    const StatementId shown = h.other == kNoStatement ? h.statement : h.other;
+    const std::string effect = p.at(shown).is(Keyword::kEndrepeat) ? " runs its passes twice" : " goes on after its `break`";
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a flag behind: the loop that ends on line " + std::to_string(p.at(shown).line) + effect);
+    relate(f, p, h.other, "this loop" + effect);
+    f.help = "skip the rest of the `do` loop with an `if` instead";
+    f.reach = h.reach;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw509{
+    .code = "OW509",
+    .name = "stale-continue",
+    .summary = "`continue` in a `do … while` after which a `break` or a `repeat` can run: the `break` goes on, the `repeat` runs its passes twice",
+    .group = Group::kHazards,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A `do` loop with a `continue` that can be executed, and below it (or in a sub called later) a
+`repeat`, or a `while` that is left by `break`.)",
+        .why = R"(`continue` sets a mark that the `while` at the end of a `do` loop does not clear. The next loop end
+that a skip comes to takes it for its own: a later `repeat` **runs its passes twice** (measured: six
+pecks instead of three), and a later `break` out of a `while` does not leave the loop but begins its
+next pass. No message; versions 2.8.4 to 2.10 behave alike.)",
+        .bad = R"(G21 G90
+#<x> = 0
+o100 do
+  #<x> = [#<x> + 10]
+  o110 if [#<x> EQ 20]
+    o100 continue
+  o110 endif
+  G81 X#<x> Y0 Z-5 R2 F80
+o100 while [#<x> LT 40]
+G80
+G0 X0 Y20 Z2
+o120 repeat [3]
+  G91 G1 Z-2 F80
+o120 endrepeat
+G90 G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+#<x> = 0
+o100 do
+  #<x> = [#<x> + 10]
+  o110 if [#<x> NE 20]
+    G81 X#<x> Y0 Z-5 R2 F80
+  o110 endif
+o100 while [#<x> LT 40]
+G80
+G0 X0 Y20 Z2
+o120 repeat [3]
+  G91 G1 Z-2 F80
+o120 endrepeat
+G90 G0 Z5
+M2
+)",
+        .fix = R"(Put the rest of the pass in an `if` instead of using `continue`, or write the loop with `while` …
+`endwhile`, where `continue` works.)",
+        .interpreter = "",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

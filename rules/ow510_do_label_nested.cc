@@ -1,0 +1,75 @@
+// OW510 do-label-nested: a `do` inside a `do` with the same label.
+// Rests on: `do` never complains about a used label and does not replace it, so the inner `while`
+// goes back to the outer `do`.
+#include "rules/blocks.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Block& block : p.blocks) {
+    if (block.kind != Keyword::kDo || block.parent == kNoBlock) continue;
+    BlockId outer = block.parent;
+    for (size_t depth = 0; outer != kNoBlock && depth < 64; ++depth) {
+      if (p.blocks[outer].kind == Keyword::kDo && p.blocks[outer].label == block.label) break;
+      outer = p.blocks[outer].parent;
+    }
+    if (outer == kNoBlock || p.blocks[outer].kind != Keyword::kDo || p.blocks[outer].label != block.label) continue;
+    Finding& f = out.add(p.at(block.opener).head_span(), "`" + p.head_of(block) + "` stands inside a `do` with the same label: both ends go back to the outer one");
+    relate(f, p, p.blocks[outer].opener, "the outer `do` begins here");
+    f.help = "give the inner loop a label of its own";
+    f.reach = in.flow.reach(block.opener);
+    f.never_ends = f.reach != Reach::kNever;
+    add_relabel_fix(in, block.opener, f);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw510{
+    .code = "OW510",
+    .name = "do-label-nested",
+    .summary = "a `do` inside a `do` with the same label: never ends",
+    .group = Group::kHazards,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(Two `do` loops, one inside the other, with the same label.)",
+        .why = R"(`do` is the one opening line that LinuxCNC does not check for a used label. The label stays that of
+the outer loop, so the inner `while` jumps back to the **outer** `do`: what the outer loop sets at
+its start is set again, the inner counter never gets on, and the program never ends. In the example
+the machine drills the first hole for ever. No message.)",
+        .bad = R"(G21 G90
+#<y> = 0
+o100 do
+  #<x> = 0
+  o100 do
+    G81 X#<x> Y#<y> Z-5 R2 F80
+    #<x> = [#<x> + 10]
+  o100 while [#<x> LT 30]
+  #<y> = [#<y> + 10]
+o100 while [#<y> LT 20]
+G80
+M2
+)",
+        .good = R"(G21 G90
+#<y> = 0
+o100 do
+  #<x> = 0
+  o110 do
+    G81 X#<x> Y#<y> Z-5 R2 F80
+    #<x> = [#<x> + 10]
+  o110 while [#<x> LT 30]
+  #<y> = [#<y> + 10]
+o100 while [#<y> LT 20]
+G80
+M2
+)",
+        .fix = R"(Give the inner loop a label of its own, on its `do` and its `while`.)",
+        .interpreter = "",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,67 @@
+// OW603 name-undefined: a named parameter that is read where some path has not assigned it.
+// Rests on: reading an unassigned name stops the run; `#<name>` is local to the sub that runs,
+// `#<_name>` is global.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& s) -> Finding* {
+    const Statement& line = p.at(s.statement);
+    const std::string name = "`#<" + s.detail + ">`";
+    const bool some = s.reach != Reach::kAlways;
+    Finding& f = out.add({line.offset, line.end}, name + (some ? " is read here, but not assigned on every path" : " is read here, but not assigned before"));
+    f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw603{
+    .code = "OW603",
+    .name = "name-undefined",
+    .summary = "`#<name>` is read where some path has not assigned it",
+    .group = Group::kDataFlow,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `#<name>` that is read although no line has given it a value on the way there: a typing error in
+the name, an assignment that stands only in one branch, or a name that belongs to the caller or to
+the called sub.)",
+        .why = R"(The interpreter stops at the line that reads the name, on the run that gets there without an
+assignment. Unlike numbers, which read 0, names have no value until they get one. `#<name>` belongs
+to the sub that is running: the main program's `#<depth>` does not exist inside a sub, nor the sub's
+outside. `#<_name>` with an underscore is shared by all. Skipped lines are not looked at, and
+`EXISTS[#<name>]` may ask.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  #<top> = #5063
+o100 endif
+G0 Z[#<top> + 5]
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+#<top> = 0
+o100 if [#5070 EQ 1]
+  #<top> = #5063
+o100 endif
+G0 Z[#<top> + 5]
+M2
+)",
+        .fix = R"(Assign the name before the branch, pass it to the sub as an argument, or use a global name with an
+underscore.)",
+        .interpreter = "Named parameter #<top> not defined",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

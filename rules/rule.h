@@ -1,0 +1,90 @@
+// What a rule is: its place in the catalogue, its page, its check. One rule, one file `owNNN_name.cc`; everything
+// else that speaks of rules (`owlint rules`, `explain`, the JSON, the tests) is derived from these objects.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "analyzer/findings/finding.h"
+#include "analyzer/findings/suppression.h"
+#include "analyzer/flow/flow.h"
+#include "analyzer/machine/profile.h"
+#include "analyzer/program/program.h"
+
+namespace owlint {
+
+class Reporter;
+
+/// The catalogue's groups, by the digit after `OW`.
+enum class Group : uint8_t { kLinter, kAbortList, kBlocks, kLine, kFiles, kHazards, kDataFlow };
+std::string_view group_title(Group group);
+
+/// The flow's stops, ready to be asked by rule and by statement.
+struct StopIndex {
+  StopIndex(const Program& program, const FlowResult& flow);
+
+  std::unordered_map<std::string_view, std::vector<const FlowStop*>> by_code;
+  std::unordered_map<std::string_view, std::vector<const Hazard*>> warned_by_code;
+  std::vector<bool> at;  ///< by statement: a stop, or a message under FEATURE 0x20, is there
+  std::unordered_multimap<StatementId, const FlowStop*> consequences;  ///< by the statement of their mistake
+};
+
+/// Everything that a check may look at.
+struct Input {
+  const Program& program;
+  const FlowResult& flow;
+  const Profile& profile;
+  const std::vector<Suppression>& suppressions;
+  const StopIndex& stops;
+  bool suppressions_applied = false;  ///< the second round, for rules about suppressions themselves
+};
+
+/// The rule's documentation: `owlint explain`, the pages under docs/. All of it is tested: `bad` has the finding,
+/// `good` has none, and both are run through the interpreter.
+struct Page {
+  std::string_view what;         ///< what it finds, in a machinist's words
+  std::string_view why;          ///< what LinuxCNC does, also under FEATURE 0x20
+  std::string_view bad;          ///< a program
+  std::string_view good;         ///< the same program mended
+  std::string_view fix;          ///< how to mend it, when to ignore it
+  std::string_view interpreter;  ///< the message LinuxCNC prints for `bad`; N stands for a line number
+  std::string_view options;      ///< command line options that `bad` needs
+};
+
+struct Rule {
+  std::string_view code;
+  std::string_view name;
+  std::string_view summary;
+  Group group;
+  Severity level;  ///< for a finding that some run meets; info rules are off unless selected
+  Page page;
+  void (*check)(const Input&, Reporter&);
+};
+
+/// Takes a rule's findings. The rule fills in place, words and what the interpreter does; code and severity are
+/// added from the rule.
+class Reporter {
+ public:
+  Reporter(const Rule& rule, std::vector<Finding>& findings) : rule_(rule), findings_(findings) {}
+
+  /// Adds a finding; the reference is valid until the next one is added.
+  Finding& add(Span span, std::string message);
+  const Rule& rule() const { return rule_; }
+
+ private:
+  const Rule& rule_;
+  std::vector<Finding>& findings_;
+};
+
+/// All rules, in the order of their codes.
+const std::vector<const Rule*>& catalogue();
+/// By code or name, in any case; null if there is none.
+const Rule* find_rule(std::string_view code_or_name);
+/// Whether at least one code begins with `prefix`.
+bool known_prefix(std::string_view prefix);
+/// The code or rule name nearest to a misspelt one; empty when nothing is near.
+std::string_view nearest_rule(std::string_view text);
+
+}  // namespace owlint

@@ -1,0 +1,194 @@
+#include "rules/stops.h"
+
+#include <algorithm>
+
+namespace owlint {
+
+StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(program.size()) {
+  for (const FlowStop& stop : flow.stops) {
+    if (stop.statement != kNoStatement && stop.kind != StopKind::kFileEnd) at[stop.statement] = true;
+  }
+  for (const Hazard& hazard : flow.hazards) {
+    if (hazard.kind != HazardKind::kWarned) continue;
+    at[hazard.statement] = true;
+    warned_by_code[rules::code_of(hazard.warned, program.at(hazard.statement))].push_back(&hazard);
+  }
+  for (const FlowStop& stop : flow.stops) {
+    if (stop.kind == StopKind::kFileEnd && stop.statement != kNoStatement) {
+      // A block whose end carries a wrong label: the stop at that end and the end of the file, which a run meets
+      // when it skips the block, are one mistake.
+      const BlockId block = program.block_of[stop.statement];
+      const StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
+      if (mistaken != kNoStatement && at[mistaken]) {
+        consequences.emplace(mistaken, &stop);
+        continue;
+      }
+    }
+    by_code[rules::code_of(stop, program)].push_back(&stop);
+  }
+}
+
+}  // namespace owlint
+
+namespace owlint::rules {
+
+std::string_view code_of(StopKind kind, const Statement& s) {
+  switch (kind) {
+    case StopKind::kLineTooLong: return "OW309";
+    case StopKind::kCommentNested: case StopKind::kCommentUnclosed: return "OW308";
+    case StopKind::kLabelMissing: case StopKind::kLabelWord: case StopKind::kLabelNotInteger:
+    case StopKind::kLabelExpression: case StopKind::kM98NoTarget: case StopKind::kM98Number: return "OW306";
+    case StopKind::kKeywordUnknown: return "OW301";
+    case StopKind::kBracketMissing: return "OW302";
+    case StopKind::kLineNumber: case StopKind::kExpression: case StopKind::kParameterRange: case StopKind::kValueFails:
+      return "OW303";
+    case StopKind::kTrailingText: return "OW304";
+    case StopKind::kTooManyArguments: return "OW209";
+    case StopKind::kWordBefore: return "OW305";
+    case StopKind::kZeroForO: return "OW307";
+    case StopKind::kBlockDelete: return "OW313";
+    case StopKind::kBadCharacter: return "OW314";
+    case StopKind::kSubNested: return "OW202";
+    case StopKind::kReturnOutside: case StopKind::kNotInDefinition: return "OW101";
+    case StopKind::kLabelUndefined:
+      switch (s.keyword) {
+        case Keyword::kElse: case Keyword::kElseif: return "OW105";
+        case Keyword::kBreak: case Keyword::kContinue: return "OW107";
+        case Keyword::kEndwhile: case Keyword::kEndrepeat: return "OW108";
+        default: return "OW106";
+      }
+    case StopKind::kNotAnIf: return "OW106";
+    case StopKind::kNotALoop: return "OW107";
+    case StopKind::kWrongEnd: return "OW108";
+    case StopKind::kDuplicateIf: return "OW104";
+    case StopKind::kDuplicateLoop: return s.keyword == Keyword::kRepeat ? "OW102" : "OW103";
+    case StopKind::kSubIllegalLocation: return "OW207";
+    case StopKind::kSubRedefined: return "OW201";
+    case StopKind::kCallTooDeep: return "OW210";
+    case StopKind::kSubNotFound: return "OW208";
+    case StopKind::kFileEnd: return "OW315";
+    case StopKind::kStyleNeedsM98: case StopKind::kStyleNeedsCall: case StopKind::kStyleNeedsM99:
+    case StopKind::kStyleNeedsEndsub: return "OW211";
+    case StopKind::kNameUndefined: return "OW603";
+    case StopKind::kNameReadOnly: case StopKind::kParameterReadOnly: return "OW604";
+    case StopKind::kNone: break;
+  }
+  return "OW303";
+}
+
+std::string_view code_of(const FlowStop& stop, const Program& program) {
+  if (stop.statement == kNoStatement) return "OW315";
+  const Statement& s = program.at(stop.statement);
+  if (stop.kind == StopKind::kFileEnd) return s.opens_sub() ? "OW204" : "OW205";
+  if (stop.kind == StopKind::kSubIllegalLocation) {
+    const Region& region = program.regions[program.region_of[stop.statement]];
+    return region.opener == stop.statement && region.enclosing != kNoBlock ? "OW203" : "OW207";
+  }
+  const bool value = s.is(Keyword::kReturn) || s.is(Keyword::kEndsub);
+  if ((stop.kind == StopKind::kValueFails || stop.kind == StopKind::kParameterRange) && value) return "OW512";
+  // Carriage returns alone as line ends put a whole file on one line: that is the mistake, whatever it leads to.
+  if (s.inner_cr && stop.kind < StopKind::kSubNested) return "OW314";
+  return code_of(stop.kind, s);
+}
+
+void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {
+  if (statement == kNoStatement) return;
+  const Statement& s = program.at(statement);
+  const Span span = s.kind == LineKind::kOWord || s.kind == LineKind::kM98 ? s.head_span() : Span{s.offset, s.end};
+  finding.related.push_back({span, std::move(message)});
+}
+
+void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
+  finding.stops = true;
+  finding.reach = stop.reach;
+  finding.interpreter = stop.interpreter;
+  for (const Decision& decision : stop.path) {
+    const Statement& s = in.program.at(decision.statement);
+    const bool repeat = s.is(Keyword::kRepeat);
+    const std::string outcome = repeat ? (decision.taken ? " runs its passes" : " has no pass left")
+                                       : (decision.taken ? " is true" : " is false");
+    relate(finding, in.program, decision.statement,
+           "when `" + in.program.head(decision.statement) + "` on line " + std::to_string(s.line) + outcome);
+  }
+  const auto [first, last] = in.stops.consequences.equal_range(stop.statement);
+  for (auto it = first; it != last; ++it) {
+    const FlowStop& other = *it->second;
+    const Span span = other.statement == kNoStatement ? finding.span : in.program.at(other.statement).head_span();
+    finding.consequences.push_back({code_of(other, in.program), span, other.interpreter});
+  }
+}
+
+void for_stops(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each) {
+  const auto found = in.stops.by_code.find(out.rule().code);
+  if (found == in.stops.by_code.end()) return;
+  for (const FlowStop* stop : found->second) {
+    if (Finding* finding = each(*stop)) describe_stop(in, *stop, *finding);
+  }
+}
+
+void for_warned(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each) {
+  const auto found = in.stops.warned_by_code.find(out.rule().code);
+  if (found == in.stops.warned_by_code.end()) return;
+  for (const Hazard* hazard : found->second) {
+    FlowStop as_stop;
+    as_stop.statement = hazard->statement;
+    as_stop.kind = hazard->warned;
+    as_stop.other = hazard->other;
+    if (Finding* finding = each(as_stop)) {
+      finding->reach = hazard->reach;
+      finding->interpreter = hazard->interpreter;
+    }
+  }
+}
+
+bool has_stop(const Input& in, StatementId statement) { return statement < in.stops.at.size() && in.stops.at[statement]; }
+
+void for_unmet_errors(const Input& in, Reporter& out, const std::function<void(StatementId, const LineError&)>& each) {
+  for (StatementId id = 0; id < in.program.size(); ++id) {
+    const Statement& s = in.program.at(id);
+    const LineError* error = in.program.syntax.error(s);
+    if (error == nullptr || has_stop(in, id) || code_of(error->kind, s) != out.rule().code) continue;
+    each(id, *error);
+  }
+}
+
+std::string ordinal(size_t n) {
+  const size_t tens = n % 100;
+  const char* ending = "th";
+  if (tens < 11 || tens > 13) ending = n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th";
+  return std::to_string(n) + ending;
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string* best = nullptr;
+  size_t best_distance = std::max<size_t>(1, word.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    // Optimal string alignment: a swapped pair of letters is one mistake.
+    std::vector<std::vector<size_t>> d(word.size() + 1, std::vector<size_t>(candidate.size() + 1));
+    for (size_t i = 0; i <= word.size(); ++i) d[i][0] = i;
+    for (size_t j = 0; j <= candidate.size(); ++j) d[0][j] = j;
+    for (size_t i = 1; i <= word.size(); ++i) {
+      for (size_t j = 1; j <= candidate.size(); ++j) {
+        d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (word[i - 1] == candidate[j - 1] ? 0 : 1)});
+        if (i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1]) {
+          d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+      }
+    }
+    if (d[word.size()][candidate.size()] >= best_distance) continue;
+    best_distance = d[word.size()][candidate.size()];
+    best = &candidate;
+  }
+  return best == nullptr ? std::string() : *best;
+}
+
+std::string free_label(const Program& program, NameId label) {
+  const std::string& text = program.name(label);
+  if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string::npos) return {};
+  for (long number = std::stol(text) + 1;; ++number) {
+    const NameId id = program.syntax.names.find(std::to_string(number));
+    if (id == kNoName || id >= program.by_label.size() || program.by_label[id].empty()) return "o" + std::to_string(number);
+  }
+}
+
+}  // namespace owlint::rules

@@ -1,0 +1,44 @@
+// From the interpreter's errors to rules: which rule speaks of which stop, and the parts of a finding that all
+// rules about stops have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "rules/rule.h"
+
+namespace owlint::rules {
+
+/// The code of the rule that a stop belongs to. Tests map the interpreter's messages with the same table.
+std::string_view code_of(const FlowStop& stop, const Program& program);
+std::string_view code_of(StopKind kind, const Statement& statement);
+
+/// Fills reach, stops, interpreter and the path of a finding about `stop`.
+void describe_stop(const Input& in, const FlowStop& stop, Finding& finding);
+
+/// Calls `each` for every stop that belongs to the rule and is not the consequence of another mistake; `each` adds
+/// the finding and returns it.
+void for_stops(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each);
+
+/// The same for the errors that FEATURE 0x20 turned into messages.
+void for_warned(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each);
+
+/// Whether some stop (or message under 0x20) of any rule is at this statement.
+bool has_stop(const Input& in, StatementId statement);
+
+/// Errors of reading that the rule is about but no run meets: calls `each` for those without a stop.
+void for_unmet_errors(const Input& in, Reporter& out, const std::function<void(StatementId, const LineError&)>& each);
+
+/// Adds "first defined here" and the like.
+void relate(Finding& finding, const Program& program, StatementId statement, std::string message);
+
+/// `1st`, `2nd`... for arguments and passes.
+std::string ordinal(size_t n);
+
+/// The nearest of `candidates` to `word` (edit distance at most a third of its length); empty if none is near.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+/// A number that no O-word of the program uses, near `label`, as `o110`.
+std::string free_label(const Program& program, NameId label);
+
+}  // namespace owlint::rules

@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+"""Is oracle.py right?  Compares it with the stand-alone `rs274` on random programs.
+
+usage: check_oracle.py [--programs 200] [--seed S] [--model model.py]
+
+Both get the same choices.  Every line carries a comment with its number, so the line that `rs274` prints after a message
+is known for certain.  With --model the same runs are also put to a program with the interface of a class
+`Run(lines)` whose `run()` gives (rule code, line): the O-word state machine as a model.  Exit status 1 on a difference.
+"""
+import argparse
+import importlib.util
+import os
+import random
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+
+from explore import Explorer
+from generate import generate
+from messages import EOF, call_line, codes_of, warned_lines
+from oracle import Interpreter, for_interpreter
+
+TIME_LIMIT_S = 1.0
+
+
+def numbered(text):
+    """The program with a comment on each line that can have one."""
+    lines = text.split("\n")
+    for at, line in enumerate(lines):
+        if line.strip() and line.strip() != "%":
+            lines[at] = line.rstrip("\r") + " (u%d)" % (at + 1)
+    return "\n".join(lines)
+
+
+def stand_alone(interpreter, text, choices):
+    """The same run with `rs274`: -> (outcome, codes, line, warned lines)."""
+    path = os.path.join(interpreter.folder, "alone")
+    with open(path, "w", encoding="latin-1", newline="") as f:
+        f.write(for_interpreter(text))
+    environment = dict(os.environ, CHOICES="".join(map(str, choices)))
+    proc = subprocess.Popen(["rs274", "-g", "-i", interpreter.ini, path], cwd=interpreter.folder, env=environment,
+                            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    try:
+        _, error = proc.communicate(timeout=TIME_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        proc.kill()
+        _, error = proc.communicate()
+    error = error.decode("latin-1").replace("executing", "", 1)
+    warned, codes = warned_lines(error)
+    if proc.returncode == -signal.SIGKILL:
+        return "hang", frozenset(), 0, tuple(dict.fromkeys(warned))
+    if proc.returncode < 0:
+        return "crash", codes if warned else frozenset(), warned[-1] if warned else 0, tuple(dict.fromkeys(warned))
+    if proc.returncode == 0:
+        return "ok", frozenset(), 0, tuple(dict.fromkeys(warned))
+    message, _, last = error.rstrip("\n").rpartition("\n")
+    message = message.replace("\n", "")
+    numbers = [m.start() for m in re.finditer(r"\d+: (undefined|duplicate|no matching|not in a)", message)]
+    own = message[numbers[-1]:] if numbers and not interpreter.warnonly else message
+    codes = codes_of(own)
+    place = re.findall(r"\(u(\d+)\)", last)
+    line = 0 if EOF in codes else call_line(message) or (int(place[-1]) if place else 0)
+    return "error", codes, line, tuple(dict.fromkeys(warned))
+
+
+def ours(run, warnonly):
+    if run.outcome in ("hang", "crash"):
+        return run.outcome, run.codes if run.outcome == "crash" else frozenset(), \
+            run.line if run.outcome == "crash" else 0, run.warned
+    return run.outcome, run.codes, run.line, tuple(dict.fromkeys(run.warned))
+
+
+def load_model(path):
+    spec = importlib.util.spec_from_file_location("model", path)
+    model = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(model)
+    return model
+
+
+class Taking(dict):
+    """Named parameters of the model; #<_choice> and #<_count> take the next choice."""
+
+    def __init__(self, choices):
+        super().__init__()
+        self.choices = list(choices)
+
+    def get(self, name, default=None):
+        if name in ("_choice", "_count"):
+            return float(self.choices.pop(0)) if self.choices else 0.0
+        return super().get(name, default)
+
+
+def modelled(model, text, choices):
+    """The same run in the model: -> (outcome, codes, line), or None for what it does not cover."""
+    if re.search(r"(?im)^\s*%|M98|M99|#<width|#<_made|1/#|^\s*/|[gm]\s*\d*\s*$|esleif", text):
+        return None
+    lines = for_interpreter(text).replace("\r", "").rstrip("\n").split("\n")
+    run = model.Run([re.sub(r"(?i)^\s*n\d+", "", line) for line in lines])
+    run.named = Taking(choices)
+    try:
+        code, line = run.run()
+    except (SyntaxError, ValueError, NameError, TypeError, ZeroDivisionError, AttributeError):
+        return None
+    outcome = {"": "ok", "HANG": "hang"}.get(code, "error")
+    return outcome, frozenset(code.split("|")) if outcome == "error" else frozenset(), line
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--programs", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=int(time.time()))
+    parser.add_argument("--model", help="compare with this model, too")
+    options = parser.parse_args(argv)
+    model = load_model(options.model) if options.model else None
+    counts = Counter()
+    print("seed %d" % options.seed)
+    for warnonly in (False, True):
+        interpreter = Interpreter(warnonly)
+        for number in range(options.programs):
+            text = generate("check %d/%d" % (options.seed, number))
+            rng = random.Random(number)
+            explorer = Explorer(interpreter, text, number)
+            explorer.explore(12, 6)
+            for choices in [rng.choice(sorted(explorer.ends.values(), key=str)).choices, rng.randbytes(40)]:
+                choices = bytes(c % 3 for c in choices)
+                run = interpreter.run(numbered(text), choices)
+                mine, alone = ours(run, warnonly), stand_alone(interpreter, numbered(text), choices)
+                if mine[0] == "hang":       # how far it got differs: the stand-alone one is stopped later
+                    mine, alone = mine[:1], alone[:1]
+                counts["runs"] += 1
+                if mine != alone:
+                    counts["differences"] += 1
+                    print("program %d (warnonly %s) choices %s\n  oracle %s\n  rs274  %s" % (
+                        number, warnonly, list(choices), mine, alone))
+                second = modelled(model, text, choices) if model and not warnonly else None
+                if second:
+                    counts["runs of the model"] += 1
+                    line = run.line if "OW208" not in run.codes else 0
+                    if second != (run.outcome, run.codes, line):
+                        counts["differences"] += 1
+                        print("program %d choices %s\n  oracle %s\n  model  %s" % (
+                            number, list(choices), (run.outcome, sorted(run.codes), line), second))
+        interpreter.close()
+    print(", ".join("%s: %d" % item for item in sorted(counts.items())))
+    return 1 if counts["differences"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,116 @@
+"""owlint's claims about a program held against what its runs showed.
+
+A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNONLY also OW503 (crashes) and OW504
+(never ends).  A disagreement is one of
+  miss          the interpreter stops where owlint claims nothing
+  unwitnessed   no run ends where owlint claims a stop
+  not always    a run ends elsewhere although owlint says that every run gets to this stop
+  never stops   a finding says that nothing gets there, and that it stops there
+"""
+from dataclasses import dataclass
+
+from messages import EOF, EOF_CODES, UNKNOWN
+
+CRASH = "OW503"
+HANGS = frozenset({"OW504", "OW508", "OW510"})
+HAZARDS = HANGS | {CRASH}
+MISS, UNWITNESSED, NOT_ALWAYS, NEVER_STOPS = "miss", "unwitnessed", "not always", "never stops"
+
+
+@dataclass(frozen=True)
+class Claim:
+    code: str
+    line: int
+    reach: str
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    kind: str
+    codes: frozenset
+    line: int
+    run: object = None      # the run that shows it, where one does
+    reach: str = ""
+
+    @property
+    def key(self):
+        """What must stay the same while a program is shrunk."""
+        return self.kind, self.codes, self.reach
+
+    def __str__(self):
+        codes = "|".join(sorted(self.codes))
+        at = "line %d" % self.line if self.line else "end of file"
+        if self.kind == MISS:
+            what = "the interpreter stops (%s)" % self.run.message if self.run.outcome == "error" else \
+                "the interpreter %ss after this line" % self.run.outcome.rstrip("e")
+            return "miss: %s at %s: %s" % (codes or self.run.outcome, at, what)
+        if self.kind == NOT_ALWAYS:
+            ends = self.run.message or "the program ends"
+            where = " on line %d" % self.run.line if self.run.line else ""
+            return "not always: %s at %s is claimed for every run, but%s: %s" % (codes, at, where, ends)
+        return "%s: %s at %s%s" % (self.kind, codes, at, ", reach %s" % self.reach if self.reach else "")
+
+
+def claims_of(findings):
+    """The stops that these findings claim."""
+    return {Claim(f["code"], f["start"]["line"], f["reach"]) for f in findings
+            if f["stops"] and f["reach"] != "never" and f["code"] not in HAZARDS}
+
+
+def hazards_of(findings):
+    """The crashes and endless loops that these findings claim."""
+    return {Claim(f["code"], f["start"]["line"], f["reach"]) for f in findings
+            if f["code"] in HAZARDS and f["reach"] != "never"}
+
+
+def _agrees(claim, end):
+    """Is this end of a run the stop that the claim is about?"""
+    outcome, codes, line = end
+    if outcome != "error":
+        return False
+    if EOF in codes:
+        return claim.code in EOF_CODES or claim.code in codes
+    return claim.line == line and (claim.code in codes or UNKNOWN in codes)
+
+
+def is_witnessed(claim, explorer):
+    """Has some run shown what the claim says?"""
+    if claim.code == CRASH:
+        return any(outcome == "crash" and line == claim.line for outcome, _, line in explorer.ends)
+    if claim.code in HANGS:
+        return any(outcome == "hang" for outcome, _, _ in explorer.ends) and \
+            (claim.code != "OW504" or claim.line in explorer.hung_after)
+    return any(_agrees(claim, end) for end in explorer.ends)
+
+
+def to_witness(findings, warnonly):
+    """The claims that need a run each.  Without OWORD_WARNONLY the endless loops are counted, not judged."""
+    hazards = {c for c in hazards_of(findings) if c.code in (CRASH, "OW504")} if warnonly else set()
+    return claims_of(findings) | hazards
+
+
+def judge(findings, explorer, warnonly=False):
+    """All disagreements about one program."""
+    claims = claims_of(findings)
+    hazards = hazards_of(findings)
+    found = []
+    for end, run in explorer.ends.items():
+        outcome, codes, line = end
+        if outcome == "error" and not any(_agrees(claim, end) for claim in claims):
+            found.append(Disagreement(MISS, codes, line, run))
+        elif warnonly and run.warned and (
+                (outcome == "crash" and not any(h.code == CRASH and h.line == line for h in hazards)) or
+                (outcome == "hang" and not any(h.code in HANGS for h in hazards))):
+            found.append(Disagreement(MISS, frozenset({CRASH if outcome == "crash" else "OW504"}), line, run))
+    for claim in sorted(to_witness(findings, warnonly), key=lambda c: (c.line, c.code)):
+        if not is_witnessed(claim, explorer):
+            found.append(Disagreement(UNWITNESSED, frozenset({claim.code}), claim.line, None, claim.reach))
+        elif claim.reach == "always" and claim in claims:
+            elsewhere = [run for end, run in explorer.ends.items()
+                         if end[0] in ("ok", "error") and not _agrees(claim, end)]
+            if elsewhere:
+                found.append(Disagreement(NOT_ALWAYS, frozenset({claim.code}), claim.line, elsewhere[0], "always"))
+    for finding in findings:
+        if finding["stops"] and finding["reach"] == "never":
+            found.append(Disagreement(NEVER_STOPS, frozenset({finding["code"]}), finding["start"]["line"]))
+    return found

@@ -1,0 +1,80 @@
+"""The interpreter's error messages as owlint's rule codes.
+
+`codes_of` answers with every code under which owlint may report that error; usually there is one.
+"""
+import re
+
+EOF = "EOF"                                             # the file ended before the program did
+EOF_CODES = frozenset({"OW315", "OW204", "OW205"})      # how owlint reports it: at its cause, so on any line
+UNKNOWN = "unknown message"                             # no rule is named for it; any claim on that line will do
+
+_BY_KEYWORD = {
+    "undefined": {"else": "OW105", "elseif": "OW105", "endif": "OW106", "break": "OW107", "continue": "OW107",
+                  "endwhile": "OW108", "endrepeat": "OW108"},
+    "duplicate": {"repeat": "OW102", "while": "OW103", "if": "OW104"},
+}
+# The quoted line of a message: 'o100 end if (comment)'.  Blanks inside words are kept there, the case is not.
+_KEYWORDS = ("endsub", "sub", "endwhile", "while", "endrepeat", "repeat", "elseif", "else", "endif", "if",
+             "break", "continue", "return", "call", "do")
+
+# (pattern, codes), the first match counts
+_TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in (
+    (r"no matching 'if' label|no matching label: '#.*endif", "OW106"),
+    (r"no matching while/do label", "OW107"),
+    (r"no matching label", "OW108"),
+    (r"not in a subroutine definition|Not in subroutine definition", "OW101"),
+    (r"Nested subroutine definition", "OW202"),
+    (r"redefining sub", "OW201"),
+    (r"found in illegal location", "OW203 OW207"),
+    (r"EOF in file.*seeking", "OW208"),
+    (r"File ended", EOF),
+    (r"Failed to find sub", EOF + " OW208"),        # the closing %: an unclosed block and an unknown call look alike
+    (r"Too many subroutine parameters", "OW209"),
+    (r"Too many subroutine levels", "OW210"),
+    (r"Fanuc 'O|'O\.\.\.\. |Found 'm98' code", "OW211"),
+    (r"Unknown control command", "OW301"),
+    (r"Left bracket missing", "OW302"),
+    (r"Unexpected character after O-word", "OW304"),
+    (r"Named parameter .* not defined", "OW603"),
+    (r"read-?only", "OW604"),
+    (r"divide by zero|Zero to negative power|negative argument to sqrt|out of range", "OW512 OW303 OW604"),
+    (r"Unclosed expression|Unknown operation|Unknown word where|Slash missing|bad number format|"
+     r"Unknown operator|Bad number", "OW303"),
+    (r"comment found", "OW308"),
+    (r"Command too long", "OW309"),
+    (r"Non integer value|No characters found in reading real value|Unknown word starting with", "OW306 OW303"),
+    (r"Bad character 'o'", "OW305"),
+    (r"Bad character", "OW303 OW305 OW306 OW307 OW313 OW314"),
+)]
+
+
+def _keyword(message):
+    """The keyword of the O-word line that the message quotes, or ''."""
+    quoted = re.search(r"'([^']*)'[^']*$", re.sub(r" ?\(found '.*?\)", "", message))
+    text = quoted.group(1) if quoted else ""
+    text = re.sub(r"\([^)]*\)|;.*|\s", "", text).lower()
+    word = re.sub(r"^/?(n[\d.]+)?o(<[^>]*>|\[[^\]]*\]|[-+#\d.]+)", "", text)
+    return next((k for k in _KEYWORDS if word.startswith(k)), "")
+
+
+def codes_of(message):
+    """The set of codes for one message; {EOF} for an early end of file, {UNKNOWN} where no rule is named."""
+    for kind, by_keyword in _BY_KEYWORD.items():
+        if kind + " O-word label" in message:
+            return frozenset({by_keyword.get(_keyword(message), UNKNOWN)})
+    for pattern, codes in _TABLE:
+        if pattern.search(message):
+            return codes
+    return frozenset({UNKNOWN})
+
+
+def call_line(message):
+    """The line of the call in `EOF in file:… seeking o-word: … from line: N`, else None."""
+    found = re.search(r"seeking o-word: .* from line: (\d+)", message, re.DOTALL)
+    return int(found.group(1)) if found else None
+
+
+def warned_lines(text):
+    """The lines of all `N: …` warnings that OWORD_WARNONLY printed, in order, and the codes of the last one."""
+    parts = re.split(r"(?<![\w'])(\d+): (?=duplicate|undefined|no matching|not in a)", text)
+    return [int(n) for n in parts[1::2]], codes_of(parts[-1]) if len(parts) > 1 else frozenset()

@@ -1,0 +1,250 @@
+#!/usr/bin/python3
+"""What LinuxCNC's own interpreter does with a program, for one list of choices.
+
+usage: oracle.py [--warnonly] [--choices 0110…] PROGRAM.ngc...
+
+Prints for each program: outcome (ok, error, crash, hang), line, rule codes, message, and the choices taken as
+line=value.  A program's unknown values are written `#[1000+#99]` (a condition) or `#[3000+#99]` (a repeat count), with
+any number for 1000 to 2999 and 3000 to 4999; for the interpreter they become named parameters whose reading takes the
+next choice (see plugin/namedparams.py), so the same condition can come out differently each time it is evaluated.
+
+The interpreter runs in a child process (`gcode.parse`, about 0.3 ms a program), which is forked again when a program
+crashes it or does not end.  The child works in a folder of its own with a parameter file that cannot be written:
+the interpreter saves its parameters after each program, and the next one would start from them.
+"""
+import argparse
+import atexit
+import mmap
+import multiprocessing
+import os
+import re
+import shutil
+import signal
+import struct
+import sys
+import tempfile
+from dataclasses import dataclass
+
+from messages import EOF, call_line, codes_of, warned_lines
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CPU_LIMIT_S = 0.05          # of processor time, so that a busy machine does not make a hang; 100 usual runs
+RUNS_PER_CHILD = 3000       # gcode.parse loses about 5 kB a run
+MAX_NOTES = 64
+WARNINGS_READ = 60_000      # of what an endless loop has printed
+
+_TOKEN = re.compile(r"#\[([1-4])\d\d\d\+#99\]")
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run: how it ended, where, and the choices it took as (line, arity, value)."""
+    outcome: str                    # ok, error, crash, hang
+    line: int                       # 0 where there is none: ok, end of file, crash or hang without a warning
+    codes: frozenset
+    message: str
+    trace: tuple
+    warned: tuple = ()              # OWORD_WARNONLY: the lines warned about, in order
+
+    @property
+    def choices(self):
+        return bytes(value for _, _, value in self.trace)
+
+
+def for_interpreter(text):
+    """The program with its unknown values replaced by choices; lines stay where they are."""
+    return _TOKEN.sub(lambda m: "#<_choice>" if m.group(1) in "12" else "#<_count>", text)
+
+
+def scratch():
+    """Where temporary files are cheapest."""
+    return "/dev/shm" if os.access("/dev/shm", os.W_OK) else tempfile.gettempdir()
+
+
+def write_ini(folder, warnonly):
+    """An INI with the plugin; the parameter file lies in a folder that does not exist, on purpose."""
+    path = os.path.join(folder, "warnonly.ini" if warnonly else "default.ini")
+    plugin = os.path.join(HERE, "plugin")
+    with open(path, "w") as f:
+        f.write("[RS274NGC]\nPARAMETER_FILE = %s/absent/p.var\n%s[PYTHON]\nTOPLEVEL = %s/toplevel.py\n"
+                "PATH_PREPEND = %s\n" % (folder, "OWORD_WARNONLY = 1\n" if warnonly else "", plugin, plugin))
+    return path
+
+
+def _make_canon(folder):
+    """The callbacks that gcode.parse wants: a machine without tools that ignores all motion."""
+    tool = (-1,) + (0.0,) * 12 + (0,)
+
+    class Canon:
+        parameter_file = os.path.join(folder, "absent", "p.var")
+        get_tool = staticmethod({pocket: tool for pocket in range(1100)}.__getitem__)   # asked 1001 times a run
+
+        def get_external_angular_units(self): return 1.0
+        def get_external_length_units(self): return 1.0
+        def get_axis_mask(self): return 7
+        def get_block_delete(self): return False
+        def check_abort(self): return False
+
+        def __getattr__(self, name):
+            if name.startswith("_"):
+                raise AttributeError(name)
+            setattr(self, name, lambda *_: None)
+            return getattr(self, name)
+
+    return Canon()
+
+
+class Interpreter:
+    """Runs programs one after the other; `run` never raises for anything that a program does."""
+
+    def __init__(self, warnonly=False, base=None):
+        self.warnonly = warnonly
+        self.runs = 0
+        self.folder = tempfile.mkdtemp(prefix="owlint-oracle-", dir=base or scratch())
+        atexit.register(self._remove, os.getpid())
+        self.ini = write_ini(self.folder, warnonly)
+        self.program = os.path.join(self.folder, "program")     # no .ngc: no call can find it as a file
+        self.notes = mmap.mmap(-1, 4 * (MAX_NOTES + 1))
+        self.messages = open(os.path.join(self.folder, "stderr"), "w+b", buffering=0)
+        self.child = 0
+        self.pipe = None
+        self.left = 0
+
+    def run(self, text, choices=b""):
+        """Run `text` (as owlint sees it) with these choices."""
+        if not self.child or not self.left:
+            self._stop()
+            self._start()
+        self.left -= 1
+        self.runs += 1
+        data = for_interpreter(text).encode("latin-1", "replace")
+        self.pipe.send((data, bytes(choices)))
+        try:
+            if not self.pipe.poll(20):
+                os.kill(self.child, signal.SIGPROF)
+            failed, message, offset = self.pipe.recv()
+        except (EOFError, ConnectionError):
+            return self._died()
+        warned = tuple(self._warnings()[0]) if self.warnonly else ()
+        if not failed:
+            return Run("ok", 0, frozenset(), "", self._trace(), warned)
+        codes = codes_of(message)
+        line = 0 if EOF in codes else call_line(message) or data.count(b"\n", 0, offset) + 1
+        return Run("error", line, codes, message, self._trace(), warned)
+
+    def close(self):
+        self._stop()
+        self._remove(os.getpid())
+
+    # -- the parent's side
+
+    def _died(self):
+        _, status = os.waitpid(self.child, 0)
+        self.child = 0
+        killed = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
+        outcome = "hang" if killed in (signal.SIGPROF, signal.SIGKILL) else "crash"
+        warned, codes = self._warnings() if self.warnonly else ([], frozenset())
+        message = "" if outcome == "hang" else "signal %d" % killed
+        return Run(outcome, warned[-1] if warned else 0, codes, message, self._trace(), tuple(dict.fromkeys(warned)))
+
+    def _warnings(self):
+        text = os.pread(self.messages.fileno(), WARNINGS_READ, 0).decode("latin-1")
+        return warned_lines(text)
+
+    def _trace(self):
+        count = min(struct.unpack_from("I", self.notes, 0)[0], MAX_NOTES)
+        return tuple(struct.unpack_from("HBB", self.notes, 4 * (i + 1)) for i in range(count))
+
+    def _start(self):
+        ours, theirs = multiprocessing.Pipe()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        child = os.fork()
+        if not child:
+            try:
+                ours.close()
+                self._serve(theirs)
+            finally:
+                os._exit(3)
+        theirs.close()
+        self.child, self.pipe, self.left = child, ours, RUNS_PER_CHILD
+
+    def _stop(self):
+        if self.child:
+            self.pipe.close()
+            os.waitpid(self.child, 0)
+            self.child = 0
+
+    def _remove(self, owner):
+        if os.getpid() == owner:
+            shutil.rmtree(self.folder, ignore_errors=True)
+
+    # -- the child's side
+
+    def _serve(self, pipe):
+        """Answer requests until the parent closes the pipe.  Never returns."""
+        signal.signal(signal.SIGPROF, signal.SIG_DFL)
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        os.chdir(self.folder)
+        os.environ["INI_FILE_NAME"] = self.ini      # read anew by each gcode.parse
+        os.dup2(self.messages.fileno(), 1)
+        os.dup2(self.messages.fileno(), 2)
+        import gcode
+        sys.path.insert(0, os.path.join(HERE, "plugin"))
+        import namedparams
+        canon = _make_canon(self.folder)
+
+        def note(position, line, arity, value):
+            struct.pack_into("HBB", self.notes, 4 * (position + 1), line, arity, value)
+            struct.pack_into("I", self.notes, 0, position + 1)
+
+        namedparams.NOTE = note
+        written = None
+        while True:
+            try:
+                data, choices = pipe.recv()
+            except EOFError:
+                os._exit(0)
+            if data != written:
+                with open(self.program, "wb") as f:
+                    f.write(data)
+                written = data
+            namedparams.CHOICES, namedparams.TAKEN = choices, 0
+            struct.pack_into("I", self.notes, 0, 0)
+            self.messages.seek(0)
+            self.messages.truncate()
+            signal.setitimer(signal.ITIMER_PROF, CPU_LIMIT_S)
+            try:
+                result, _ = gcode.parse(self.program, canon, "", "")
+                failed = result > gcode.MIN_ERROR
+                message = gcode.strerror(result) if failed else ""
+            except Exception as error:              # a callback failed: not the program's doing, but say so
+                failed, message = True, "python: %r" % (error,)
+            signal.setitimer(signal.ITIMER_PROF, 0)
+            pipe.send((failed, message.replace(self.program, "PROGRAM"), self._offset() if failed else 0))
+
+    @staticmethod
+    def _offset():
+        """Where the line that was read last starts.  The line that gcode.parse returns is no use after an error in a
+        sub: the interpreter has unwound its calls by then and it is that of the outermost call."""
+        import interpreter
+        return interpreter.this.blocks[0].offset
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("programs", nargs="+")
+    parser.add_argument("--choices", default="")
+    parser.add_argument("--warnonly", action="store_true")
+    options = parser.parse_args(argv)
+    interpreter = Interpreter(options.warnonly)
+    for path in options.programs:
+        with open(path, encoding="latin-1", newline="") as f:
+            run = interpreter.run(f.read(), bytes(int(c) for c in options.choices))
+        print(os.path.basename(path), run.outcome, run.line, "|".join(sorted(run.codes)), run.message,
+              " ".join("%d=%d" % (line, value) for line, _, value in run.trace), sep="\t")
+    interpreter.close()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

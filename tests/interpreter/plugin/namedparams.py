@@ -1,0 +1,32 @@
+"""Named parameters that stand for outcomes nobody can know before the run.
+
+The interpreter calls a function of this module each time a program reads the parameter of that name.  Every reading
+takes the next number of `CHOICES`, so one list of numbers is one run.  Past the end of the list, and from the
+`LIMIT`-th reading on, the value is 0: a loop on an unknown condition always ends.
+
+`#<_choice>` is a condition (0 or 1), `#<_count>` a repeat count (0, 1 or 2).
+With the stand-alone `rs274` the list is given in the environment: CHOICES=0110.
+"""
+import os
+
+LIMIT = 40
+CHOICES = [int(c) for c in os.environ.get("CHOICES", "")]
+TAKEN = 0
+NOTE = None      # called with (position, line, arity, value) for each reading, when set
+
+
+def _take(interp, arity):
+    global TAKEN
+    value = CHOICES[TAKEN] % arity if TAKEN < min(len(CHOICES), LIMIT) else 0
+    if NOTE is not None and TAKEN < LIMIT:
+        NOTE(TAKEN, interp.sequence_number, arity, value)
+    TAKEN += 1
+    return float(value)
+
+
+def _choice(self):
+    return _take(self, 2)
+
+
+def _count(self):
+    return _take(self, 3)
