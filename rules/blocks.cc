@@ -39,6 +39,12 @@ bool in_exclusive_branches(const Program& program, StatementId a, StatementId b)
   return false;
 }
 
+bool has_unreadable_line(const Program& program, NameId label, RegionId region) {
+  return std::ranges::any_of(program.by_label[label], [&](StatementId id) {
+    return program.at(id).is(Keyword::kUnknown) && program.region_of[id] == region;
+  });
+}
+
 void for_shared_labels(const Input& in, const std::function<void(StatementId, StatementId)>& each) {
   std::map<std::pair<RegionId, NameId>, StatementId> first;
   for (const Block& block : in.program.blocks) {
@@ -159,13 +165,19 @@ void check_parts(const Input& in, Reporter& out, const std::function<bool(Keywor
     return &f;
   };
   for_stops(in, out, report);
-  for_warned(in, out, report);
+  for_warned(in, out, [&](const FlowStop& s) -> Finding* {
+    // The end of a block whose opener had a used label: said there already.
+    const BlockId block = p.block_of[s.statement];
+    if (block != kNoBlock && p.blocks[block].end == s.statement && has_stop(in, p.blocks[block].opener)) return nullptr;
+    return report(s);
+  });
   for (StatementId id = 0; id < p.size(); ++id) {
     const Statement& s = p.at(id);
     if (s.kind != LineKind::kOWord || !wanted(s.keyword) || s.label == kNoName || has_stop(in, id)) continue;
     const BlockId block = p.block_of[id];
     const bool mistaken = block != kNoBlock && p.blocks[block].mistaken_end == id;
     if (block != kNoBlock && !mistaken) continue;
+    if (has_unreadable_line(p, s.label, p.region_of[id])) continue;
     FlowStop unmet;
     unmet.statement = id;
     if (Finding* f = report(unmet)) f->reach = in.flow.reach(id);

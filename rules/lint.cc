@@ -18,6 +18,7 @@ int longest_fit(std::string_view code, const std::vector<std::string>& prefixes)
 void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy, std::vector<Finding>& out) {
   for (const Rule* rule : catalogue()) {
     if (!selected(*rule, options)) continue;
+    if (input.suppressions_applied && rule->group != Group::kLinter) continue;
     const size_t first = out.size();
     Reporter reporter(*rule, out);
     rule->check(input, reporter);

@@ -31,6 +31,7 @@ void check(const Input& in, Reporter& out) {
   const auto nested = in.stops.by_code.find("OW202");
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || region.end != kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
+    if (p.at(region.opener).inner_cr || p.at(region.opener).refused) continue;
     if (own != in.stops.by_code.end() && std::ranges::any_of(own->second, [&](const FlowStop* s) { return s->statement == region.opener; })) continue;
     // A `sub` that begins before this one is closed stops the interpreter there and is reported there.
     if (nested != in.stops.by_code.end() && std::ranges::any_of(nested->second, [&](const FlowStop* s) { return s->statement > region.opener; })) continue;

@@ -3,7 +3,7 @@
 // the skip; a true one runs on without looking for an end.
 #include <algorithm>
 
-#include "rules/stops.h"
+#include "rules/blocks.h"
 
 namespace owlint::rules {
 namespace {
@@ -35,6 +35,8 @@ void check(const Input& in, Reporter& out) {
     if (block.end != kNoStatement || done[block.opener] || has_stop(in, block.opener)) continue;
     // One mistake, one finding: the line that was meant to be the end speaks for it.
     if (block.mistaken_end != kNoStatement) continue;
+    // So does a line with its label that the interpreter cannot read.
+    if (p.at(block.opener).inner_cr || has_unreadable_line(p, block.label, block.region)) continue;
     // So does an early `endsub`, and the part of the block behind it.
     if (block.region != kMainRegion) {
       const Region& region = p.regions[block.region];

@@ -1,6 +1,8 @@
 // OW208 call-undefined: a call of a sub that is defined nowhere.
 // Rests on: an unknown sub is looked for as a file, then by reading ahead to the end of the
 // program; not found is an error there.
+#include <algorithm>
+
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -55,6 +57,7 @@ void check(const Input& in, Reporter& out) {
   for (const Call& call : p.calls) {
     if (call.callee == kNoName || call.target != UINT32_MAX || has_stop(in, call.statement)) continue;
     if (in.flow.executed[call.statement] || p.outside_subs.contains(call.callee)) continue;
+    if (std::ranges::any_of(p.by_label[call.callee], [&](StatementId id) { return p.at(id).opens_sub(); })) continue;
     if (number_only(p.name(call.callee)).empty() && !in.profile.ini_given) continue;
     Finding& f = out.add(p.at(call.statement).head_span(), "no sub `" + p.label_text(call.callee) + "` is defined");
     f.help = "define the sub, or correct the label";

@@ -17,8 +17,9 @@ void check(const Input& in, Reporter& out) {
     const BlockId block = p.block_of[later];
     if (block != kNoBlock && p.blocks[block].end != kNoStatement && has_stop(in, p.blocks[block].end)) return;
     // A `do` in a `do` with its label is OW510.
-    const BlockId parent = block == kNoBlock ? kNoBlock : p.blocks[block].parent;
-    if (kind == Keyword::kDo && parent != kNoBlock && p.blocks[parent].label == p.at(later).label) return;
+    for (BlockId outer = block; kind == Keyword::kDo && outer != kNoBlock; outer = p.blocks[outer].parent) {
+      if (outer != block && p.blocks[outer].label == p.at(later).label) return;
+    }
     Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` also opens " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
     relate(f, p, first, "`" + p.head(first) + "` is opened here");
     f.help = "give this block a label of its own: a later change can bring both onto one path, and then LinuxCNC stops";

@@ -39,11 +39,14 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  bool nul_told = false;
   for (StatementId id = 0; id < p.size(); ++id) {
     const Statement& s = p.at(id);
     const LineError* error = p.syntax.error(s);
     const bool refused = error != nullptr && error->kind == StopKind::kBadCharacter;
-    if (s.nul) {
+    if (s.nul && !nul_told) {
+      nul_told = true;  // a damaged file has thousands
+      if (has_stop(in, id)) continue;
       const size_t at = p.source->bytes().find('\0', s.offset);
       Finding& f = out.add({at, at + 1}, "a NUL byte stands here: LinuxCNC drops the rest of the line without a word");
       f.help = "the file is damaged, or not a program";

@@ -14,7 +14,7 @@ void check(const Input& in, Reporter& out) {
       f.help = "begin the file with `%`, or end it with `M2`";
       return &f;
     }
-    const uint32_t line = p.syntax.last_code == 0 ? 1 : p.syntax.last_code;
+    const uint32_t line = p.syntax.last_code == 0 ? std::max(1U, p.syntax.lines) : p.syntax.last_code;
     const Span span = p.source->line(line);
     Finding& f = out.add(span, p.syntax.blank ? "the file is empty" : "the program ends without `M2`, `M30` or `%`");
     f.help = p.syntax.percent ? "end it with `%`" : "end it with `M2`";

@@ -1,6 +1,8 @@
 // OW508 endless-loop: a loop that no path leaves.
 // Rests on: the interpreter has no limit on passes and reads ahead of the machine, so it never
 // comes back.
+#include <algorithm>
+
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -11,6 +13,12 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kEndlessLoop) continue;
     const Statement& s = p.at(h.statement);
+    // A `do` in a `do` with its label is OW510.
+    const auto nested = [&](const Block& b) {
+      return b.kind == Keyword::kDo && b.label == s.label && b.opener > h.statement && p.block_of[h.statement] != kNoBlock &&
+             b.opener < p.blocks[p.block_of[h.statement]].end;
+    };
+    if (s.is(Keyword::kDo) && std::ranges::any_of(p.blocks, nested)) continue;
     Finding& f = out.add(s.head_span(), "no run leaves the loop that begins with `" + p.head(h.statement) + "`");
     const BlockId block = p.block_of[h.statement];
     if (block != kNoBlock && p.blocks[block].end != kNoStatement) relate(f, p, p.blocks[block].end, "it goes back from here");

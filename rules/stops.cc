@@ -6,7 +6,9 @@ namespace owlint {
 
 StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(program.size()) {
   for (const FlowStop& stop : flow.stops) {
-    if (stop.statement != kNoStatement && stop.kind != StopKind::kFileEnd) at[stop.statement] = true;
+    if (stop.statement == kNoStatement) continue;
+    const Statement& s = program.at(stop.statement);
+    if (stop.kind != StopKind::kFileEnd || !(opens_block(s.keyword) || s.opens_sub())) at[stop.statement] = true;
   }
   for (const Hazard& hazard : flow.hazards) {
     if (hazard.kind != HazardKind::kWarned) continue;
@@ -32,12 +34,20 @@ StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(progra
 
 namespace owlint::rules {
 
+namespace {
+
+/// Whether text begins with a byte that is no ASCII character, such as a no-break space.
+bool foreign(std::string_view text) { return !text.empty() && static_cast<unsigned char>(text[0]) >= 0x80; }
+
+}  // namespace
+
 std::string_view code_of(StopKind kind, const Statement& s) {
   switch (kind) {
     case StopKind::kLineTooLong: return "OW309";
     case StopKind::kCommentNested: case StopKind::kCommentUnclosed: return "OW308";
     case StopKind::kLabelMissing: case StopKind::kLabelWord: case StopKind::kLabelNotInteger:
-    case StopKind::kLabelExpression: case StopKind::kM98NoTarget: case StopKind::kM98Number: return "OW306";
+    case StopKind::kLabelExpression: case StopKind::kM98Number: return "OW306";
+    case StopKind::kM98NoTarget: return "OW208";
     case StopKind::kKeywordUnknown: return "OW301";
     case StopKind::kBracketMissing: return "OW302";
     case StopKind::kLineNumber: case StopKind::kExpression: case StopKind::kParameterRange: case StopKind::kValueFails:
@@ -47,7 +57,7 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kWordBefore: return "OW305";
     case StopKind::kZeroForO: return "OW307";
     case StopKind::kBlockDelete: return "OW313";
-    case StopKind::kBadCharacter: return "OW314";
+    case StopKind::kBadCharacter: return s.kind == LineKind::kPercent ? "OW315" : "OW314";
     case StopKind::kSubNested: return "OW202";
     case StopKind::kReturnOutside: case StopKind::kNotInDefinition: return "OW101";
     case StopKind::kLabelUndefined:
@@ -79,7 +89,12 @@ std::string_view code_of(StopKind kind, const Statement& s) {
 std::string_view code_of(const FlowStop& stop, const Program& program) {
   if (stop.statement == kNoStatement) return "OW315";
   const Statement& s = program.at(stop.statement);
-  if (stop.kind == StopKind::kFileEnd) return s.opens_sub() ? "OW204" : "OW205";
+  if (stop.kind == StopKind::kFileEnd) {
+    // Skipped to the end of the file: by a block that is not closed, or by a jump out of a loop that is over.
+    if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) return "OW107";
+    if (s.is(Keyword::kElse) || s.is(Keyword::kElseif)) return "OW106";
+    return s.opens_sub() ? "OW204" : "OW205";
+  }
   if (stop.kind == StopKind::kSubIllegalLocation) {
     const Region& region = program.regions[program.region_of[stop.statement]];
     return region.opener == stop.statement && region.enclosing != kNoBlock ? "OW203" : "OW207";
@@ -88,6 +103,8 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
   if ((stop.kind == StopKind::kValueFails || stop.kind == StopKind::kParameterRange) && value) return "OW512";
   // Carriage returns alone as line ends put a whole file on one line: that is the mistake, whatever it leads to.
   if (s.inner_cr && stop.kind < StopKind::kSubNested) return "OW314";
+  if (stop.kind == StopKind::kTrailingText && program.source->slice(s.rest_span()).starts_with("]")) return "OW303";
+  if (stop.kind == StopKind::kKeywordUnknown && foreign(program.source->slice(s.keyword_span()))) return "OW314";
   return code_of(stop.kind, s);
 }
 
@@ -130,6 +147,9 @@ void for_warned(const Input& in, Reporter& out, const std::function<Finding*(con
   const auto found = in.stops.warned_by_code.find(out.rule().code);
   if (found == in.stops.warned_by_code.end()) return;
   for (const Hazard* hazard : found->second) {
+    // Some of these errors stop all the same, with another message; then that is the finding.
+    const auto stops = in.stops.by_code.find(out.rule().code);
+    if (stops != in.stops.by_code.end() && std::ranges::any_of(stops->second, [&](const FlowStop* s) { return s->statement == hazard->statement; })) continue;
     FlowStop as_stop;
     as_stop.statement = hazard->statement;
     as_stop.kind = hazard->warned;
@@ -147,7 +167,11 @@ void for_unmet_errors(const Input& in, Reporter& out, const std::function<void(S
   for (StatementId id = 0; id < in.program.size(); ++id) {
     const Statement& s = in.program.at(id);
     const LineError* error = in.program.syntax.error(s);
-    if (error == nullptr || has_stop(in, id) || code_of(error->kind, s) != out.rule().code) continue;
+    if (error == nullptr || has_stop(in, id)) continue;
+    FlowStop unmet;
+    unmet.statement = id;
+    unmet.kind = error->kind;
+    if (code_of(unmet, in.program) != out.rule().code) continue;
     each(id, *error);
   }
 }

@@ -23,7 +23,7 @@ bool severity_from_text(std::string_view text, Severity* severity) {
 
 Severity decide_severity(const Finding& finding, Severity level, bool abort_list, const SeverityPolicy& policy) {
   Severity severity = level;
-  if (abort_list && policy.warn_only) {
+  if (abort_list && policy.warn_only && !finding.stops) {
     severity = Severity::kWarning;
   } else if (finding.stops || finding.never_ends) {
     // A call whose file may be on a search path that owlint was not told is the one stop that stays a warning.

@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <queue>
+#include <unordered_set>
 
 #include "analyzer/flow/machine.h"
 #include "analyzer/flow/trace.h"
@@ -120,6 +121,7 @@ class Analysis final : public Listener {
   std::map<StopKey, StopInfo> stops_;
   std::map<std::tuple<HazardKind, StatementId, StatementId, uint32_t>, Hazard> hazards_;
   std::vector<std::tuple<ContextId, uint32_t, StatementId>> not_passed_;
+  std::unordered_set<RecordId> warned_;  // records with an error that FEATURE 0x20 turned into a message
   uint32_t next_key_ = 1;
   FlowResult result_;
 };
@@ -130,7 +132,7 @@ void Analysis::start() {
   if (program_.sub_file) {
     main.info = {program_.entry, 1, false, 30};
     main.outside = true;
-    state.skip = machine_.full_label(UINT32_MAX - 1, program_.entry);
+    state.skip = machine_.full_label(kGlobalScope, program_.entry);
     state.seek = true;
     state.parameters.outside = true;
     for (long n = 1; n < kFirstGlobalNumber; ++n) machine_.evaluator().set_number(state.parameters, n, kUnknown);
@@ -211,8 +213,7 @@ bool Analysis::admit(State* state) {
   const bool at_file_end = state->position >= program_.size();
   bool executed = !skipping && !at_file_end;
   if (skipping && !at_file_end) {
-    const Statement& s = program_.at(state->position);
-    executed = s.kind == LineKind::kOWord && s.label == machine_.label_of(state->skip);
+    executed = machine_.is_target(*state, frames_[state->context].info);
   }
   const RecordId record = trace_->add({state->record, at_file_end ? kNoStatement : state->position, state->branch, executed});
   if (executed) result_.executed[state->position] = true;
@@ -239,11 +240,18 @@ void Analysis::end_of_file(const State& state) {
   const auto blame = [&](FullLabel label) {
     const Definers::Set set = machine_.definers().get(state.table.get(label));
     if (!set.lines.empty()) stop.statement = set.lines.front();
+    if (stop.statement == kNoStatement) return;
+    const BlockId block = program_.block_of[stop.statement];
+    if (block == kNoBlock || program_.blocks[block].end == kNoStatement) return;
+    // The block is closed: what set the skip is a line with its label further on.
+    const NameId name = machine_.label_of(label);
+    const StatementId last = trace_->nearest(state.record, [&](StatementId id) { return program_.at(id).label == name; });
+    if (last != kNoStatement) stop.statement = last;
   };
   if (state.skip != kNoLabel) {
     blame(state.skip);
   } else if (frame.info.depth > 0 && !frame.info.fanuc) {
-    blame(machine_.full_label(UINT32_MAX - 1, frame.info.sub));
+    blame(machine_.full_label(kGlobalScope, frame.info.sub));
   }
   add_stop(state.record, std::move(stop));
 }
@@ -293,6 +301,7 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
     case HazardKind::kContinueMeetsBreak: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;
     case HazardKind::kStaleRepeatCount: begins_at(trace_->nearest(at.record, executed(Keyword::kReturn, Keyword::kUnknown))); break;
     case HazardKind::kArgumentNotPassed: not_passed_.emplace_back(at.context, number, at.position); return;
+    case HazardKind::kWarned: warned_.insert(at.record); break;
     case HazardKind::kCrash: trace_->terminate(at.record, next_key_++); break;
     default: break;
   }
@@ -364,7 +373,7 @@ void Analysis::resume_one(const Caller& caller, const State& exit, Frame& frame)
   // M98 with L: the call is made again. A few times are counted; more, or an unknown number, run the line anew.
   constexpr int kCountedRepeats = 8;
   if (caller.repeats > 1 && caller.repeats <= kCountedRepeats) {
-    const FullLabel label = machine_.full_label(UINT32_MAX - 1, frame.info.sub);
+    const FullLabel label = machine_.full_label(kGlobalScope, frame.info.sub);
     const Definers::Set set = machine_.definers().get(after.table.get(label));
     if (set.lines.empty()) return;
     after.position = caller.state.position;
@@ -417,13 +426,34 @@ void Analysis::leave(const State& at) {
 void Analysis::endless_loops() {
   const std::vector<bool>& hanging = trace_->hanging();
   std::vector<StatementId> loops;
+  // Under FEATURE 0x20: an error that became a message, met on the way round, is what the loop is due to.
+  const auto warned_on_the_way = [&](RecordId from, StatementId target) {
+    StatementId first = kNoStatement;
+    for (RecordId id = from; id != kNoRecord; id = trace_->at(id).parent) {
+      if (warned_.contains(id)) first = trace_->at(id).statement;
+      if (trace_->at(id).statement == target) break;
+    }
+    return first;
+  };
+  bool hangs = false;
   const auto back = [&](RecordId from, RecordId to) {
     if (!hanging[from] || !hanging[to]) return;
     const StatementId target = trace_->at(to).statement;
     const StatementId source = trace_->at(from).statement;
-    if (target != kNoStatement && source != kNoStatement && target <= source) loops.push_back(target);
+    if (target == kNoStatement || source == kNoStatement || target > source) return;
+    const StatementId warned = warned_.empty() ? kNoStatement : warned_on_the_way(from, target);
+    if (warned == kNoStatement) {
+      loops.push_back(target);
+    } else {
+      hangs = true;
+      hazards_.emplace(std::make_tuple(HazardKind::kHang, warned, kNoStatement, 0U), Hazard{HazardKind::kHang, warned, target, 0, Reach::kMaybe, StopKind::kNone, ""});
+    }
   };
   for (const auto& [from, to] : trace_->links()) back(from, to);
+  for (RecordId id = 0; id < trace_->size(); ++id) {
+    if (trace_->at(id).parent != kNoRecord) back(trace_->at(id).parent, id);
+  }
+  if (hangs) return;  // one mistake, one finding
   std::ranges::sort(loops);
   loops.erase(std::ranges::unique(loops).begin(), loops.end());
   for (const StatementId loop : loops) {
@@ -457,7 +487,12 @@ void Analysis::finish() {
       stop.interpreter = percent ? "Failed to find sub 'O" + stop.detail + "' before EOF"
                                  : "EOF in file:" + program_.source->path() + " seeking o-word: o<" + stop.detail +
                                        "> from line: " + std::to_string(program_.at(stop.statement).line);
-      add_stop(caller.state.record, std::move(stop));
+      add_stop(caller.state.record, stop);
+      const uint32_t key = stops_.at({stop.statement, stop.kind, stop.other, stop.detail}).key;
+      for (const Group& group : groups_) {
+        if (!group.seek || &frames_[group.context] != &frame) continue;
+        for (const auto& [hash, record] : group.seen) trace_->terminate(record, key);
+      }
     }
   }
   trace_->finish();

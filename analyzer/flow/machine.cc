@@ -124,6 +124,14 @@ StatementId Machine::next_stop(const State& state, StatementId from) const {
   return next;
 }
 
+bool Machine::is_target(const State& state, const Context& context) const {
+  const Statement& s = program_.at(state.position);
+  const auto& [scope, label] = labels_[state.skip];
+  if (s.kind != LineKind::kOWord || s.label != label) return s.kind == LineKind::kOWord && s.label_expr != kNoExpr;
+  if (global_label(s.keyword)) return scope == kGlobalScope;
+  return scope == (context.depth > 0 ? context.sub : state.defining);
+}
+
 FullLabel Machine::full_label(NameId scope, NameId label) {
   const uint64_t key = static_cast<uint64_t>(scope) << 32 | label;
   const auto [entry, added] = label_ids_.emplace(key, static_cast<FullLabel>(labels_.size()));

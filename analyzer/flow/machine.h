@@ -15,6 +15,7 @@ namespace owlint::flow {
 using ContextId = uint32_t;
 using FullLabel = uint32_t;  ///< a label with its scope, interned; 0 is none
 inline constexpr FullLabel kNoLabel = 0;
+inline constexpr NameId kGlobalScope = UINT32_MAX - 1;  ///< of `sub`, `endsub`, `call`, `return`, bare `O`, M98
 inline constexpr int kMaxCallDepth = 9;  ///< measured: the tenth nested call is an error
 
 /// Sets of values of the interpreter's flags, one bit per possible value.
@@ -103,6 +104,9 @@ class Machine {
   State join(const State& a, const State& b);
   /// The state after a call: what the callee leaves behind, with the caller's own parameters back.
   State resume(const State& caller, const State& exit, bool fanuc) const;
+
+  /// Whether the line at which a skipping state stands is the one that it skips to.
+  bool is_target(const State& state, const Context& context) const;
 
   FullLabel full_label(NameId scope, NameId label);
   NameId label_of(FullLabel label) const { return labels_[label].second; }

@@ -9,7 +9,6 @@
 namespace owlint::flow {
 namespace {
 
-constexpr NameId kGlobalScope = UINT32_MAX - 1;
 constexpr int kUnknownRepeats = -1;
 
 enum class Truth : uint8_t { kFalse, kTrue, kUnknown };
@@ -246,6 +245,10 @@ bool Machine::Step::resolve_label() {
 }
 
 void Machine::Step::o_word() {
+  if (s.refused) {  // only read as an O-word by us, to understand the rest
+    if (skipping) return next_line();
+    return stop_error();
+  }
   if (error() != nullptr && error()->kind == StopKind::kLabelExpression) return stop_error();
   if (!resolve_label()) return;
   const Keyword k = s.keyword;
@@ -421,6 +424,13 @@ void Machine::Step::call(int repeats, bool fanuc) {
   if (repeats == kUnknownRepeats) go(state, here + 1);  // perhaps not once
   const Definers::Set set = m.definers_.get(entry());
   for (const StatementId line : set.lines) {
+    if (fanuc != m.program_.at(line).is(Keyword::kBare)) {  // the interpreter notices at the definition
+      state.position = line;
+      stop(fanuc ? StopKind::kStyleNeedsCall : StopKind::kStyleNeedsM98,
+           fanuc ? "'O.... sub' subroutine must be called with 'O.... call'" : "Fanuc 'O....' subroutine must be called with 'M98'");
+      state.position = here;
+      continue;
+    }
     State known = enter;
     known.table.set(m.pool_, label, Definers::one(line));
     known.position = line + 1;
@@ -605,6 +615,7 @@ void Machine::Step::if_(Truth truth) {
   const auto as = [&](uint32_t packed) {
     state = before;
     set_entry(packed);
+    set_count(label, -1);  // the entry is made anew at every `if`
     if (truth != Truth::kFalse) {
       State in = state;
       in.executed = kYes;

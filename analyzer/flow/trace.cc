@@ -60,6 +60,30 @@ bool Trace::only_end(uint32_t key) const {
          std::ranges::find(hanging_, true) == hanging_.end();
 }
 
+/// Whether a run can go round for ever within the given records, none of which leads to an end.
+bool Trace::has_cycle(const std::vector<bool>& within) const {
+  const auto inside = [&](RecordId id) { return within[id] && hanging_[id]; };
+  std::vector<uint32_t> ways_on(records_.size());
+  std::vector<RecordId> dead_ends;
+  size_t left = 0;
+  for (RecordId id = 0; id < records_.size(); ++id) {
+    if (!inside(id)) continue;
+    ++left;
+    for (uint32_t i = next_first_[id]; i < next_first_[id + 1]; ++i) ways_on[id] += inside(next_[i]) ? 1 : 0;
+    if (ways_on[id] == 0) dead_ends.push_back(id);
+  }
+  while (!dead_ends.empty()) {
+    const RecordId id = dead_ends.back();
+    dead_ends.pop_back();
+    --left;
+    for (uint32_t i = previous_first_[id]; i < previous_first_[id + 1]; ++i) {
+      const RecordId before = previous_[i];
+      if (inside(before) && --ways_on[before] == 0) dead_ends.push_back(before);
+    }
+  }
+  return left > 0;
+}
+
 Reach Trace::reach(StatementId statement) const {
   if (const auto known = reaches_.find(statement); known != reaches_.end()) return known->second;
   const auto hits = [&](RecordId id) { return records_[id].statement == statement && records_[id].executed; };
@@ -70,7 +94,7 @@ Reach Trace::reach(StatementId statement) const {
     // Can a run end (or never end) without coming here?
     std::vector<bool> seen(records_.size());
     std::vector<RecordId> todo{0};
-    seen[0] = true;
+    seen[0] = !hits(0);
     if (hits(0)) todo.clear();
     while (!todo.empty()) {
       const RecordId id = todo.back();
@@ -82,9 +106,7 @@ Reach Trace::reach(StatementId statement) const {
       }
     }
     const bool avoidable = std::ranges::any_of(terminals_, [&](const auto& t) { return seen[t.first]; });
-    bool hangs = false;
-    for (RecordId id = 0; id < records_.size() && !hangs; ++id) hangs = seen[id] && hanging_[id];
-    if (!avoidable && !hangs) answer = Reach::kAlways;
+    if (!avoidable && !has_cycle(seen)) answer = Reach::kAlways;
   }
   reaches_.emplace(statement, answer);
   return answer;

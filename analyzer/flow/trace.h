@@ -57,6 +57,7 @@ class Trace {
   const std::vector<std::pair<RecordId, RecordId>>& links() const { return links_; }
 
  private:
+  bool has_cycle(const std::vector<bool>& within) const;
   std::vector<bool> backward_from(const std::vector<RecordId>& goals) const;
 
   std::vector<Record> records_;

@@ -54,7 +54,7 @@ ValueId join_values(ValueId a, ValueId b) {
 
 Evaluator::Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::Pool& pool)
     : syntax_(syntax), constants_(constants), pool_(pool), relevant_number_(kLastNumber + 1),
-      relevant_name_(syntax.names.size()) {
+      relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber) {
   find_relevant();
 }
 
@@ -83,6 +83,11 @@ bool Evaluator::mark(ExprId id) {
 }
 
 void Evaluator::find_relevant() {
+  for (const Expr& expr : syntax_.exprs) {
+    double number = 0;
+    if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left, &number)) continue;
+    if (number >= 1 && number < kFirstGlobalNumber) read_argument_[static_cast<size_t>(number)] = true;
+  }
   for (const ExprId value : syntax_.values) mark(value);
   for (const Statement& s : syntax_.statements) {
     if (s.label_expr != kNoExpr) mark(s.label_expr);
@@ -115,7 +120,12 @@ void Evaluator::find_relevant() {
 }
 
 void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
-  if (number < 1 || number > kLastNumber || !relevant_number_[number]) return;
+  if (number < 1 || number > kLastNumber) return;
+  if (!relevant_number_[number]) {
+    // Of an argument that only moves read, all that matters is whether it was passed.
+    if (number >= kFirstGlobalNumber || !read_argument_[number]) return;
+    if (value != kNotPassed) value = kUnknown;
+  }
   PersistentMap& map = number < kFirstGlobalNumber ? p.locals : p.globals;
   map.set(pool_, static_cast<uint32_t>(number), value);
 }
@@ -132,7 +142,8 @@ void Evaluator::forget_numbers(Parameters& p) const {
 }
 
 ValueId Evaluator::read_number(long number, const Parameters& in) const {
-  if (number >= kFirstVolatileNumber || !relevant_number_[number]) return kUnknown;
+  if (number >= kFirstVolatileNumber) return kUnknown;
+  if (number >= kFirstGlobalNumber && !relevant_number_[number]) return kUnknown;
   if (number < kFirstGlobalNumber) return in.locals.get(static_cast<uint32_t>(number));
   const ValueId value = in.globals.get(static_cast<uint32_t>(number));
   return value == kUnassigned && in.outside ? kUnknown : value;
@@ -142,12 +153,12 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining
   const std::string_view text = syntax_.names.text(name);
   Evaluation out;
   if (is_global_name(text)) {
-    // A global name may have been assigned by another program or by hand: never called undefined here.
-    if (!predefined_name(text)) out.value = in.globals.get(kGlobalNames + name);
-    if (out.value < kFirstConstant) out.value = kUnknown;
-    return out;
+    // `#<_ini[...]...>` and `#<_hal[...]>` are looked up in the machine; a sub from elsewhere may have assigned any.
+    if (predefined_name(text) || in.outside || text.find('[') != std::string_view::npos) return out;
+    out.value = in.globals.get(kGlobalNames + name);
+  } else {
+    out.value = in.locals.get(kLocalNames + name);
   }
-  out.value = in.locals.get(kLocalNames + name);
   if (out.value >= kFirstConstant || out.value == kUnknown || out.value == kNotPassed) return out;
   if (!defining) {
     (out.value == kUnassigned ? out.fails : out.may_fail) = StopKind::kNameUndefined;
@@ -261,10 +272,10 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
       if (constants_.is_constant(index.value)) {
         Evaluation out;
         if (!to_integer(constants_.value(index.value), &write.number)) {
-          out.fails = StopKind::kParameterRange;
+          out.fails = StopKind::kParameterReadOnly;
           out.message = "Non integer value for integer";
         } else if (write.number < 1 || write.number > kLastNumber) {
-          out.fails = StopKind::kParameterRange;
+          out.fails = StopKind::kParameterReadOnly;
           out.message = "Parameter number out of range";
         } else if (read_only_number(write.number)) {
           out.fails = StopKind::kParameterReadOnly;

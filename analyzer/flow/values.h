@@ -95,6 +95,7 @@ class Evaluator {
   // tell states apart that behave alike.
   std::vector<bool> relevant_number_;
   std::vector<bool> relevant_name_;
+  std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere
   std::vector<uint32_t> tracked_numbers_;
   bool computed_targets_ = false;
 };

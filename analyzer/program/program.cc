@@ -27,7 +27,7 @@ void collect_calls(Program& program) {
   for (RegionId r = 1; r < program.regions.size(); ++r) first_definition.emplace(program.regions[r].name, r);
   for (StatementId id = 0; id < program.size(); ++id) {
     const Statement& s = program.at(id);
-    if (!s.is(Keyword::kCall) && s.kind != LineKind::kM98) continue;
+    if ((!s.is(Keyword::kCall) && s.kind != LineKind::kM98) || s.refused) continue;
     Call call{id, program.region_of[id], s.label};
     if (const auto found = first_definition.find(call.callee); found != first_definition.end()) call.target = found->second;
     program.calls.push_back(call);

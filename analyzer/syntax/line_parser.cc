@@ -110,6 +110,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
     at = end;
     if (line_[at] == '/') {
       fail(s, StopKind::kBlockDelete, at, at + 1, bad_character('/'));
+      recover(at + 1, s);
       return true;
     }
   }
@@ -246,12 +247,28 @@ void LineParser::o_word(size_t at, Statement& s) {
   }
 }
 
+/// The line is refused, but what would be its O-word is read all the same: then its block is not missed, and one
+/// mistake stays one finding.
+void LineParser::recover(size_t at, Statement& s) {
+  const bool zero = line_[at] == '0';
+  if (line_[at] != 'o' && !zero) return;
+  const size_t errors = out_.errors.size();
+  const uint32_t error = s.error;
+  s.error = UINT32_MAX;
+  s.item_count = 0;
+  o_word(at, s);
+  out_.errors.resize(errors);
+  s.error = error;
+  s.refused = true;
+}
+
 bool LineParser::misplaced_character(size_t at, Statement& s) {
   const char c = line_[at];
   if (c == 'o') {
     size_t to = at + 1;
     while (to < line_.size() && line_[to] != '(' && line_[to] != ';') ++to;
     fail(s, StopKind::kWordBefore, at, to, bad_character('o'));
+    recover(at, s);
     return true;
   }
   if (c == '0') {
@@ -260,12 +277,14 @@ bool LineParser::misplaced_character(size_t at, Statement& s) {
     const std::string_view rest = line_.text().substr(to);
     if (std::ranges::any_of(kKeywordSpellings, [&](auto k) { return rest.starts_with(k); })) {
       fail(s, StopKind::kZeroForO, at, to, bad_character('0'));
+      recover(at, s);
       return true;
     }
   }
   size_t to = at + 1;
   while (to < line_.size() && static_cast<unsigned char>(line_[to]) >= 0x80) ++to;  // a whole run of foreign bytes
   fail(s, StopKind::kBadCharacter, at, to, bad_character(c));
+  recover(to, s);
   return true;
 }
 

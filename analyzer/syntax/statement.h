@@ -56,6 +56,7 @@ struct Statement {
   bool name_open : 1 = false;       ///< `o<name` without `>`
   bool named : 1 = false;           ///< the label is written in `< >`
   bool has_bracket : 1 = false;     ///< `[` follows the keyword
+  bool refused : 1 = false;         ///< something before the O-word makes the interpreter refuse the line
   bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
 
   NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed

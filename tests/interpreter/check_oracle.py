@@ -20,8 +20,8 @@ from collections import Counter
 
 from explore import Explorer
 from generate import generate
-from messages import EOF, call_line, codes_of, warned_lines
-from oracle import Interpreter, for_interpreter
+from messages import EOF, call_line, codes_of, moved_up, warned_lines
+from oracle import PADDING, Interpreter, for_interpreter, pad
 
 TIME_LIMIT_S = 1.0
 
@@ -35,11 +35,13 @@ def numbered(text):
     return "\n".join(lines)
 
 
-def stand_alone(interpreter, text, choices):
-    """The same run with `rs274`: -> (outcome, codes, line, warned lines)."""
+def stand_alone(interpreter, text, choices, message):
+    """The same run with `rs274`: -> (outcome, codes, line).
+
+    It prints the warnings and the error without a break; whether the error is `message` can be told all the same."""
     path = os.path.join(interpreter.folder, "alone")
     with open(path, "w", encoding="latin-1", newline="") as f:
-        f.write(for_interpreter(text))
+        f.write(for_interpreter(pad(text) if interpreter.warnonly else text))
     environment = dict(os.environ, CHOICES="".join(map(str, choices)))
     proc = subprocess.Popen(["rs274", "-g", "-i", interpreter.ini, path], cwd=interpreter.folder, env=environment,
                             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
@@ -49,28 +51,20 @@ def stand_alone(interpreter, text, choices):
         proc.kill()
         _, error = proc.communicate()
     error = error.decode("latin-1").replace("executing", "", 1)
-    warned, codes = warned_lines(error)
     if proc.returncode == -signal.SIGKILL:
-        return "hang", frozenset(), 0, tuple(dict.fromkeys(warned))
+        return "hang", frozenset(), 0
     if proc.returncode < 0:
-        return "crash", codes if warned else frozenset(), warned[-1] if warned else 0, tuple(dict.fromkeys(warned))
+        warned, codes = warned_lines(error)
+        return "crash", codes, warned[-1] - PADDING if warned else 0
     if proc.returncode == 0:
-        return "ok", frozenset(), 0, tuple(dict.fromkeys(warned))
-    message, _, last = error.rstrip("\n").rpartition("\n")
-    message = message.replace("\n", "")
-    numbers = [m.start() for m in re.finditer(r"\d+: (undefined|duplicate|no matching|not in a)", message)]
-    own = message[numbers[-1]:] if numbers and not interpreter.warnonly else message
-    codes = codes_of(own)
+        return "ok", frozenset(), 0
+    everything, _, last = error.rstrip("\n").rpartition("\n")
+    everything = everything.replace(path, "PROGRAM")
+    if interpreter.warnonly:
+        everything = moved_up(everything, PADDING)
+    codes = codes_of(message if message and everything.endswith(message) else everything)
     place = re.findall(r"\(u(\d+)\)", last)
-    line = 0 if EOF in codes else call_line(message) or (int(place[-1]) if place else 0)
-    return "error", codes, line, tuple(dict.fromkeys(warned))
-
-
-def ours(run, warnonly):
-    if run.outcome in ("hang", "crash"):
-        return run.outcome, run.codes if run.outcome == "crash" else frozenset(), \
-            run.line if run.outcome == "crash" else 0, run.warned
-    return run.outcome, run.codes, run.line, tuple(dict.fromkeys(run.warned))
+    return "error", codes, 0 if EOF in codes else call_line(message) or (int(place[-1]) if place else 0)
 
 
 def load_model(path):
@@ -95,7 +89,7 @@ class Taking(dict):
 
 def modelled(model, text, choices):
     """The same run in the model: -> (outcome, codes, line), or None for what it does not cover."""
-    if re.search(r"(?im)^\s*%|M98|M99|#<width|#<_made|1/#|^\s*/|[gm]\s*\d*\s*$|esleif", text):
+    if re.search(r"(?im)^\s*%|M98|M99|#<width|1/#|^\s*(N\d+\s*)?/", text):
         return None
     lines = for_interpreter(text).replace("\r", "").rstrip("\n").split("\n")
     run = model.Run([re.sub(r"(?i)^\s*n\d+", "", line) for line in lines])
@@ -127,22 +121,21 @@ def main(argv):
             for choices in [rng.choice(sorted(explorer.ends.values(), key=str)).choices, rng.randbytes(40)]:
                 choices = bytes(c % 3 for c in choices)
                 run = interpreter.run(numbered(text), choices)
-                mine, alone = ours(run, warnonly), stand_alone(interpreter, numbered(text), choices)
-                if mine[0] == "hang":       # how far it got differs: the stand-alone one is stopped later
-                    mine, alone = mine[:1], alone[:1]
+                mine = run.outcome, run.codes, run.line
+                alone = stand_alone(interpreter, numbered(text), choices, run.message)
                 counts["runs"] += 1
                 if mine != alone:
                     counts["differences"] += 1
                     print("program %d (warnonly %s) choices %s\n  oracle %s\n  rs274  %s" % (
                         number, warnonly, list(choices), mine, alone))
-                second = modelled(model, text, choices) if model and not warnonly else None
+                second = modelled(model, text, run.choices) if model and not warnonly else None
                 if second:
                     counts["runs of the model"] += 1
                     line = run.line if "OW208" not in run.codes else 0
                     if second != (run.outcome, run.codes, line):
                         counts["differences"] += 1
                         print("program %d choices %s\n  oracle %s\n  model  %s" % (
-                            number, list(choices), (run.outcome, sorted(run.codes), line), second))
+                            number, list(run.choices), (run.outcome, sorted(run.codes), line), second))
         interpreter.close()
     print(", ".join("%s: %d" % item for item in sorted(counts.items())))
     return 1 if counts["differences"] else 0

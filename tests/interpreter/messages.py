@@ -9,9 +9,10 @@ EOF_CODES = frozenset({"OW315", "OW204", "OW205"})      # how owlint reports it:
 UNKNOWN = "unknown message"                             # no rule is named for it; any claim on that line will do
 
 _BY_KEYWORD = {
-    "undefined": {"else": "OW105", "elseif": "OW105", "endif": "OW106", "break": "OW107", "continue": "OW107",
-                  "endwhile": "OW108", "endrepeat": "OW108"},
-    "duplicate": {"repeat": "OW102", "while": "OW103", "if": "OW104"},
+    "undefined O-word label": {"else": "OW105", "elseif": "OW105", "endif": "OW106", "break": "OW107",
+                               "continue": "OW107", "endwhile": "OW108", "endrepeat": "OW108"},
+    "duplicate O-word label": {"repeat": "OW102", "while": "OW103", "if": "OW104"},
+    "no matching label": {"endif": "OW106", "endwhile": "OW108", "endrepeat": "OW108"},
 }
 # The quoted line of a message: 'o100 end if (comment)'.  Blanks inside words are kept there, the case is not.
 _KEYWORDS = ("endsub", "sub", "endwhile", "while", "endrepeat", "repeat", "elseif", "else", "endif", "if",
@@ -19,9 +20,8 @@ _KEYWORDS = ("endsub", "sub", "endwhile", "while", "endrepeat", "repeat", "elsei
 
 # (pattern, codes), the first match counts
 _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in (
-    (r"no matching 'if' label|no matching label: '#.*endif", "OW106"),
+    (r"no matching 'if' label", "OW106"),
     (r"no matching while/do label", "OW107"),
-    (r"no matching label", "OW108"),
     (r"not in a subroutine definition|Not in subroutine definition", "OW101"),
     (r"Nested subroutine definition", "OW202"),
     (r"redefining sub", "OW201"),
@@ -60,7 +60,7 @@ def _keyword(message):
 def codes_of(message):
     """The set of codes for one message; {EOF} for an early end of file, {UNKNOWN} where no rule is named."""
     for kind, by_keyword in _BY_KEYWORD.items():
-        if kind + " O-word label" in message:
+        if kind in message:
             return frozenset({by_keyword.get(_keyword(message), UNKNOWN)})
     for pattern, codes in _TABLE:
         if pattern.search(message):
@@ -74,7 +74,14 @@ def call_line(message):
     return int(found.group(1)) if found else None
 
 
+def moved_up(message, lines):
+    """The message with its line numbers less by `lines`."""
+    return re.sub(r"^\d+(?=: )|(?<=line )\d+|(?<=line:)\d+|(?<=line: )\d+", lambda m: str(int(m[0]) - lines), message)
+
+
 def warned_lines(text):
-    """The lines of all `N: …` warnings that OWORD_WARNONLY printed, in order, and the codes of the last one."""
-    parts = re.split(r"(?<![\w'])(\d+): (?=duplicate|undefined|no matching|not in a)", text)
+    """The lines of all `NNN: …` warnings that OWORD_WARNONLY printed, in order, and the codes of the last one.
+
+    They follow each other without a break, also after `defined in line NNN`: line numbers must have three digits."""
+    parts = re.split(r"(\d{3}): (?=duplicate|undefined|no matching|not in a)", text)
     return [int(n) for n in parts[1::2]], codes_of(parts[-1]) if len(parts) > 1 else frozenset()

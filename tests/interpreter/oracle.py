@@ -25,13 +25,14 @@ import sys
 import tempfile
 from dataclasses import dataclass
 
-from messages import EOF, call_line, codes_of, warned_lines
+from messages import EOF, call_line, codes_of, moved_up, warned_lines
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CPU_LIMIT_S = 0.05          # of processor time, so that a busy machine does not make a hang; 100 usual runs
 RUNS_PER_CHILD = 3000       # gcode.parse loses about 5 kB a run
 MAX_NOTES = 64
-WARNINGS_READ = 60_000      # of what an endless loop has printed
+PADDING = 99                # lines put before a program when warnings are read: all its lines have three digits then
+WARNINGS_READ = 30_000      # from the start and the end of what an endless loop has printed
 
 _TOKEN = re.compile(r"#\[([1-4])\d\d\d\+#99\]")
 
@@ -40,11 +41,11 @@ _TOKEN = re.compile(r"#\[([1-4])\d\d\d\+#99\]")
 class Run:
     """One run: how it ended, where, and the choices it took as (line, arity, value)."""
     outcome: str                    # ok, error, crash, hang
-    line: int                       # 0 where there is none: ok, end of file, crash or hang without a warning
+    line: int                       # 0 where there is none: ok, end of file, hang, crash without a warning
     codes: frozenset
     message: str
     trace: tuple
-    warned: tuple = ()              # OWORD_WARNONLY: the lines warned about, in order
+    warned: tuple = ()              # OWORD_WARNONLY: the lines warned about
 
     @property
     def choices(self):
@@ -54,6 +55,13 @@ class Run:
 def for_interpreter(text):
     """The program with its unknown values replaced by choices; lines stay where they are."""
     return _TOKEN.sub(lambda m: "#<_choice>" if m.group(1) in "12" else "#<_count>", text)
+
+
+def pad(text):
+    """The program with PADDING blank lines before it, or after its first `%`."""
+    first, newline, rest = text.partition("\n")
+    percent = first.strip() == "%"
+    return first + newline + "\n" * PADDING + rest if percent else "\n" * PADDING + text
 
 
 def scratch():
@@ -117,7 +125,8 @@ class Interpreter:
             self._start()
         self.left -= 1
         self.runs += 1
-        data = for_interpreter(text).encode("latin-1", "replace")
+        text = for_interpreter(pad(text) if self.warnonly else text)
+        data = text.encode("latin-1", "replace")
         self.pipe.send((data, bytes(choices)))
         try:
             if not self.pipe.poll(20):
@@ -125,11 +134,13 @@ class Interpreter:
             failed, message, offset = self.pipe.recv()
         except (EOFError, ConnectionError):
             return self._died()
-        warned = tuple(self._warnings()[0]) if self.warnonly else ()
+        warned = self._warnings()[0]
         if not failed:
             return Run("ok", 0, frozenset(), "", self._trace(), warned)
+        if self.warnonly:
+            message = moved_up(message, PADDING)
         codes = codes_of(message)
-        line = 0 if EOF in codes else call_line(message) or data.count(b"\n", 0, offset) + 1
+        line = 0 if EOF in codes else call_line(message) or self._line(data.count(b"\n", 0, offset) + 1)
         return Run("error", line, codes, message, self._trace(), warned)
 
     def close(self):
@@ -143,17 +154,30 @@ class Interpreter:
         self.child = 0
         killed = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
         outcome = "hang" if killed in (signal.SIGPROF, signal.SIGKILL) else "crash"
-        warned, codes = self._warnings() if self.warnonly else ([], frozenset())
-        message = "" if outcome == "hang" else "signal %d" % killed
-        return Run(outcome, warned[-1] if warned else 0, codes, message, self._trace(), tuple(dict.fromkeys(warned)))
+        warned, codes = self._warnings()
+        if outcome == "hang":
+            return Run(outcome, 0, frozenset(), "", self._trace(), warned)
+        return Run(outcome, warned[-1] if warned else 0, codes, "signal %d" % killed, self._trace(), warned)
+
+    def _line(self, number):
+        """A line as the interpreter counts it -> as the program does (a `%` is never the line meant)."""
+        return number - PADDING if self.warnonly else number
 
     def _warnings(self):
-        text = os.pread(self.messages.fileno(), WARNINGS_READ, 0).decode("latin-1")
-        return warned_lines(text)
+        """-> (the lines warned about, the last one last, each once; the codes of the last one)"""
+        if not self.warnonly:
+            return (), frozenset()
+        size = os.fstat(self.messages.fileno()).st_size
+        text = os.pread(self.messages.fileno(), WARNINGS_READ, 0)
+        if size > 2 * WARNINGS_READ:
+            text += os.pread(self.messages.fileno(), WARNINGS_READ, size - WARNINGS_READ)
+        numbers, codes = warned_lines(text.decode("latin-1"))
+        return tuple(reversed(dict.fromkeys(self._line(n) for n in reversed(numbers)))), codes
 
     def _trace(self):
         count = min(struct.unpack_from("I", self.notes, 0)[0], MAX_NOTES)
-        return tuple(struct.unpack_from("HBB", self.notes, 4 * (i + 1)) for i in range(count))
+        notes = (struct.unpack_from("HBB", self.notes, 4 * (i + 1)) for i in range(count))
+        return tuple((self._line(line), arity, value) for line, arity, value in notes)
 
     def _start(self):
         ours, theirs = multiprocessing.Pipe()
