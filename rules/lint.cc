@@ -23,10 +23,7 @@ void run_rules(const Input& input, const LintOptions& options, const SeverityPol
     Reporter reporter(*rule, out);
     rule->check(input, reporter);
     for (size_t i = first; i < out.size(); ++i) {
-      // A call by name, without an INI that tells the search path, may be satisfied by a file elsewhere.
-      Severity level = rule->level;
-      if (rule->code == "OW208" && !out[i].never_ends && out[i].help.starts_with("give the machine's INI")) level = Severity::kWarning;
-      out[i].severity = decide_severity(out[i], level, rule->group == Group::kAbortList, policy);
+      out[i].severity = decide_severity(out[i], rule->level, rule->group == Group::kAbortList, policy);
     }
   }
 }

@@ -41,7 +41,7 @@ void check(const Input& in, Reporter& out) {
       for (const Region& region : p.regions) {
         if (region.name != kNoName && p.name(region.name) == near) relate(f, p, region.opener, "`" + meant + "` is defined here");
       }
-    } else if (number_only(stop.detail).empty() && !in.profile.ini_given) {
+    } else if (stop.unproven) {
       f.help = "give the machine's INI with `--ini`, if the sub is in a file on its search path";
     } else {
       f.help = "define the sub, or correct the label";

@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const RegionId region = p.region_of[s.statement];
     const bool recursive = p.regions[region].name != kNoName && p.regions[region].name == p.at(s.statement).label;
     if (recursive) {
-      f.message = "`" + p.head(s.statement) + "` calls its own sub, and nothing bounds how often: LinuxCNC allows nine calls inside one another";
+      f.message = "`" + p.head(s.statement) + "` calls its own sub, " + (s.unproven ? "and how often is not known here" : "and never comes back") + ": LinuxCNC allows nine calls inside one another";
       relate(f, p, p.regions[region].opener, "the sub begins here");
     }
     f.help = recursive ? "use a loop, or count the depth and stop before the tenth call" : "call the subs one after the other instead";

@@ -118,6 +118,7 @@ void relate(Finding& finding, const Program& program, StatementId statement, std
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.stops = true;
   finding.reach = stop.reach;
+  finding.unproven = stop.unproven && !finding.help.starts_with("did you mean");
   finding.interpreter = stop.interpreter;
   for (const Decision& decision : stop.path) {
     const Statement& s = in.program.at(decision.statement);

@@ -55,6 +55,7 @@ struct Finding {
   std::string interpreter;   ///< the message that LinuxCNC prints; may be empty
   Reach reach = Reach::kMaybe;
   bool stops = false;        ///< the interpreter stops here with this error on some path
+  bool unproven = false;     ///< it may not happen on the real machine: never more than a warning
   bool never_ends = false;   ///< it hangs or crashes here on some path
   std::vector<Related> related;
   std::vector<Fix> fixes;

@@ -26,8 +26,7 @@ Severity decide_severity(const Finding& finding, Severity level, bool abort_list
   if (abort_list && policy.warn_only && !finding.stops) {
     severity = Severity::kWarning;
   } else if (finding.stops || finding.never_ends) {
-    // A call whose file may be on a search path that owlint was not told is the one stop that stays a warning.
-    severity = level == Severity::kWarning && finding.code == "OW208" ? Severity::kWarning : Severity::kError;
+    severity = finding.unproven ? Severity::kWarning : Severity::kError;
   } else if (level == Severity::kError) {
     severity = Severity::kWarning;  // the mistake is there, but no run meets it
   }

@@ -122,6 +122,7 @@ class Analysis final : public Listener {
   std::map<std::tuple<HazardKind, StatementId, StatementId, uint32_t>, Hazard> hazards_;
   std::vector<std::tuple<ContextId, uint32_t, StatementId>> not_passed_;
   std::unordered_set<RecordId> warned_;  // records with an error that FEATURE 0x20 turned into a message
+  std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond the limit
   uint32_t next_key_ = 1;
   FlowResult result_;
 };
@@ -135,7 +136,7 @@ void Analysis::start() {
     state.skip = machine_.full_label(kGlobalScope, program_.entry);
     state.seek = true;
     state.parameters.outside = true;
-    for (long n = 1; n < kFirstGlobalNumber; ++n) machine_.evaluator().set_number(state.parameters, n, kUnknown);
+    machine_.evaluator().expect_from_outside(state.parameters);
   }
   frames_.push_back(std::move(main));
   successor(std::move(state));
@@ -278,6 +279,7 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   }
   const Frame& frame = frames_[at.context];
   if (!frame.callers.empty()) stop.call = frame.callers.front().state.position;
+  if (kind == StopKind::kCallTooDeep) deepest_.emplace_back(at.context, at.position);
   add_stop(at.record, std::move(stop));
 }
 
@@ -484,6 +486,7 @@ void Analysis::finish() {
       stop.statement = caller.state.position;
       stop.kind = StopKind::kSubNotFound;
       stop.detail = program_.name(frame.info.sub);
+      stop.unproven = machine_.may_be_elsewhere(frame.info.sub);
       stop.interpreter = percent ? "Failed to find sub 'O" + stop.detail + "' before EOF"
                                  : "EOF in file:" + program_.source->path() + " seeking o-word: o<" + stop.detail +
                                        "> from line: " + std::to_string(program_.at(stop.statement).line);
@@ -503,6 +506,13 @@ void Analysis::finish() {
       if (program_.at(call).value_count >= number) continue;
       hazards_.emplace(std::make_tuple(HazardKind::kArgumentNotPassed, call, read, number),
                        Hazard{HazardKind::kArgumentNotPassed, call, read, number, Reach::kMaybe, StopKind::kNone, ""});
+    }
+  }
+  for (const auto& [context, call] : deepest_) {
+    // A recursion that can come back: nobody knows here how deep it goes.
+    if (frames_[context].exits.empty()) continue;
+    for (auto& [key, info] : stops_) {
+      if (key.kind == StopKind::kCallTooDeep && key.statement == call) info.stop.unproven = true;
     }
   }
   constexpr size_t kMaxPaths = 64;

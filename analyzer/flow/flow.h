@@ -25,6 +25,7 @@ struct FlowStop {
   StatementId statement = kNoStatement;  ///< for ends of file: the line that is to blame (see `kind`)
   StopKind kind = StopKind::kNone;
   Reach reach = Reach::kMaybe;
+  bool unproven = false;  ///< depends on what owlint cannot know: files elsewhere, how deep a guarded recursion goes
   StatementId other = kNoStatement;   ///< the line that the message speaks of (first definition, opener)
   StatementId call = kNoStatement;    ///< the call in which it happens, if in a sub
   std::string interpreter;            ///< the interpreter's message

@@ -132,6 +132,14 @@ bool Machine::is_target(const State& state, const Context& context) const {
   return scope == (context.depth > 0 ? context.sub : state.defining);
 }
 
+bool Machine::may_be_elsewhere(NameId sub) const {
+  if (profile_.ini_given) return false;
+  const std::string& name = program_.name(sub);
+  if (name.find_first_not_of("-0123456789") == std::string::npos) return false;
+  if (sub >= program_.by_label.size()) return true;
+  return std::ranges::none_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
+}
+
 FullLabel Machine::full_label(NameId scope, NameId label) {
   const uint64_t key = static_cast<uint64_t>(scope) << 32 | label;
   const auto [entry, added] = label_ids_.emplace(key, static_cast<FullLabel>(labels_.size()));

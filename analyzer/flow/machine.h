@@ -108,6 +108,9 @@ class Machine {
   /// Whether the line at which a skipping state stands is the one that it skips to.
   bool is_target(const State& state, const Context& context) const;
 
+  /// Whether a sub that is not defined in the program may be in a file that owlint does not know of.
+  bool may_be_elsewhere(NameId sub) const;
+
   FullLabel full_label(NameId scope, NameId label);
   NameId label_of(FullLabel label) const { return labels_[label].second; }
   Definers& definers() { return definers_; }

@@ -443,6 +443,14 @@ void Machine::Step::call(int repeats, bool fanuc) {
     state.returned = kYes;
     return next_line();
   }
+  if (m.may_be_elsewhere(callee.sub)) {
+    // A named sub that the file does not define, and no INI that says where else to look: it stops, or a file on the
+    // machine's search path has it and it comes back.
+    State back = state;
+    back.parameters.outside = true;
+    back.returned = kYes;
+    go(std::move(back), here + 1);
+  }
   enter.table.set(m.pool_, label, 0);
   enter.position = here + 1;
   enter.skip = label;

@@ -137,6 +137,18 @@ void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
   (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
 }
 
+void Evaluator::expect_from_outside(Parameters& p) const {
+  for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
+  // A remap passes named parameters. A name that the file assigns somewhere is its own.
+  std::vector<bool> own(syntax_.names.size());
+  for (const Item& item : syntax_.items) {
+    if (item.target_name != kNoName) own[item.target_name] = true;
+  }
+  for (const Expr& expr : syntax_.exprs) {
+    if (expr.op == Operator::kNamed && !own[expr.name]) set_name(p, expr.name, kUnknown);
+  }
+}
+
 void Evaluator::forget_numbers(Parameters& p) const {
   for (const uint32_t number : tracked_numbers_) set_number(p, number, kUnknown);
 }

@@ -78,6 +78,8 @@ class Evaluator {
 
   Constants& constants() const { return constants_; }
   void set_number(Parameters& p, long number, ValueId value) const;
+  /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
+  void expect_from_outside(Parameters& p) const;
   void set_name(Parameters& p, NameId name, ValueId value) const;
 
  private:

@@ -410,7 +410,7 @@ bool LineParser::words(size_t at, Statement& s) {
     const char c = line_[in.cursor];
     if (c == '#') {
       if (!assignment(in, s)) return true;
-    } else if ((is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^') {
+    } else if ((is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$') {
       if (!word(in, s)) break;
     } else {
       if (c == ']') {

@@ -20,7 +20,7 @@ enum Class : uint8_t {
 constexpr std::array<uint8_t, 256> make_classes() {
   std::array<uint8_t, 256> classes{};
   classes.fill(kMatters);
-  for (const char c : std::string_view(" \t\v\f\r+-.0123456789^@")) classes[static_cast<unsigned char>(c)] = kDull;
+  for (const char c : std::string_view(" \t\v\f\r+-.0123456789^@$")) classes[static_cast<unsigned char>(c)] = kDull;
   for (char c = 'a'; c <= 'z'; ++c) {
     classes[static_cast<unsigned char>(c)] = kDull;
     classes[static_cast<unsigned char>(c - 'a' + 'A')] = kDull;
