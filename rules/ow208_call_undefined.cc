@@ -27,7 +27,7 @@ void check(const Input& in, Reporter& out) {
     }
     const std::string label = number_only(stop.detail).empty() ? "o<" + stop.detail + ">" : "o" + stop.detail;
     Finding& f = out.add(s.head_span(), "no sub `" + label + "` is found from here on, and no file `" + stop.detail + ".ngc` beside the program");
-    const std::string near = nearest(stop.detail, known);
+    const std::string near = number_only(stop.detail).empty() ? nearest(stop.detail, known, 1) : std::string();
     for (const Region& region : p.regions) {
       if (region.name == kNoName || p.name(region.name) != stop.detail) continue;
       f.message = "`" + label + "` is not known here: its definition on line " + std::to_string(p.at(region.opener).line) + " was not run before";

@@ -184,9 +184,9 @@ std::string ordinal(size_t n) {
   return std::to_string(n) + ending;
 }
 
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates, size_t limit) {
   const std::string* best = nullptr;
-  size_t best_distance = std::max<size_t>(1, word.size() / 3) + 1;
+  size_t best_distance = std::min(limit, std::max<size_t>(1, word.size() / 3)) + 1;
   for (const std::string& candidate : candidates) {
     // Optimal string alignment: a swapped pair of letters is one mistake.
     std::vector<std::vector<size_t>> d(word.size() + 1, std::vector<size_t>(candidate.size() + 1));

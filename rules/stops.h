@@ -35,8 +35,8 @@ void relate(Finding& finding, const Program& program, StatementId statement, std
 /// `1st`, `2nd`... for arguments and passes.
 std::string ordinal(size_t n);
 
-/// The nearest of `candidates` to `word` (edit distance at most a third of its length); empty if none is near.
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// The nearest of `candidates` to `word` (edit distance at most a third of its length, or `limit`); empty if none is.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates, size_t limit = SIZE_MAX);
 
 /// A number that no O-word of the program uses, near `label`, as `o110`.
 std::string free_label(const Program& program, NameId label);

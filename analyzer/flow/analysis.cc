@@ -78,7 +78,6 @@ class Analysis final : public Listener {
   struct StopKey {
     StatementId statement;
     StopKind kind;
-    StatementId other;
     std::string detail;
     auto operator<=>(const StopKey&) const = default;
   };
@@ -258,7 +257,7 @@ void Analysis::end_of_file(const State& state) {
 }
 
 void Analysis::add_stop(RecordId record, FlowStop stop) {
-  const StopKey key{stop.statement, stop.kind, stop.other, stop.detail};
+  const StopKey key{stop.statement, stop.kind, stop.detail};
   auto found = stops_.find(key);
   if (found == stops_.end()) found = stops_.emplace(key, StopInfo{next_key_++, record, std::move(stop)}).first;
   trace_->terminate(record, found->second.key);
@@ -363,7 +362,7 @@ void Analysis::call(const State& at, State entry, Context callee, int repeats) {
 }
 
 void Analysis::resume_one(const Caller& caller, const State& exit, Frame& frame) {
-  State after = machine_.resume(caller.state, exit, frame.info.fanuc);
+  State after = machine_.resume(caller.state, exit, frame.info, frame.joined_entry != nullptr);
   if (frames_[caller.state.context].info.depth == 0) after.returned = kYes;
   after.record = frame.callers.size() > 1 ? caller.state.record : exit.record;
   if (frame.callers.size() > 1) {
@@ -407,7 +406,7 @@ void Analysis::leave(const State& at) {
     exit = *frame.joined_exit;
     exit.record = at.record;
   }
-  exit.parameters.locals = frame.info.fanuc ? exit.parameters.locals : PersistentMap();
+  if (!frame.info.fanuc) exit.parameters.locals = exit.parameters.local_facts = PersistentMap();
   exit.skip = kNoLabel;
   exit.seek = false;
   const uint64_t hash = exit.hash();
@@ -491,7 +490,7 @@ void Analysis::finish() {
                                  : "EOF in file:" + program_.source->path() + " seeking o-word: o<" + stop.detail +
                                        "> from line: " + std::to_string(program_.at(stop.statement).line);
       add_stop(caller.state.record, stop);
-      const uint32_t key = stops_.at({stop.statement, stop.kind, stop.other, stop.detail}).key;
+      const uint32_t key = stops_.at({stop.statement, stop.kind, stop.detail}).key;
       for (const Group& group : groups_) {
         if (!group.seek || &frames_[group.context] != &frame) continue;
         for (const auto& [hash, record] : group.seen) trace_->terminate(record, key);

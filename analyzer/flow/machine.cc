@@ -48,6 +48,8 @@ uint64_t State::hash() const {
   h = combine(h, table.hash());
   h = combine(h, parameters.locals.hash());
   h = combine(h, parameters.globals.hash());
+  h = combine(h, parameters.local_facts.hash());
+  h = combine(h, parameters.global_facts.hash());
   for (const auto& [label, count] : counts) h = combine(h, static_cast<uint64_t>(label) << 8 | count);
   return h;
 }
@@ -86,7 +88,7 @@ uint32_t Definers::without_undefined(uint32_t packed) {
 }
 
 Machine::Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool)
-    : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool) {
+    : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool), effects_(program) {
   labels_.emplace_back(kNoName, kNoName);
   index();
 }
@@ -154,16 +156,37 @@ State Machine::join(const State& a, const State& b) {
   out.continuing |= b.continuing;
   out.returned |= b.returned;
   out.looped = a.looped && b.looped;
-  out.table = PersistentMap::merge(pool_, a.table, b.table, [this](uint32_t x, uint32_t y) { return definers_.join(x, y); });
+  out.table = PersistentMap::merge(pool_, a.table, b.table, [this](uint32_t, uint32_t x, uint32_t y) { return definers_.join(x, y); });
   if (a.counts != b.counts) out.counts = join_counts(a.counts, b.counts);
-  out.parameters.locals = PersistentMap::merge(pool_, a.parameters.locals, b.parameters.locals, join_values);
-  out.parameters.globals = PersistentMap::merge(pool_, a.parameters.globals, b.parameters.globals, join_values);
+  const auto join = [](uint32_t, uint32_t x, uint32_t y) { return join_values(x, y); };
+  out.parameters.locals = PersistentMap::merge(pool_, a.parameters.locals, b.parameters.locals, join);
+  out.parameters.globals = PersistentMap::merge(pool_, a.parameters.globals, b.parameters.globals, join);
+  const auto same = [](uint32_t, uint32_t x, uint32_t y) { return x == y ? x : 0; };
+  out.parameters.local_facts = PersistentMap::merge(pool_, a.parameters.local_facts, b.parameters.local_facts, same);
+  out.parameters.global_facts = PersistentMap::merge(pool_, a.parameters.global_facts, b.parameters.global_facts, same);
   out.parameters.outside = a.parameters.outside || b.parameters.outside;
   return out;
 }
 
-State Machine::resume(const State& caller, const State& exit, bool fanuc) const {
+State Machine::resume(const State& caller, const State& exit, const Context& callee, bool merged) {
   State out = exit;
+  const bool fanuc = callee.fanuc;
+  const Effects& effects = effects_.of(callee.sub);
+  if (merged && !effects.everything) {
+    // The exit was computed for many callers at once. What the callee cannot have changed is as it was for this one.
+    out.table = PersistentMap::merge(pool_, caller.table, exit.table, [&](uint32_t label, uint32_t before, uint32_t after) {
+      const auto& [scope, name] = labels_[label];
+      return effects.subs.contains(scope == kGlobalScope ? name : scope) ? after : before;
+    });
+    out.parameters.globals = PersistentMap::merge(pool_, caller.parameters.globals, exit.parameters.globals, [&](uint32_t key, uint32_t before, uint32_t after) {
+      return effects.globals.contains(key) || effects.any_global ? after : before;
+    });
+    if (!effects.jumps) {
+      out.breaking = caller.breaking;
+      out.continuing = caller.continuing;
+    }
+    if (!effects.tests) out.executed = caller.executed;
+  }
   out.position = caller.position + 1;
   out.context = caller.context;
   out.defining = kNoName;
@@ -172,7 +195,10 @@ State Machine::resume(const State& caller, const State& exit, bool fanuc) const 
   out.looped = false;
   out.branch = 0;
   // M98 does not save #1 to #30; an O-word call gives the caller's own values back.
-  if (!fanuc) out.parameters.locals = caller.parameters.locals;
+  if (!fanuc) {
+    out.parameters.locals = caller.parameters.locals;
+    out.parameters.local_facts = caller.parameters.local_facts;
+  }
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "analyzer/flow/effects.h"
 #include "analyzer/flow/flow.h"
 #include "analyzer/flow/values.h"
 
@@ -103,7 +104,8 @@ class Machine {
 
   State join(const State& a, const State& b);
   /// The state after a call: what the callee leaves behind, with the caller's own parameters back.
-  State resume(const State& caller, const State& exit, bool fanuc) const;
+  /// `merged`: the exit stands for the calls of several callers.
+  State resume(const State& caller, const State& exit, const Context& callee, bool merged);
 
   /// Whether the line at which a skipping state stands is the one that it skips to.
   bool is_target(const State& state, const Context& context) const;
@@ -129,6 +131,7 @@ class Machine {
   Constants constants_;
   Evaluator evaluator_;
   Definers definers_;
+  EffectsOfSubs effects_;
   std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
   std::unordered_map<uint64_t, FullLabel> label_ids_;
   // Positions at which a skip may be interrupted, each sorted.

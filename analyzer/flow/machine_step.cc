@@ -24,6 +24,7 @@ struct Machine::Step {
   StatementId here;
   bool skipping;
   FullLabel label = kNoLabel;
+  Fact tested;  ///< the condition of this line, when its outcome can be remembered
   ReadLog reads;
 
   Step(Machine& machine, State start, const Context& ctx, Listener& listener)
@@ -37,7 +38,9 @@ struct Machine::Step {
 
   // --- leaving the line ---
 
+  /// `branch`: 1 when this outcome needs a true condition, 2 a false one.
   void go(State next, StatementId position, uint8_t branch = 0) {
+    if (branch != 0) m.evaluator_.learn(next.parameters, tested, branch == 1);
     next.position = position;
     next.branch = branch;
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
@@ -103,6 +106,11 @@ struct Machine::Step {
     if (!settle(e)) return false;
     const bool known = m.constants_.is_constant(e.value);
     *truth = !known ? Truth::kUnknown : m.constants_.value(e.value) != 0 ? Truth::kTrue : Truth::kFalse;
+    if (!known && !s.is(Keyword::kRepeat)) {
+      tested = m.evaluator_.fact(value(0));
+      const int before = Evaluator::known(state.parameters, tested);
+      if (before != 0) *truth = before == 1 ? Truth::kTrue : Truth::kFalse;
+    }
     if (number != nullptr && known) *number = m.constants_.value(e.value);
     return true;
   }
@@ -262,7 +270,7 @@ void Machine::Step::o_word() {
   if (label == kNoLabel) {
     // The label is computed from something unknown: no claim, on either side. A call comes back, having done
     // whatever it likes to the global parameters.
-    if (k == Keyword::kCall && !skipping && !defining()) state.parameters.outside = true;
+    if (k == Keyword::kCall && !skipping && !defining()) Evaluator::call_outside(state.parameters);
     return next_line();
   }
   Truth truth = Truth::kUnknown;
@@ -416,6 +424,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
   enter.branch = 0;
   if (!fanuc) {
     enter.parameters.locals = {};
+    enter.parameters.local_facts = {};
     for (long n = 1; n < kFirstGlobalNumber; ++n) {
       const bool passed = n <= static_cast<long>(arguments.size());
       m.evaluator_.set_number(enter.parameters, n, passed ? arguments[n - 1] : kNotPassed);
@@ -439,7 +448,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
   if (!set.undefined) return;
   if (m.program_.outside_subs.contains(callee.sub)) {
     // Found in another file: it is taken to come back.
-    state.parameters.outside = true;
+    Evaluator::call_outside(state.parameters);
     state.returned = kYes;
     return next_line();
   }
@@ -447,7 +456,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
     // A named sub that the file does not define, and no INI that says where else to look: it stops, or a file on the
     // machine's search path has it and it comes back.
     State back = state;
-    back.parameters.outside = true;
+    Evaluator::call_outside(back.parameters);
     back.returned = kYes;
     go(std::move(back), here + 1);
   }
@@ -543,9 +552,14 @@ void Machine::Step::while_(Truth truth) {
       go(std::move(again), opener, 1);
     }
     if ((breaking & kStale) != 0 && truth != Truth::kFalse) out.hazard(before, HazardKind::kStaleBreak, 0, StopKind::kNone, "");
-    if (truth != Truth::kTrue || (breaking & (kYes | kStale)) != 0) {
+    if ((breaking & (kYes | kStale)) != 0) {  // ends whatever the condition
+      State out_of_loop = state;
+      out_of_loop.breaking = kNo;
+      go(std::move(out_of_loop), here + 1);
+    }
+    if (truth != Truth::kTrue && (breaking & kNo) != 0) {
       state.breaking = kNo;
-      go(state, here + 1, truth == Truth::kTrue ? 0 : 2);
+      go(state, here + 1, 2);
     }
   };
   if (set.undefined) as(Definers::one(here), here);

@@ -56,7 +56,7 @@ class PersistentMap {
   /// Equal content gives equal hashes, whatever the order in which it was written.
   uint64_t hash() const { return hash_; }
 
-  /// The pointwise join of two maps; `join(a, b)` must be idempotent. Shared parts cost nothing.
+  /// The pointwise join of two maps; `join(key, a, b)` is asked where they differ. Shared parts cost nothing.
   template <typename Join>
   static PersistentMap merge(Pool& pool, PersistentMap a, PersistentMap b, const Join& join) {
     if (a.hash_ == b.hash_) return a;
@@ -100,7 +100,7 @@ class PersistentMap {
         if (out == nullptr) out = pool.copy(&left);
         out->children[i] = child;
       } else {
-        const uint32_t value = left.values[i] == right.values[i] ? left.values[i] : join(left.values[i], right.values[i]);
+        const uint32_t value = left.values[i] == right.values[i] ? left.values[i] : join(key, left.values[i], right.values[i]);
         if (value == left.values[i]) continue;
         if (out == nullptr) out = pool.copy(&left);
         out->values[i] = value;

@@ -32,6 +32,8 @@ bool is_global_name(std::string_view name) { return !name.empty() && name[0] == 
 
 }  // namespace
 
+uint32_t global_name_key(NameId name) { return kGlobalNames + name; }
+
 bool predefined_name(std::string_view name) { return std::ranges::binary_search(kPredefined, name); }
 
 bool read_only_number(long number) {
@@ -56,6 +58,7 @@ Evaluator::Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::
     : syntax_(syntax), constants_(constants), pool_(pool), relevant_number_(kLastNumber + 1),
       relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber) {
   find_relevant();
+  find_facts();
 }
 
 /// Marks the parameters that an expression reads; true when one of them is new.
@@ -121,6 +124,7 @@ void Evaluator::find_relevant() {
 
 void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
   if (number < 1 || number > kLastNumber) return;
+  forget_facts(p, static_cast<uint32_t>(number), number >= kFirstGlobalNumber);
   if (!relevant_number_[number]) {
     // Of an argument that only moves read, all that matters is whether it was passed.
     if (number >= kFirstGlobalNumber || !read_argument_[number]) return;
@@ -132,6 +136,7 @@ void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
 
 void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
   const bool global = is_global_name(syntax_.names.text(name));
+  forget_facts(p, (global ? kGlobalNames : kLocalNames) + name, global);
   // A constant that decides nothing is only "assigned".
   if (value >= kFirstConstant && !relevant_name_[name]) value = kUnknown;
   (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
@@ -139,18 +144,22 @@ void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
 
 void Evaluator::expect_from_outside(Parameters& p) const {
   for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
-  // A remap passes named parameters. A name that the file assigns somewhere is its own.
-  std::vector<bool> own(syntax_.names.size());
+  // A remap passes named parameters: those that the file reads before any of its lines assigns them. Expressions
+  // stand in the order of the lines, so the ones before an assignment's own value come earlier.
+  std::vector<ExprId> assigned(syntax_.names.size(), kNoExpr);
   for (const Item& item : syntax_.items) {
-    if (item.target_name != kNoName) own[item.target_name] = true;
+    if (item.target_name != kNoName) assigned[item.target_name] = std::min(assigned[item.target_name], item.value);
   }
-  for (const Expr& expr : syntax_.exprs) {
-    if (expr.op == Operator::kNamed && !own[expr.name]) set_name(p, expr.name, kUnknown);
+  for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
+    const Expr& expr = syntax_.exprs[id];
+    if (expr.op == Operator::kNamed && !expr.target && id < assigned[expr.name]) set_name(p, expr.name, kUnknown);
   }
 }
 
 void Evaluator::forget_numbers(Parameters& p) const {
   for (const uint32_t number : tracked_numbers_) set_number(p, number, kUnknown);
+  p.local_facts = {};
+  p.global_facts = {};
 }
 
 ValueId Evaluator::read_number(long number, const Parameters& in) const {

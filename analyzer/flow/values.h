@@ -11,6 +11,9 @@
 
 namespace owlint::flow {
 
+/// The key of a global name in Parameters::globals.
+uint32_t global_name_key(NameId name);
+
 /// A value in a state's parameter maps. Constants are numbered from kFirstConstant.
 using ValueId = uint32_t;
 inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
@@ -34,6 +37,13 @@ class Constants {
   std::unordered_map<uint64_t, ValueId> ids_;
 };
 
+/// A condition, the same for all lines that test the same thing. While nothing that it reads is assigned, it has the
+/// same outcome every time: two `if [#1 EQ 0]` in a row go the same way.
+struct Fact {
+  uint32_t id = 0;      ///< 0: not tracked
+  bool global = false;  ///< reads globals only; otherwise locals only
+};
+
 /// What is known when two paths meet.
 ValueId join_values(ValueId a, ValueId b);
 
@@ -41,6 +51,8 @@ ValueId join_values(ValueId a, ValueId b);
 struct Parameters {
   PersistentMap locals;   ///< keys: 1-30, and 32 + NameId
   PersistentMap globals;  ///< keys: number, and 8192 + NameId
+  PersistentMap local_facts;   ///< conditions on locals whose outcome is known: FactId -> 1 true, 2 false
+  PersistentMap global_facts;  ///< the same for conditions on globals
   bool outside = false;   ///< an unknown sub has run: globals may have any value
 };
 
@@ -76,6 +88,12 @@ class Evaluator {
   /// Returns what stops it, if anything does.
   Evaluation assign(const Statement& s, Parameters& parameters, ReadLog* log) const;
 
+  Fact fact(ExprId condition) const;
+  static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
+  void learn(Parameters& p, Fact fact, bool truth) const;
+  /// Forgets all that an unknown sub may have changed.
+  static void call_outside(Parameters& p);
+
   Constants& constants() const { return constants_; }
   void set_number(Parameters& p, long number, ValueId value) const;
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
@@ -84,6 +102,8 @@ class Evaluator {
 
  private:
   void find_relevant();
+  void find_facts();
+  void forget_facts(Parameters& p, uint32_t key, bool global) const;
   bool mark(ExprId id);
   ValueId read_number(long number, const Parameters& in) const;
   Evaluation read_name(NameId name, const Parameters& in, bool defining) const;
@@ -99,6 +119,8 @@ class Evaluator {
   std::vector<bool> relevant_name_;
   std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere
   std::vector<uint32_t> tracked_numbers_;
+  std::unordered_map<ExprId, Fact> facts_;                          // by condition
+  std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global
   bool computed_targets_ = false;
 };
 

@@ -34,6 +34,7 @@ struct Expr {
   ExprId right = kNoExpr;
   NameId name = kNoName;
   double value = 0;
+  bool target = false;  ///< the left side of an assignment, not read
 };
 
 /// All expressions of a program, in one array; an operand always stands before its operator.

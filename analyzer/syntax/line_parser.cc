@@ -297,7 +297,8 @@ bool LineParser::assignment(ExpressionParser& in, Statement& s) {
     fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
     return false;
   }
-  const Expr& parameter = out_.exprs[target];
+  Expr& parameter = out_.exprs[target];
+  parameter.target = true;
   item.target = parameter.left;
   item.target_name = parameter.name;
   if (line_[in.cursor] != '=') {

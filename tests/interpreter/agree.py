@@ -44,10 +44,10 @@ def _check(task):
     explorer, disagreements = investigate(_interpreter, text, findings, warnonly, seed=name)
     counts = Counter(runs=explorer.runs, complete=explorer.complete)
     counts.update({"run: " + outcome: count for outcome, count in explorer.outcomes.items()})
-    for outcome, codes, _ in explorer.ends:
-        if outcome == "error":
+    for (outcome, codes, _), run in explorer.ends.items():
+        if outcome == "error" or (run.warned and outcome in ("crash", "hang")):
             counts["stops"] += 1
-            counts["stop: " + "|".join(sorted(codes))] += 1
+            counts["stop: " + ("|".join(sorted(codes)) if outcome == "error" else outcome)] += 1
     for claim in to_witness(findings, warnonly):
         counts["claims " + claim.reach] += 1
     for disagreement in disagreements:

@@ -4,7 +4,8 @@
 usage: generate.py [--seed S] [--count N] FOLDER     writes FOLDER/p00000.ngc …
 
 `generate(seed)` gives one program's text; the same seed gives the same text.  A program is made in two steps: a list of
-`Line`s (what the interpreter understands), then spelling.py writes them in one of many styles.  Mutations work on the list, so that a moved line keeps its meaning.
+`Line`s (what the interpreter understands), then spelling.py writes them in one of many styles.  Mutations work on the
+list, so that a moved line keeps its meaning.
 
 Conditions whose outcome is to be unknown read `#[1000+#99]`, repeat counts `#[3000+#99]`, each with a number of its own;
 `#99` is a counter which plain lines advance, so nothing about the value can be known from the text.

@@ -10,7 +10,10 @@ next choice (see plugin/namedparams.py), so the same condition can come out diff
 
 The interpreter runs in a child process (`gcode.parse`, about 0.3 ms a program), which is forked again when a program
 crashes it or does not end.  The child works in a folder of its own with a parameter file that cannot be written:
-the interpreter saves its parameters after each program, and the next one would start from them.
+the interpreter saves its parameters after each program by renaming a new file over the old one, and the next program
+would start from them.  (Never name a device there: as root, that replaces /dev/null by a file.)
+
+One thing is not seen: a first line longer than 252 characters counts as an empty program here.
 """
 import argparse
 import atexit
@@ -23,12 +26,19 @@ import signal
 import struct
 import sys
 import tempfile
+import traceback
 from dataclasses import dataclass
+
+try:
+    import gcode
+except ImportError as error:
+    print("%s: needs LinuxCNC's Python module (Debian package linuxcnc-uspace, /usr/bin/python3)" % error, file=sys.stderr)
+    sys.exit(2)
 
 from messages import EOF, call_line, codes_of, moved_up, warned_lines
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-CPU_LIMIT_S = 0.05          # of processor time, so that a busy machine does not make a hang; 100 usual runs
+CPU_LIMIT_S = 0.03          # of processor time, so that a busy machine does not make a hang; 100 usual runs
 RUNS_PER_CHILD = 3000       # gcode.parse loses about 5 kB a run
 MAX_NOTES = 64
 PADDING = 99                # lines put before a program when warnings are read: all its lines have three digits then
@@ -152,7 +162,9 @@ class Interpreter:
     def _died(self):
         _, status = os.waitpid(self.child, 0)
         self.child = 0
-        killed = os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0
+        if not os.WIFSIGNALED(status):      # not the interpreter's doing
+            raise RuntimeError(os.pread(self.messages.fileno(), WARNINGS_READ, 0).decode("latin-1"))
+        killed = os.WTERMSIG(status)
         outcome = "hang" if killed in (signal.SIGPROF, signal.SIGKILL) else "crash"
         warned, codes = self._warnings()
         if outcome == "hang":
@@ -188,7 +200,10 @@ class Interpreter:
             try:
                 ours.close()
                 self._serve(theirs)
+            except BaseException:
+                traceback.print_exc()
             finally:
+                sys.stderr.flush()
                 os._exit(3)
         theirs.close()
         self.child, self.pipe, self.left = child, ours, RUNS_PER_CHILD
@@ -213,7 +228,6 @@ class Interpreter:
         os.environ["INI_FILE_NAME"] = self.ini      # read anew by each gcode.parse
         os.dup2(self.messages.fileno(), 1)
         os.dup2(self.messages.fileno(), 2)
-        import gcode
         sys.path.insert(0, os.path.join(HERE, "plugin"))
         import namedparams
         canon = _make_canon(self.folder)

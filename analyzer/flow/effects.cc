@@ -1,0 +1,77 @@
+#include "analyzer/flow/effects.h"
+
+#include <algorithm>
+
+#include "analyzer/flow/values.h"
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+namespace {
+
+// A sub that reaches more subs than this is taken to change everything.
+constexpr size_t kMaxReached = 256;
+
+void add_line(const Program& program, const Statement& s, Effects& effects) {
+  if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) effects.jumps = true;
+  if (s.is(Keyword::kIf)) effects.tests = true;
+  for (uint32_t i = 0; i < s.item_count; ++i) {
+    const Item& item = program.syntax.items[s.first_item + i];
+    if (item.target_name != kNoName) {
+      if (program.name(item.target_name).starts_with("_")) effects.globals.insert(global_name_key(item.target_name));
+      continue;
+    }
+    if (item.target == kNoExpr) continue;
+    double number = 0;
+    long index = 0;
+    if (!literal_value(program.syntax.exprs, item.target, &number) || !to_integer(number, &index)) {
+      effects.any_global = true;
+    } else if (index >= kFirstGlobalNumber) {
+      effects.globals.insert(static_cast<uint32_t>(index));
+    }
+  }
+}
+
+}  // namespace
+
+EffectsOfSubs::EffectsOfSubs(const Program& program) : program_(program), calls_(program.regions.size()) {
+  for (RegionId r = 1; r < program.regions.size(); ++r) {
+    regions_[program.regions[r].name].push_back(r);
+    if (program.regions[r].end == kNoStatement) regular_ = false;
+  }
+  for (const Block& block : program.blocks) {
+    if (block.end == kNoStatement || block.crossed != kNoBlock) regular_ = false;
+  }
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    if (s.kind == LineKind::kOWord && s.label == kNoName) regular_ = false;
+  }
+  for (const Call& call : program.calls) calls_[call.caller].push_back(call.statement);
+}
+
+const Effects& EffectsOfSubs::of(NameId sub) {
+  const auto [entry, added] = known_.try_emplace(sub);
+  Effects& effects = entry->second;
+  if (!added) return effects;
+  effects.everything = !regular_;
+  std::vector<NameId> todo{sub};
+  while (!todo.empty() && !effects.everything) {
+    const NameId name = todo.back();
+    todo.pop_back();
+    if (!effects.subs.insert(name).second) continue;
+    if (effects.subs.size() > kMaxReached) effects.everything = true;
+    const auto found = regions_.find(name);
+    if (found == regions_.end()) continue;
+    for (const RegionId r : found->second) {
+      const Region& region = program_.regions[r];
+      for (StatementId id = region.opener; id < region.last; ++id) add_line(program_, program_.at(id), effects);
+      for (const StatementId call : calls_[r]) {
+        if (program_.outside_subs.contains(program_.at(call).label)) effects.everything = true;
+        todo.push_back(program_.at(call).label);
+      }
+    }
+  }
+  return effects;
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,34 @@
+// What a sub can change at all, with everything that it calls. Used where calls are analysed together: what a sub
+// cannot have changed is taken from each caller.
+#pragma once
+
+#include <unordered_map>
+#include <unordered_set>
+
+#include "analyzer/program/program.h"
+
+namespace owlint::flow {
+
+struct Effects {
+  bool everything = false;               ///< not known: an open block or computed label leads anywhere
+  bool any_global = false;               ///< assigns a parameter whose number is computed
+  bool jumps = false;                    ///< has `break` or `continue`
+  bool tests = false;                    ///< has `if`
+  std::unordered_set<NameId> subs;       ///< subs whose labels, and which themselves, it may define
+  std::unordered_set<uint32_t> globals;  ///< keys of global parameters, as in Parameters
+};
+
+class EffectsOfSubs {
+ public:
+  explicit EffectsOfSubs(const Program& program);
+  const Effects& of(NameId sub);
+
+ private:
+  const Program& program_;
+  bool regular_ = true;  ///< every sub and every block is closed, and every label known
+  std::unordered_map<NameId, std::vector<RegionId>> regions_;
+  std::unordered_map<NameId, Effects> known_;
+  std::vector<std::vector<StatementId>> calls_;  ///< by region
+};
+
+}  // namespace owlint::flow
