@@ -27,39 +27,40 @@ extern const Rule kOw206{
     .name = "blocks-crossed",
     .summary = "two blocks that overlap without nesting",
     .group = Group::kBlocks,
-    .level = Severity::kError,
+    .level = Severity::kWarning,
     .page = {
         .what = R"(Two blocks of which the second begins inside the first but ends after it: `o100` opens, `o110`
-opens, `o100` ends, `o110` ends. Mostly the two end labels have been exchanged.)",
+opens, `o100` ends, `o110` ends. Mostly the two end labels have been exchanged. Where some run stops at
+the inner end, that is reported there as OW106 or OW108; this rule speaks of the other cases.)",
         .why = R"(As long as the outer block is entered, it often runs as hoped. When it is skipped, the inner opening
 line is skipped with it, and the interpreter stops at the inner end because it has never seen its
 label. A loop that makes no pass has the same effect.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) LinuxCNC **crashes** at the end whose label it has not seen.)",
         .bad = R"(G21 G90
-G0 X10 Y10 Z5
-G38.3 Z-10 F50
-o100 if [#5070 EQ 1]
-  o110 if [#5063 GT -5]
-    G10 L20 P1 Z0
+#<depth> = 2
+o100 if [#<depth> GT 1]
+  G0 X10
+  o110 if [#<depth> LT 5]
+    G0 Y10
 o100 endif
+    G0 Z5
   o110 endif
-G0 Z5
 M2
 )",
         .good = R"(G21 G90
-G0 X10 Y10 Z5
-G38.3 Z-10 F50
-o100 if [#5070 EQ 1]
-  o110 if [#5063 GT -5]
-    G10 L20 P1 Z0
+#<depth> = 2
+o100 if [#<depth> GT 1]
+  G0 X10
+  o110 if [#<depth> LT 5]
+    G0 Y10
+    G0 Z5
   o110 endif
 o100 endif
-G0 Z5
 M2
 )",
         .fix = R"(End the inner block before the outer one.)",
-        .interpreter = "undefined O-word label: 'o110 endif'",
+        .interpreter = "",
         .options = "",
     },
     .check = check,

@@ -35,44 +35,42 @@ extern const Rule kOw216{
     .name = "endsub-early",
     .summary = "`endsub` before the sub's last one",
     .group = Group::kBlocks,
-    .level = Severity::kError,
+    .level = Severity::kWarning,
     .page = {
         .what = R"(An `endsub` inside an `if` or loop of its own sub, with another `endsub` at the end: meant as an
 early return.)",
-        .why = R"(In the program itself the definition ends at the first `endsub`. What follows runs at once as main
-program, with the main program's values: in the example the interpreter stops at the `endif`, whose
-`if` it has never seen. Without a block around it, the rest of the body is cut before any call, and
-the last `endsub` then stops with `not in a subroutine definition`. With the subs below `M2` it
-happens to work, and in a called file it does what was meant.
-
-Under FEATURE 0x20 (`OWORD_WARNONLY`) the `endif` **crashes** LinuxCNC.)",
-        .bad = R"(G21 G90
+        .why = R"(In a called file, and for subs below the program end, LinuxCNC leaves the sub at the first `endsub` that
+it executes, so this works as meant. In the program itself, above the call, the definition ends at the
+first `endsub`: what follows runs at once as main program and stops, mostly at an `endif` whose `if` it
+has never seen. Where that happens it is reported there (OW106, OW101); this rule speaks of the programs
+that run, and that stop as soon as somebody moves the sub.)",
+        .bad = R"(G21 G90 F80
+o100 call [10]
+o100 call [-5]
+M2
 o100 sub
   o110 if [#1 LE 0]
     o100 endsub
   o110 endif
-  G81 X#1 Y10 Z-5 R2 F80
+  G81 X#1 Y10 Z-5 R2
   G80
 o100 endsub
-o100 call [10]
-o100 call [#5420]
-M2
 )",
-        .good = R"(G21 G90
+        .good = R"(G21 G90 F80
+o100 call [10]
+o100 call [-5]
+M2
 o100 sub
   o110 if [#1 LE 0]
     o100 return
   o110 endif
-  G81 X#1 Y10 Z-5 R2 F80
+  G81 X#1 Y10 Z-5 R2
   G80
 o100 endsub
-o100 call [10]
-o100 call [#5420]
-M2
 )",
         .fix = R"(Write `return` for every early way out and keep one `endsub` as the last line of the sub, in files
 too.)",
-        .interpreter = "undefined O-word label: 'o110 endif'",
+        .interpreter = "",
         .options = "",
     },
     .check = check,

@@ -9,7 +9,7 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
-    if (h.kind != HazardKind::kStaleRepeatCount) continue;
+    if (h.kind != HazardKind::kStaleRepeatCount || h.other == kNoStatement) continue;
     Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a `repeat` before its last pass: the next call of the sub runs only the passes that are left");
     relate(f, p, h.other, "this count is left behind");
     f.help = "use a `while` with a counter, or leave the loop before returning";

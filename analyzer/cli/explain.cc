@@ -49,7 +49,8 @@ int rules_command(const std::string& format) {
     for (const Rule* rule : catalogue()) {
       list.push_back({{"code", rule->code}, {"name", rule->name}, {"summary", rule->summary}, {"group", group_title(rule->group)},
                       {"severity", severity_text(rule->level)}, {"default", rule->level != Severity::kInfo},
-                      {"interpreter", rule->page.interpreter}});
+                      {"what", rule->page.what}, {"why", rule->page.why}, {"bad", rule->page.bad}, {"good", rule->page.good},
+                      {"fix", rule->page.fix}, {"options", rule->page.options}, {"interpreter", rule->page.interpreter}});
     }
     std::cout << list.dump(2) << '\n';
     return kClean;

@@ -279,8 +279,14 @@ void Machine::Step::o_word() {
   if (k == Keyword::kEndsub || k == Keyword::kReturn) {
     if (!skipping || target) {
       if (s.value_count > 0) {
-        const Evaluation e = evaluate(value(0), defining());
+        Evaluation e = evaluate(value(0));
         report_reads();
+        if (e.fails == StopKind::kNone && e.may_fail == StopKind::kNone) {
+          // A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
+          const Evaluation fresh = evaluate(value(0), true);
+          e.may_fail = fresh.fails;
+          e.message = fresh.message;
+        }
         if (!settle(e, defining())) return;
       } else if (s.has_bracket) {
         return stop_error();
@@ -345,7 +351,7 @@ bool Machine::Step::enter_sub() {
 }
 
 void Machine::Step::sub() {
-  if (called() && context.fanuc) {
+  if (state.fanuc_style || (called() && context.fanuc)) {
     return stop(StopKind::kStyleNeedsCall, "'O.... sub' subroutine must be called with 'O.... call'");
   }
   if (skipping) {
@@ -372,6 +378,7 @@ void Machine::Step::bare() {
 
 void Machine::Step::leave_sub() {
   const bool endsub = s.keyword == Keyword::kEndsub;
+  if (state.fanuc_style && !defining()) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
   if (called()) {
     if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
     if (endsub) state.skip = kNoLabel;
@@ -415,12 +422,16 @@ void Machine::Step::call(int repeats, bool fanuc) {
     }
     if (error() != nullptr) return stop_error();
   }
-  if (repeats == 0) return next_line();
+  if (repeats == 0) {
+    state.fanuc_style = true;
+    return next_line();
+  }
   if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
 
   const Context callee{m.label_of(label), context.depth + 1, fanuc, fanuc ? 30 : static_cast<int>(arguments.size())};
   State enter = state;
   enter.looped = false;
+  enter.fanuc_style = false;
   enter.branch = 0;
   if (!fanuc) {
     enter.parameters.locals = {};
@@ -430,7 +441,11 @@ void Machine::Step::call(int repeats, bool fanuc) {
       m.evaluator_.set_number(enter.parameters, n, passed ? arguments[n - 1] : kNotPassed);
     }
   }
-  if (repeats == kUnknownRepeats) go(state, here + 1);  // perhaps not once
+  if (repeats == kUnknownRepeats) {  // perhaps not once
+    State past = state;
+    past.fanuc_style = true;
+    go(std::move(past), here + 1);
+  }
   const Definers::Set set = m.definers_.get(entry());
   for (const StatementId line : set.lines) {
     if (fanuc != m.program_.at(line).is(Keyword::kBare)) {  // the interpreter notices at the definition

@@ -177,7 +177,7 @@ def main(argv):
     folder = tempfile.mkdtemp(prefix="owlint-agree-", dir=scratch())
     started = time.monotonic()
     try:
-        linter = Linter(options.owlint, options.warnonly)
+        linter = Linter(options.owlint, options.warnonly, machine=os.path.join(folder, "machine.ini"))
         counts, disagreements = compare(options, folder, linter)
         seconds = time.monotonic() - started
         report(options, folder, linter, disagreements)

@@ -286,7 +286,9 @@ def misspell(lines, maker, rng):
         ends = [i for i in owords if lines[i].keyword in ("return", "endsub")]
         if ends:
             at = rng.choice(ends)
-            lines[at] = replace(lines[at], argument="[1/%s]" % maker.values.fresh(1000))
+            lines[at] = replace(lines[at], argument="[1/#31]")
+            # Set first of all, so that it is known whether the value fails: what nobody sets, owlint cannot know.
+            lines.insert(1 if lines[0].plain == "%" else 0, Line(plain="#31=%d" % rng.choice((0, 2))))
     else:
         lines[at] = replace(lines[at], tail=rng.choice(("G0 X5", "x", "(fine)", "then", "[1]", "M3")))
     return lines

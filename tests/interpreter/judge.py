@@ -9,7 +9,7 @@ A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNO
 """
 from dataclasses import dataclass
 
-from messages import EOF, EOF_CODES, UNKNOWN
+from messages import EOF, EOF_CODES, UNKNOWN, codes_of
 
 CRASH = "OW503"
 HANGS = frozenset({"OW504", "OW508", "OW510"})
@@ -22,6 +22,7 @@ class Claim:
     code: str
     line: int
     reach: str
+    at_file_end: bool = False   # the finding stands at the cause; the interpreter stops where the file ends
 
 
 @dataclass(frozen=True)
@@ -52,9 +53,14 @@ class Disagreement:
 
 
 def claims_of(findings):
-    """The stops that these findings claim."""
-    return {Claim(f["code"], f["start"]["line"], f["reach"]) for f in findings
-            if f["stops"] and f["reach"] != "never" and f["code"] not in HAZARDS}
+    """The stops that these findings claim, with those that they name as consequences of the same mistake."""
+    claims = set()
+    for f in findings:
+        if f["stops"] and f["reach"] != "never" and f["code"] not in HAZARDS:
+            at_file_end = codes_of(f.get("interpreter", "")) & {EOF} != set()
+            claims.add(Claim(f["code"], f["start"]["line"], f["reach"], at_file_end))
+            claims.update(Claim(c["code"], c["start"]["line"], "maybe") for c in f.get("consequences", []))
+    return claims
 
 
 def hazards_of(findings):
@@ -69,7 +75,7 @@ def _agrees(claim, end):
     if outcome != "error":
         return False
     if EOF in codes:
-        return claim.code in EOF_CODES or claim.code in codes
+        return claim.code in EOF_CODES or claim.code in codes or claim.at_file_end
     return claim.line == line and (claim.code in codes or UNKNOWN in codes)
 
 

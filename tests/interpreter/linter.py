@@ -9,8 +9,14 @@ class LinterFailed(Exception):
 
 
 class Linter:
-    def __init__(self, program, warnonly=False, arguments=()):
+    """`machine` is an INI file to make: with one, owlint knows that there is no search path beyond the folder."""
+
+    def __init__(self, program, warnonly=False, machine=None, arguments=()):
         self.command = [os.path.abspath(program), "check", "--isolated", "--format", "json", *arguments]
+        if machine:
+            with open(machine, "w", encoding="ascii") as f:
+                f.write("[RS274NGC]\n")
+            self.command += ["--ini", machine]
         if warnonly:
             self.command += ["--feature", "0x20"]
 
