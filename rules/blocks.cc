@@ -146,20 +146,14 @@ void check_parts(const Input& in, Reporter& out, const std::function<bool(Keywor
       f.help = "close the inner block before the outer one ends";
       return &f;
     }
-    const RegionId region = p.region_of[s.statement];
+    const Region& region = p.regions[p.region_of[s.statement]];
+    const bool cut = region.early_end != kNoStatement && region.early_end < s.statement;
     Finding& f = out.add(line.label_span(), "`" + head + "` has no " + std::string(openers) + " with that label");
-    for (RegionId r = 1; r < p.regions.size() && r < 4096; ++r) {
-      // The block was opened in a sub that an early `endsub` has already ended.
-      const Region& sub = p.regions[r];
-      if (region != kMainRegion || sub.end == kNoStatement || sub.end >= s.statement || sub.end + 8 < s.statement) continue;
-      for (StatementId at = sub.opener; at < sub.end; ++at) {
-        if (p.at(at).label == line.label && opens_block(p.at(at).keyword) && p.block_of[at] != kNoBlock &&
-            p.blocks[p.block_of[at]].end == kNoStatement) {
-          f.message = "`" + head + "` stands outside the sub: `" + p.head(sub.end) + "` on line " + std::to_string(p.at(sub.end).line) + " has already ended it";
-          relate(f, p, sub.end, "the definition ends here");
-          f.help = "write `return` instead of the early `endsub`";
-        }
-      }
+    if (cut) {
+      // The interpreter passed over the definition only up to its first `endsub`.
+      f.message = "`" + head + "` stands outside the sub: `" + p.head(region.early_end) + "` on line " + std::to_string(p.at(region.early_end).line) + " has already ended it";
+      relate(f, p, region.early_end, "the definition ends here");
+      f.help = "write `return` instead of the early `endsub`";
     }
     if (f.help.empty()) f.help = "correct the label, or remove the line";
     return &f;

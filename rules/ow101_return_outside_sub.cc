@@ -11,11 +11,11 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
   Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` is not inside a sub");
-  for (const Region& region : p.regions) {
-    if (region.name == kNoName || region.name != s.label || region.end == kNoStatement || region.end >= id) continue;
-    f.message += ": `" + p.head(region.end) + "` on line " + std::to_string(p.at(region.end).line) + " has already ended it";
-    relate(f, p, region.end, "the definition ends here");
-    break;
+  const Region& around = p.regions[p.region_of[id]];
+  const StatementId end = around.early_end != kNoStatement && around.early_end < id ? around.early_end : kNoStatement;
+  if (end != kNoStatement) {
+    f.message += ": `" + p.head(end) + "` on line " + std::to_string(p.at(end).line) + " has already ended it";
+    relate(f, p, end, "the definition ends here");
   }
   f.help = "remove the line, or end the program with `M2`";
   return &f;
@@ -34,10 +34,6 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(id);
     if (!(s.is(Keyword::kReturn) || s.is(Keyword::kEndsub)) || p.region_of[id] != kMainRegion) continue;
     if (has_stop(in, id) || likely[id]) continue;
-    // After an early `endsub` the rest of the body is OW216's business.
-    const auto& lines = s.label == kNoName ? std::vector<StatementId>{} : p.by_label[s.label];
-    const bool rest_of_sub = s.is(Keyword::kEndsub) && !lines.empty() && lines.front() < id && p.at(lines.front()).is(Keyword::kSub);
-    if (rest_of_sub) continue;
     report(in, out, id)->reach = in.flow.reach(id);
   }
 }

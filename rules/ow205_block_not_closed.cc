@@ -37,14 +37,12 @@ void check(const Input& in, Reporter& out) {
     if (block.mistaken_end != kNoStatement) continue;
     // So does a line with its label that the interpreter cannot read.
     if (p.at(block.opener).inner_cr || has_unreadable_line(p, block.label, block.region)) continue;
-    // So does an early `endsub`, and the part of the block behind it.
-    if (block.region != kMainRegion) {
-      const Region& region = p.regions[block.region];
-      if (region.end != kNoStatement && region.end + 1 < p.size()) {
-        const auto& lines = p.by_label[block.label];
-        const auto next = std::ranges::upper_bound(lines, region.end);
-        if (next != lines.end() && p.region_of[*next] == kMainRegion && p.block_of[*next] == kNoBlock) continue;
-      }
+    // So does the end that stands outside, where the sub ends inside the block.
+    const Region& region = p.regions[block.region];
+    if (block.region != kMainRegion && region.end != kNoStatement) {
+      const auto& lines = p.by_label[block.label];
+      const auto next = std::ranges::upper_bound(lines, region.end);
+      if (next != lines.end() && p.region_of[*next] == kMainRegion && p.block_of[*next] == kNoBlock) continue;
     }
     report(in, out, block.opener)->reach = in.flow.reach(block.opener);
   }

@@ -12,19 +12,16 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Region& region : p.regions) {
-    if (region.opener == kNoStatement || region.end == kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
-    const auto& lines = p.by_label[region.name];
-    const auto next = std::ranges::upper_bound(lines, region.end);
-    if (next == lines.end() || !p.at(*next).is(Keyword::kEndsub)) continue;
+    if (region.early_end == kNoStatement) continue;
     // Where the interpreter stops in what is left of the body, that stop says so.
     bool stopped = false;
-    for (StatementId id = region.end + 1; id <= *next; ++id) stopped = stopped || has_stop(in, id);
+    for (StatementId id = region.early_end; id <= region.end; ++id) stopped = stopped || has_stop(in, id);
     if (stopped) continue;
-    Finding& f = out.add(p.at(region.end).head_span(), "`" + p.head(region.end) + "` comes before the sub's last `endsub` on line " + std::to_string(p.at(*next).line));
-    relate(f, p, *next, "the last `endsub` stands here");
+    Finding& f = out.add(p.at(region.early_end).head_span(), "`" + p.head(region.early_end) + "` comes before the sub's last `endsub` on line " + std::to_string(p.at(region.end).line));
+    relate(f, p, region.end, "the last `endsub` stands here");
     f.help = "write `" + p.label_text(region.name) + " return` for an early way out";
-    f.reach = in.flow.reach(region.end);
-    f.fixes.push_back({"write `return`", true, {{p.at(region.end).keyword_span(), "return"}}});
+    f.reach = in.flow.reach(region.early_end);
+    f.fixes.push_back({"write `return`", true, {{p.at(region.early_end).keyword_span(), "return"}}});
   }
 }
 

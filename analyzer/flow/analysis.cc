@@ -519,6 +519,9 @@ void Analysis::finish() {
   for (auto& [key, info] : stops_) {
     FlowStop stop = std::move(info.stop);
     stop.reach = trace_->only_end(info.key) ? Reach::kAlways : Reach::kMaybe;
+    // Without values, a name that only some branches assign may be read on just the same ones; a global one may come
+    // from another program.
+    if (key.kind == StopKind::kNameUndefined && (stop.reach != Reach::kAlways || key.detail.starts_with("_"))) stop.unproven = true;
     if (stop.reach == Reach::kMaybe && paths++ < kMaxPaths) stop.path = trace_->path(info.record, info.key);
     result_.stops.push_back(std::move(stop));
   }

@@ -56,7 +56,7 @@ ValueId join_values(ValueId a, ValueId b) {
 
 Evaluator::Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::Pool& pool)
     : syntax_(syntax), constants_(constants), pool_(pool), relevant_number_(kLastNumber + 1),
-      relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber) {
+      relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber), kept_(syntax.names.size()) {
   find_relevant();
   find_facts();
 }
@@ -87,6 +87,7 @@ bool Evaluator::mark(ExprId id) {
 
 void Evaluator::find_relevant() {
   for (const Expr& expr : syntax_.exprs) {
+    if (expr.op == Operator::kExistsNamed || (expr.op == Operator::kNamed && expr.target)) kept_[expr.name] = true;
     double number = 0;
     if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left, &number)) continue;
     if (number >= 1 && number < kFirstGlobalNumber) read_argument_[static_cast<size_t>(number)] = true;
@@ -175,7 +176,8 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining
   Evaluation out;
   if (is_global_name(text)) {
     // `#<_ini[...]...>` and `#<_hal[...]>` are looked up in the machine; a sub from elsewhere may have assigned any.
-    if (predefined_name(text) || in.outside || text.find('[') != std::string_view::npos) return out;
+    // One that the program assigns or asks for with EXISTS may be there from the run before.
+    if (predefined_name(text) || in.outside || kept_[name] || text.find('[') != std::string_view::npos) return out;
     out.value = in.globals.get(kGlobalNames + name);
   } else {
     out.value = in.locals.get(kLocalNames + name);

@@ -118,6 +118,7 @@ class Evaluator {
   std::vector<bool> relevant_number_;
   std::vector<bool> relevant_name_;
   std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere
+  std::vector<bool> kept_;           // names that are assigned, or asked for by EXISTS, anywhere
   std::vector<uint32_t> tracked_numbers_;
   std::unordered_map<ExprId, Fact> facts_;                          // by condition
   std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global

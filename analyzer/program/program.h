@@ -23,7 +23,8 @@ inline constexpr BlockId kNoBlock = UINT32_MAX;
 struct Region {
   NameId name = kNoName;                ///< label of the sub; kNoName for the main program
   StatementId opener = kNoStatement;
-  StatementId end = kNoStatement;       ///< the `endsub` with the sub's label; none when it is missing
+  StatementId end = kNoStatement;       ///< the last `endsub` with the sub's label; none when it is missing
+  StatementId early_end = kNoStatement;  ///< an `endsub` before that one: ends the definition when it is passed over
   StatementId likely_end = kNoStatement;  ///< an `endsub` with another label that was probably meant
   BlockId enclosing = UINT32_MAX;       ///< a block of the main program in which the definition stands
   StatementId last = 0;                 ///< one past the last statement that belongs to it

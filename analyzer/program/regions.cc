@@ -8,19 +8,20 @@
 namespace owlint {
 namespace {
 
-/// The `endsub` with the label of the `sub` at `opener`, unless the label's next `sub` comes first.
-StatementId matching_endsub(const Program& program, StatementId opener) {
-  const auto& lines = program.by_label[program.at(opener).label];
-  for (auto at = std::ranges::upper_bound(lines, opener); at != lines.end(); ++at) {
-    if (program.at(*at).is(Keyword::kEndsub)) return *at;
+/// The last `endsub` with the label of the `sub` at `region->opener`, before any other `sub` begins; the first one,
+/// if it is another, is the early end.
+void find_endsub(const Program& program, StatementId next_sub, Region* region) {
+  const auto& lines = program.by_label[region->name];
+  StatementId first = kNoStatement;
+  for (auto at = std::ranges::upper_bound(lines, region->opener); at != lines.end(); ++at) {
     if (program.at(*at).is(Keyword::kSub)) break;
+    if (!program.at(*at).is(Keyword::kEndsub)) continue;
+    // Behind another sub only the first one counts: the subs between are nested.
+    if (first != kNoStatement && *at > next_sub) break;
+    if (first == kNoStatement) first = *at;
+    region->end = *at;
   }
-  return kNoStatement;
-}
-
-bool later_in(const std::vector<StatementId>& sorted, StatementId from, StatementId to) {
-  const auto found = std::ranges::lower_bound(sorted, from);
-  return found != sorted.end() && *found < to;
+  if (first != region->end) region->early_end = first;
 }
 
 }  // namespace
@@ -51,27 +52,22 @@ void find_regions(Program& program) {
     Region region;
     region.name = s.label;
     region.opener = id;
+    const auto next = std::ranges::upper_bound(subs, id);
+    const StatementId next_sub = next == subs.end() ? count : *next;
     if (sub) {
-      region.end = matching_endsub(program, id);
+      find_endsub(program, next_sub, &region);
     } else if (const auto m99 = std::ranges::upper_bound(fanuc_returns, id); m99 != fanuc_returns.end()) {
       region.end = *m99;
     }
     if (region.end != kNoStatement) {
       region.last = region.end + 1;
     } else {
-      const auto next = std::ranges::upper_bound(subs, id);
-      region.last = next == subs.end() ? count : *next;
+      region.last = next_sub;
+      // No other sub is open here, so an `endsub` before the next one was probably meant for this.
       for (StatementId at = id + 1; at < region.last && sub; ++at) {
-        // An `endsub` whose own `sub` does not exist was probably meant for this one.
-        const Statement& other = program.at(at);
-        if (!other.is(Keyword::kEndsub) || other.label == kNoName) continue;
-        const auto& lines = program.by_label[other.label];
-        if (std::ranges::any_of(lines, [&](StatementId l) { return program.at(l).is(Keyword::kSub); })) continue;
-        region.likely_end = at;
-        region.last = at + 1;
-        break;
+        if (program.at(at).is(Keyword::kEndsub)) region.likely_end = at;
       }
-      if (region.likely_end == kNoStatement && later_in(subs, id + 1, count)) region.last = *next;
+      if (region.likely_end != kNoStatement) region.last = region.likely_end + 1;
     }
     const auto number = static_cast<RegionId>(program.regions.size());
     std::fill(program.region_of.begin() + id, program.region_of.begin() + region.last, number);
