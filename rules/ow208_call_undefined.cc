@@ -2,6 +2,7 @@
 // Rests on: an unknown sub is looked for as a file, then by reading ahead to the end of the
 // program; not found is an error there.
 #include <algorithm>
+#include <unordered_set>
 
 #include "rules/stops.h"
 
@@ -18,8 +19,10 @@ void check(const Input& in, Reporter& out) {
   for (const Region& region : p.regions) {
     if (region.name != kNoName) known.push_back(p.name(region.name));
   }
+  std::unordered_set<std::string> told;  // names that may be in a file elsewhere, each said once
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const Statement& s = p.at(stop.statement);
+    if (stop.unproven && !told.insert(stop.detail).second) return nullptr;
     if (stop.kind == StopKind::kM98NoTarget) {
       Finding& f = out.add(s.keyword_span(), "`M98` has no `P` with the number of the sub");
       f.help = "write `M98 P100`";

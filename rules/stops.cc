@@ -5,11 +5,13 @@
 namespace owlint {
 
 StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(program.size()) {
+  std::vector<bool> stopped(program.size());
   for (const FlowStop& stop : flow.stops) {
     if (stop.statement == kNoStatement) continue;
     const Statement& s = program.at(stop.statement);
-    if (stop.kind != StopKind::kFileEnd || !(opens_block(s.keyword) || s.opens_sub())) at[stop.statement] = true;
+    if (stop.kind != StopKind::kFileEnd || !(opens_block(s.keyword) || s.opens_sub())) stopped[stop.statement] = true;
   }
+  at = stopped;
   for (const Hazard& hazard : flow.hazards) {
     if (hazard.kind != HazardKind::kWarned) continue;
     at[hazard.statement] = true;
@@ -21,7 +23,7 @@ StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(progra
       // when it skips the block, are one mistake.
       const BlockId block = program.block_of[stop.statement];
       const StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
-      if (mistaken != kNoStatement && at[mistaken]) {
+      if (mistaken != kNoStatement && stopped[mistaken]) {
         consequences.emplace(mistaken, &stop);
         continue;
       }

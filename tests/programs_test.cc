@@ -1,4 +1,5 @@
 // Every fixture says what owlint finds in it. With OWLINT_UPDATE=1 the expectations are rewritten instead.
+#include <algorithm>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -10,23 +11,33 @@
 using namespace owlint::test;
 
 TEST_CASE("fixtures meet their expectations", "[programs]") {
+  if (updating()) {
+    // More or fewer expectations move the lines below them: until nothing changes any more.
+    size_t rewritten = 1;
+    for (int round = 0; rewritten > 0; ++round) {
+      REQUIRE(round < 4);
+      rewritten = 0;
+      const std::vector<Fixture> fixtures = all_fixtures();
+      const std::vector<nlohmann::json> findings = check_fixtures(fixtures);
+      for (size_t i = 0; i < fixtures.size(); ++i) {
+        const std::vector<std::string> found = expectations(findings[i]);
+        if (found == fixtures[i].expected) continue;
+        rewrite(fixtures[i], found);
+        ++rewritten;
+      }
+      if (rewritten > 0) WARN(rewritten << " fixtures rewritten: read the difference before you keep it");
+    }
+    return;
+  }
   const std::vector<Fixture> fixtures = all_fixtures();
   const std::vector<nlohmann::json> findings = check_fixtures(fixtures);
   REQUIRE(fixtures.size() > 400);
-  size_t rewritten = 0;
   for (size_t i = 0; i < fixtures.size(); ++i) {
     const std::vector<std::string> found = expectations(findings[i]);
-    const std::vector<std::string>& wanted = fixtures[i].expected;
-    if (updating()) {
-      if (found != wanted) ++rewritten;
-      rewrite(fixtures[i], found);
-      continue;
-    }
-    const bool same = std::ranges::equal(wanted, found, meets);
-    INFO(fmt::format("{}\nexpected:\n  {}\nfound:\n  {}\n", fixtures[i].path, fmt::join(wanted, "\n  "), fmt::join(found, "\n  ")));
+    const bool same = std::ranges::equal(fixtures[i].expected, found, meets);
+    INFO(fmt::format("{}\nexpected:\n  {}\nfound:\n  {}\n", fixtures[i].path, fmt::join(fixtures[i].expected, "\n  "), fmt::join(found, "\n  ")));
     CHECK(same);
   }
-  if (updating()) WARN(rewritten << " fixtures were rewritten; read the difference before you keep it");
 }
 
 TEST_CASE("fixtures ask a question each and name the places exactly", "[programs]") {

@@ -60,7 +60,7 @@ class Analysis final : public Listener {
     Context info;
     bool outside = false;  ///< called from outside the file: its return ends the run
     std::vector<Caller> callers;
-    std::vector<uint64_t> caller_hashes;
+    std::unordered_set<uint64_t> caller_hashes;
     std::vector<State> exits;
     std::vector<uint64_t> exit_hashes;
     std::unique_ptr<State> joined_exit;
@@ -238,7 +238,7 @@ void Analysis::end_of_file(const State& state) {
   const bool percent = program_.syntax.percent || program_.syntax.blank;
   stop.interpreter = percent ? "File ended with no percent sign" : "File ended with no percent sign or program end";
   const auto blame = [&](FullLabel label) {
-    const Definers::Set set = machine_.definers().get(state.table.get(label));
+    const Definers::Set set = machine_.definers().get(machine_.entry(state, label));
     if (!set.lines.empty()) stop.statement = set.lines.front();
     if (stop.statement == kNoStatement) return;
     const BlockId block = program_.block_of[stop.statement];
@@ -271,7 +271,7 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   stop.interpreter = std::move(message);
   stop.detail = std::move(detail);
   if (kind == StopKind::kFileEnd) {  // `%` while lines are skipped: blame what is being skipped
-    const Definers::Set set = machine_.definers().get(at.table.get(at.skip));
+    const Definers::Set set = machine_.definers().get(machine_.entry(at, at.skip));
     stop.statement = kNoStatement;
     if (!set.lines.empty()) stop.statement = set.lines.front();
     if (at.seek) return;  // the seeking call: see finish()
@@ -339,10 +339,7 @@ void Analysis::call(const State& at, State entry, Context callee, int repeats) {
   Frame& frame = frames_[id];
   const Caller caller{at, repeats};
   const uint64_t caller_hash = mix(at.hash(), (static_cast<uint64_t>(at.context) << 32) + static_cast<uint32_t>(repeats));
-  if (std::ranges::find(frame.caller_hashes, caller_hash) == frame.caller_hashes.end()) {
-    frame.caller_hashes.push_back(caller_hash);
-    frame.callers.push_back(caller);
-  }
+  if (frame.caller_hashes.insert(caller_hash).second) frame.callers.push_back(caller);
   if (merged) {
     ++result_.statistics.merges;
     if (frame.joined_entry == nullptr || frame.joined_entry->position != entry.position ||
@@ -450,7 +447,18 @@ void Analysis::endless_loops() {
       hazards_.emplace(std::make_tuple(HazardKind::kHang, warned, kNoStatement, 0U), Hazard{HazardKind::kHang, warned, target, 0, Reach::kMaybe, StopKind::kNone, ""});
     }
   };
-  for (const auto& [from, to] : trace_->links()) back(from, to);
+  for (const auto& [from, to] : trace_->links()) {
+    back(from, to);
+    // A wrong end that became a message goes back to an `if` or a `do`, again and again as long as the conditions
+    // stay as they are.
+    if (hanging[from] || !warned_.contains(from)) continue;
+    const StatementId target = trace_->at(to).statement;
+    const Statement& end = program_.at(trace_->at(from).statement);
+    if (target == kNoStatement || target > trace_->at(from).statement || !ends_block(end.keyword)) continue;
+    if (!program_.at(target).is(Keyword::kIf) && !program_.at(target).is(Keyword::kDo)) continue;
+    hazards_.emplace(std::make_tuple(HazardKind::kHang, trace_->at(from).statement, kNoStatement, 0U),
+                     Hazard{HazardKind::kHang, trace_->at(from).statement, target, 0, Reach::kMaybe, StopKind::kNone, ""});
+  }
   for (RecordId id = 0; id < trace_->size(); ++id) {
     if (trace_->at(id).parent != kNoRecord) back(trace_->at(id).parent, id);
   }

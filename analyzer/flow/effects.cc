@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/flow/structured.h"
 #include "analyzer/flow/values.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
@@ -34,17 +35,9 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
 
 }  // namespace
 
-EffectsOfSubs::EffectsOfSubs(const Program& program) : program_(program), calls_(program.regions.size()) {
+EffectsOfSubs::EffectsOfSubs(const Program& program) : program_(program), regular_(is_regular(program)), calls_(program.regions.size()) {
   for (RegionId r = 1; r < program.regions.size(); ++r) {
     regions_[program.regions[r].name].push_back(r);
-    if (program.regions[r].end == kNoStatement) regular_ = false;
-  }
-  for (const Block& block : program.blocks) {
-    if (block.end == kNoStatement || block.crossed != kNoBlock) regular_ = false;
-  }
-  for (StatementId id = 0; id < program.size(); ++id) {
-    const Statement& s = program.at(id);
-    if (s.kind == LineKind::kOWord && s.label == kNoName) regular_ = false;
   }
   for (const Call& call : program.calls) calls_[call.caller].push_back(call.statement);
 }

@@ -25,7 +25,7 @@ class EffectsOfSubs {
 
  private:
   const Program& program_;
-  bool regular_ = true;  ///< every sub and every block is closed, and every label known
+  bool regular_;  ///< see is_regular()
   std::unordered_map<NameId, std::vector<RegionId>> regions_;
   std::unordered_map<NameId, Effects> known_;
   std::vector<std::vector<StatementId>> calls_;  ///< by region

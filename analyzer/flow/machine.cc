@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t kSetMark = 0x80000000U;
 // A label with more definers than this on merged paths is remembered by its first ones only; which line the message
 // names may then be another one of them, whether it stops does not change.
-constexpr size_t kMaxDefiners = 32;
+constexpr size_t kMaxDefiners = 4;
 
 uint64_t combine(uint64_t hash, uint64_t value) { return mix(hash, value); }
 
@@ -91,6 +91,7 @@ uint32_t Definers::without_undefined(uint32_t packed) {
 Machine::Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool)
     : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool), effects_(program) {
   labels_.emplace_back(kNoName, kNoName);
+  structured_ = structured_blocks(program);
   index();
 }
 
@@ -106,6 +107,20 @@ void Machine::index() {
     if (error->kind < StopKind::kKeywordUnknown) always_errors_.push_back(id);
     if (error->kind == StopKind::kKeywordUnknown) unknown_keywords_.push_back(id);
   }
+}
+
+uint32_t Machine::entry(const State& state, FullLabel label) const {
+  const uint32_t packed = state.table.get(label);
+  if (packed != 0) return packed;
+  const auto& [scope, name] = labels_[label];
+  if (scope == kGlobalScope || name >= program_.by_label.size()) return 0;
+  // A structured block's entry: the one block with that label, in that scope if there are several.
+  for (const StatementId id : program_.by_label[name]) {
+    const BlockId block = program_.block_of[id];
+    if (block == kNoBlock || !structured_[block]) continue;
+    if (program_.regions[program_.blocks[block].region].name == scope) return Definers::one(program_.blocks[block].opener);
+  }
+  return 0;
 }
 
 StatementId Machine::next_stop(const State& state, StatementId from) const {

@@ -9,6 +9,7 @@
 
 #include "analyzer/flow/effects.h"
 #include "analyzer/flow/flow.h"
+#include "analyzer/flow/structured.h"
 #include "analyzer/flow/values.h"
 
 namespace owlint::flow {
@@ -103,6 +104,9 @@ class Machine {
   /// The next position at which a skipping state has something to do.
   StatementId next_stop(const State& state, StatementId from) const;
 
+  /// What the table says of a label; structured blocks are not kept in it.
+  uint32_t entry(const State& state, FullLabel label) const;
+
   State join(const State& a, const State& b);
   /// The state after a call: what the callee leaves behind, with the caller's own parameters back.
   /// `merged`: the exit stands for the calls of several callers.
@@ -124,7 +128,6 @@ class Machine {
   friend struct Step;
 
   void index();
-  bool structured(const Block& block) const;
 
   Program& program_;
   const Profile& profile_;
@@ -132,6 +135,7 @@ class Machine {
   Constants constants_;
   Evaluator evaluator_;
   Definers definers_;
+  std::vector<bool> structured_;  // by block, see structured.h
   EffectsOfSubs effects_;
   std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
   std::unordered_map<uint64_t, FullLabel> label_ids_;

@@ -117,8 +117,19 @@ struct Machine::Step {
 
   // --- the table ---
 
-  uint32_t entry() const { return state.table.get(label); }
-  void set_entry(uint32_t packed) { state.table.set(m.pool_, label, packed); }
+  /// Structured blocks are in the table from their opener on, without being written there.
+  bool structured() const {
+    const BlockId block = m.program_.block_of[here];
+    return block != kNoBlock && m.structured_[block];
+  }
+  uint32_t entry() const {
+    if (!structured()) return state.table.get(label);
+    const StatementId opener = m.program_.blocks[m.program_.block_of[here]].opener;
+    return opener == here ? 0 : Definers::one(opener);
+  }
+  void set_entry(uint32_t packed) {
+    if (!structured()) state.table.set(m.pool_, label, packed);
+  }
   void define_here() { set_entry(Definers::one(here)); }
   Keyword kind_of(StatementId line) const { return m.program_.at(line).keyword; }
   uint32_t line_of(StatementId id) const { return m.program_.at(id).line; }
@@ -163,6 +174,7 @@ struct Machine::Step {
   void leave_sub();
   void call(int repeats, bool fanuc);
   void repeat(Truth truth, double number);
+  void count_passes(Truth truth, double number);
   void while_(Truth truth);
   void if_(Truth truth);
   void else_(Truth truth);
@@ -486,19 +498,32 @@ void Machine::Step::call(int repeats, bool fanuc) {
 
 void Machine::Step::repeat(Truth truth, double number) {
   const Definers::Set set = m.definers_.get(entry());
+  const State before = state;
+  bool own = set.undefined;
   for (const StatementId line : set.lines) {
-    if (line == here) continue;
-    if (documented(StopKind::kDuplicateLoop, at_line("duplicate O-word label: '" + line_text() + "' - defined in line " + std::to_string(line_of(line))), line)) {
-      // Goes on with the first opener's entry, whose count is then used.
-      break;
+    if (line == here) {
+      own = true;
+      continue;
+    }
+    state = before;
+    if (!documented(StopKind::kDuplicateLoop, at_line("duplicate O-word label: '" + line_text() + "' - defined in line " + std::to_string(line_of(line))), line)) continue;
+    set_entry(Definers::one(line));
+    state.skip = kNoLabel;
+    if (kind_of(line) == Keyword::kRepeat) {
+      count_passes(truth, number);  // both use the first one's count
+    } else {
+      go(state, here + 1);  // measured: the count that other blocks have never runs out
     }
   }
-  const bool foreign = std::ranges::any_of(set.lines, [&](StatementId line) { return line != here; });
-  const bool own = set.undefined || std::ranges::find(set.lines, here) != set.lines.end();
-  if (!own && !warn_only()) return;
-  if (!foreign || !warn_only()) define_here();
+  if (!own) return;
+  state = before;
+  define_here();
   state.skip = kNoLabel;
+  count_passes(truth, number);
+}
 
+/// Decides on the next pass of a `repeat` whose entry is in the table.
+void Machine::Step::count_passes(Truth truth, double number) {
   const int left = count();
   if (left >= 0 && !state.looped) out.hazard(state, HazardKind::kStaleRepeatCount, 0, StopKind::kNone, "");
   const auto enter = [&](int remaining) {

@@ -73,7 +73,7 @@ nlohmann::json findings_of(const std::string& program, const std::string& option
 nlohmann::json check_files(const std::vector<std::string>& paths, const std::string& options) {
   nlohmann::json files = report_of(paths, options, "")["files"];
   REQUIRE(files.size() == paths.size());
-  for (size_t i = 0; i < paths.size(); ++i) REQUIRE(files[i]["path"] == paths[i]);
+  for (size_t i = 0; i < paths.size(); ++i) REQUIRE(files[i]["path"].get<std::string>() == paths[i]);
   return files;
 }
 

@@ -1,0 +1,75 @@
+#include "analyzer/flow/structured.h"
+
+#include <unordered_map>
+
+namespace owlint::flow {
+namespace {
+
+bool part_of_block(const Statement& s) { return s.kind == LineKind::kOWord && !global_label(s.keyword); }
+
+uint64_t key_of(RegionId region, NameId label) { return static_cast<uint64_t>(region) << 32 | label; }
+
+}  // namespace
+
+bool is_regular(const Program& program) {
+  for (RegionId r = 1; r < program.regions.size(); ++r) {
+    const Region& region = program.regions[r];
+    if (region.end == kNoStatement || region.early_end != kNoStatement) return false;
+    if (!program.at(region.opener).is(Keyword::kSub)) return false;
+  }
+  for (const Block& block : program.blocks) {
+    if (block.end == kNoStatement || block.crossed != kNoBlock) return false;
+  }
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    if (s.kind == LineKind::kM98) return false;
+    if (s.kind != LineKind::kOWord) continue;
+    if (s.label == kNoName || program.syntax.error(s) != nullptr) return false;
+    if (part_of_block(s) && program.block_of[id] == kNoBlock) return false;
+    const Region& region = program.regions[program.region_of[id]];
+    const bool ends = s.is(Keyword::kEndsub) || s.is(Keyword::kReturn);
+    if (ends && region.opener == kNoStatement) return false;
+    if (s.opens_sub() && region.opener != id) return false;
+  }
+  return true;
+}
+
+std::vector<bool> structured_blocks(const Program& program) {
+  std::vector<bool> good(program.blocks.size(), true);
+  const bool regular = is_regular(program);
+  // How many blocks and stray lines carry a label: in its sub if runs stay in their subs, else in the whole file.
+  std::unordered_map<uint64_t, BlockId> owner;
+  std::vector<uint32_t> subs_before(program.size() + 1);
+  bool computed = false;
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    const bool boundary = s.opens_sub() || s.is(Keyword::kEndsub) || s.kind == LineKind::kM99;
+    subs_before[id + 1] = subs_before[id] + (boundary ? 1 : 0);
+    if (!part_of_block(s)) continue;
+    if (s.label == kNoName) {
+      computed = computed || s.label_expr != kNoExpr;
+      continue;
+    }
+    const uint64_t key = key_of(regular ? program.region_of[id] : 0, s.label);
+    const BlockId block = program.block_of[id];
+    const auto [entry, added] = owner.try_emplace(key, block);
+    if (!added && entry->second != block) {
+      if (entry->second != kNoBlock) good[entry->second] = false;
+      if (block != kNoBlock) good[block] = false;
+      entry->second = kNoBlock;
+    }
+    if (block == kNoBlock) entry->second = kNoBlock;
+  }
+  for (BlockId id = static_cast<BlockId>(program.blocks.size()); id-- > 0;) {
+    const Block& block = program.blocks[id];
+    const bool closed = block.end != kNoStatement && block.crossed == kNoBlock && !computed;
+    if (!closed || subs_before[block.end] != subs_before[block.opener]) good[id] = false;
+    const auto found = owner.find(key_of(regular ? block.region : 0, block.label));
+    if (found == owner.end() || found->second != id) good[id] = false;
+    // Inner blocks come after their parents: by now all of them have been looked at.
+    if (!good[id] && block.parent != kNoBlock) good[block.parent] = false;
+  }
+  return good;
+}
+
+}  // namespace owlint::flow

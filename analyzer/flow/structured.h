@@ -1,0 +1,19 @@
+// Which blocks need no entry in the interpreter's label table, because every run that gets to one of their lines has
+// come through their opener. That is nearly every block of a sound program, and it keeps states alike.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/program/program.h"
+
+namespace owlint::flow {
+
+/// By block. A block is structured when it is closed, nothing overlaps it, no sub begins or ends in it, everything in
+/// it is structured too, and its label stands on no other block that a run could confuse it with.
+std::vector<bool> structured_blocks(const Program& program);
+
+/// Whether every sub and block of the program is closed and every label known, so that a run is always in the sub
+/// that its line stands in.
+bool is_regular(const Program& program);
+
+}  // namespace owlint::flow

@@ -1,0 +1,242 @@
+#!/usr/bin/python3
+"""Does LinuxCNC's interpreter do what owlint says of every program in the repository?
+
+usage: confirm.py --owlint build/test/owlint [--record] [--only TEXT]
+
+Runs `rs274 -g` over the fixtures (tests/programs), the corpus, the examples on every rule's page and the table of
+expressions (tests/unit/expressions.tsv), and holds the outcomes against owlint's findings: each stop is claimed by a
+finding that quotes the interpreter's message; a stop of reach `always` happens; without such a finding the program
+ends.  The outcomes are kept in recorded.tsv (--record writes it) and serve where rs274 is not installed.
+"""
+import argparse
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+
+import rs274
+from linter import Linter
+from rs274 import Outcome
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
+RECORDED = os.path.join(HERE, "recorded.tsv")
+MESSAGE_KEPT = 400          # characters of many warnings
+CRASH = "OW503"
+ENDLESS = frozenset({"OW504", "OW508", "OW510"})
+
+
+@dataclass(frozen=True)
+class Program:
+    """One program to confirm. `page`: the message that its page quotes, for a bad example that has one."""
+    name: str
+    text: str               # bytes as latin-1
+    options: str = ""
+    page: str = ""
+
+    @property
+    def mode(self):
+        return "warnonly" if "--feature 0x20" in self.options else "default"
+
+    @property
+    def digest(self):
+        return hashlib.sha256(self.text.encode("latin-1")).hexdigest()[:12]
+
+
+def plain(message):
+    """A message without what depends on where the program lies and how blanks are written."""
+    message = re.sub(r"(?i)(file:)\s*\S+?(?=\s|$)", r"\1PROGRAM", message)
+    return re.sub(r"\s+", "", re.sub(r"^\d+: ", "", message)).lower()
+
+
+class Claims:
+    """What owlint's findings say about how a program ends."""
+
+    def __init__(self, findings):
+        met = [f for f in findings if f["reach"] != "never"]
+        self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | {CRASH}]
+        self.crashes = [f for f in met if f["code"] == CRASH]
+        self.endless = [f for f in met if f["code"] in ENDLESS]
+        self.always = [f for f in self.stops + self.crashes if f["reach"] == "always" and f["severity"] == "error"]
+
+    def stop_at(self, outcome):
+        """The finding that claims this error, or None."""
+        for f in self.stops:
+            for claim in [f] + f.get("consequences", []):
+                said = claim.get("interpreter", "")
+                line = claim["start"]["line"]
+                # under OWORD_WARNONLY warnings may stand before the error
+                if said and plain(outcome.message).endswith(plain(said)) and (not outcome.line or _fits(outcome, line)):
+                    return f
+        return None
+
+
+def _fits(outcome, line):
+    """Whether the finding is on the line of the message. Where the message names its file, the finding may be at the
+    cause, as the call from which one runs into a definition."""
+    return line == outcome.line or outcome.message.startswith("File:") or "levels" in outcome.message
+
+
+def judge(outcome, claims, page=""):
+    """What owlint says wrongly about this outcome."""
+    quoted = [f.get("interpreter", "") for f in claims.stops]
+    if outcome.kind == "error" and not claims.stop_at(outcome):
+        at = " on line %d" % outcome.line if outcome.line else ""
+        yield "the interpreter stops%s (%s), owlint claims %s" % (at, outcome.message, quoted or "no stop")
+    if outcome.kind == "crash" and not any(f["start"]["line"] == outcome.line or not outcome.line for f in claims.crashes):
+        yield "the interpreter crashes on line %d (%s), without OW503 there" % (outcome.line, outcome.message)
+    if outcome.kind == "hang" and not claims.endless:
+        yield "the interpreter never ends, without OW504, OW508 or OW510"
+    if outcome.kind == "ok":
+        for f in claims.always:
+            yield "%s on line %d is claimed for every run, but the program ends" % (f["code"], f["start"]["line"])
+
+
+# -- what there is to confirm
+
+def read(path):
+    with open(path, encoding="latin-1", newline="") as f:
+        return f.read()
+
+
+def fixtures():
+    folder = os.path.join(ROOT, "tests", "programs")
+    for code in sorted(os.listdir(folder)):
+        for name in sorted(os.listdir(os.path.join(folder, code))):
+            if name.startswith(".") or name.endswith(".expect"):
+                continue
+            path = os.path.join(folder, code, name)
+            text = read(path)
+            beside = os.path.splitext(path)[0] + ".expect"
+            said = read(beside) if os.path.exists(beside) else text
+            options = re.search(r"^(?:; )?options: ([^\r\n]*)", said, re.MULTILINE)
+            yield Program("tests/programs/%s/%s" % (code, name), text, options.group(1) if options else "")
+
+
+def corpus():
+    folder = os.path.join(ROOT, "corpus")
+    for name in sorted(os.listdir(folder)):
+        if name.endswith(".ngc"):
+            yield Program("corpus/" + name, read(os.path.join(folder, name)))
+
+
+def pages(owlint):
+    rules = json.loads(subprocess.run([owlint, "rules", "--format", "json"], capture_output=True, check=True).stdout)
+    for rule in rules:
+        # JSON has characters, programs have bytes
+        bad, good = (rule[key].encode("utf-8").decode("latin-1") for key in ("bad", "good"))
+        yield Program("page:%s:bad" % rule["code"], bad, rule["options"], rule["interpreter"] or "runs")
+        yield Program("page:%s:good" % rule["code"], good, rule["options"])
+
+
+def expressions():
+    """-> [(Program, wanted)]: the value as it is printed, or the message"""
+    for row in read(os.path.join(ROOT, "tests", "unit", "expressions.tsv")).splitlines():
+        if row and not row.startswith("#"):
+            text, wanted = row.split("\t")
+            yield Program("expression:" + text, "G21 G90\n#100=[%s]\nG0 X#100\nM2\n" % text), wanted
+
+
+# -- recorded outcomes
+
+def load():
+    """-> {(name, digest, mode): Outcome}"""
+    recorded = {}
+    if os.path.exists(RECORDED):
+        for row in read(RECORDED).split("\n")[1:]:
+            if row:
+                name, digest, mode, kind, line, message, x = row.split("\t")
+                recorded[name, digest, mode] = Outcome(kind, int(line or 0), message, x)
+    return recorded
+
+
+def save(outcomes):
+    with open(RECORDED, "w", encoding="latin-1", newline="") as f:
+        f.write("program\tdigest\tmode\toutcome\tline\tmessage\tx\n")
+        for p, o in outcomes.items():
+            f.write("\t".join([p.name, p.digest, p.mode, o.kind, str(o.line or ""), o.message, o.x]) + "\n")
+
+
+def measure(programs):
+    """Run them all: -> {Program: Outcome}"""
+    outcomes = {}
+    with tempfile.TemporaryDirectory(prefix="owlint-confirm-") as folder:
+        path = os.path.join(folder, "program")      # no .ngc: no call finds it as a file
+        for program in programs:
+            with open(path, "w", encoding="latin-1", newline="") as f:
+                f.write(program.text)
+            outcome = rs274.run(path, program.mode)
+            message = re.sub(r"[\t\r\n\0]", " ", outcome.message)
+            outcomes[program] = Outcome(outcome.kind, outcome.line, message[:MESSAGE_KEPT], outcome.x)
+    return outcomes
+
+
+def lint(owlint, programs, folder):
+    """-> {name: findings}; programs with equal options in one run"""
+    findings, by_options = {}, {}
+    for program in programs:
+        by_options.setdefault(program.options, []).append(program)
+    for options, members in by_options.items():
+        linter = Linter(owlint, machine=os.path.join(folder, "machine.ini"), arguments=options.split())
+        names = {"%05d.ngc" % number: program for number, program in enumerate(members)}
+        result = linter.check(os.path.join(folder, "programs"), {n: p.text for n, p in names.items()})
+        findings.update({program.name: result[name] for name, program in names.items()})
+    return findings
+
+
+def judge_page(program, outcome):
+    """A page's example must do what the page says."""
+    if program.name.endswith(":good") and outcome.kind != "ok":
+        yield "the good example ends in: %s %s" % (outcome.kind, outcome.message)
+    if program.page and program.page != "runs":
+        pattern = re.escape(plain(program.page)).replace("linen", r"line\d+").replace("line:n", r"line:\d+")
+        if not re.search(pattern, plain(outcome.message)):
+            yield "the page quotes `%s`, the interpreter says %s: `%s`" % (program.page, outcome.kind, outcome.message)
+
+
+def main(argv):
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--owlint", required=True)
+    parser.add_argument("--record", action="store_true", help="write recorded.tsv")
+    parser.add_argument("--only", default="", help="programs whose name contains this")
+    options = parser.parse_args(argv)
+    owlint = os.path.abspath(options.owlint)
+    wanted = dict(expressions())
+    programs = [p for p in [*fixtures(), *corpus(), *pages(owlint), *wanted] if options.only in p.name]
+    recorded = load()
+    stale = []
+    if rs274.available:
+        outcomes = measure(programs)
+        if options.record and not options.only:
+            save(outcomes)
+        elif not options.record:
+            stale = [p for p, o in outcomes.items() if recorded.get((p.name, p.digest, p.mode)) != o]
+    else:
+        outcomes = {p: recorded[p.name, p.digest, p.mode] for p in programs if (p.name, p.digest, p.mode) in recorded}
+        stale = [p for p in programs if p not in outcomes]
+
+    problems = ["%s: not as in recorded.tsv: run confirm.py --record where rs274 is installed" % p.name for p in stale]
+    with tempfile.TemporaryDirectory(prefix="owlint-confirm-") as folder:
+        findings = lint(owlint, [p for p in outcomes if p not in wanted], folder)
+    for program, outcome in outcomes.items():
+        if program in wanted:
+            said = outcome.message if outcome.kind == "error" else outcome.x
+            if said != wanted[program]:
+                problems.append("%s: `%s` expected, the interpreter says `%s`" % (program.name, wanted[program], said))
+            continue
+        problems += ["%s: %s" % (program.name, p) for p in judge(outcome, Claims(findings[program.name]))]
+        problems += ["%s: %s" % (program.name, p) for p in judge_page(program, outcome)]
+    print("\n".join(problems) if problems else "all as owlint says")
+    kinds = [o.kind for o in outcomes.values()]
+    print("%d programs (%s), outcomes %s" % (
+        len(outcomes), ", ".join("%s %d" % (k, kinds.count(k)) for k in sorted(set(kinds))),
+        "measured with rs274" if rs274.available else "as recorded: rs274 is not installed"))
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

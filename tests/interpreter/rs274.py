@@ -1,0 +1,112 @@
+"""LinuxCNC's stand-alone interpreter, one program at a time.
+
+Slower than oracle.py, but it is the program that a machinist can run, and it obeys an INI on its own.  The parameter
+file is always one in a scratch folder: rs274 renames over whatever it is given.  Only one may run at a time: two that
+start together share memory that one of them shortens, and the other dies of a bus error.
+"""
+import contextlib
+import fcntl
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import tempfile
+from dataclasses import dataclass
+
+CPU_LIMIT_S = 1             # of processor time: a busy machine makes no hang
+WALL_LIMIT_S = 60
+STDERR_READ = 20_000
+HANG_SAYS = 120             # characters kept of the warnings of an endless loop
+MODES = {"default": None, "warnonly": "OWORD_WARNONLY = 1\n", "mask": "FEATURES = 0x20\nFEATURE = 0x20\n"}
+AT_FILE_END = re.compile(r"File ended|EOF in file|Failed to find sub")
+
+BUS_ERRORS = 20             # tries; other users of the machine may run theirs
+LOCK = os.path.join(tempfile.gettempdir(), "owlint-rs274-%d.lock" % os.getuid())
+
+available = shutil.which("rs274") is not None
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a program ended."""
+    kind: str               # ok, error, crash, hang
+    line: int = 0           # 0 where the interpreter does not say
+    message: str = ""       # its error, or its warnings in one line
+    x: str = ""             # the X of its last rapid move
+
+
+@contextlib.contextmanager
+def _alone():
+    with open(LOCK, "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def run(path, mode="default"):
+    """Run the program at `path` -> its Outcome."""
+    path = os.path.abspath(path)
+    for _ in range(BUS_ERRORS):
+        with _alone():
+            status, text, x = _run(path, mode)
+        if status != -signal.SIGBUS:
+            break
+    return _outcome(path, status, text, x)
+
+
+def _run(path, mode):
+    """-> (exit status, what it printed on standard error, the X of its last rapid move)"""
+    with tempfile.TemporaryDirectory(prefix="owlint-rs274-") as folder:
+        argv = ["rs274", "-g"]
+        if MODES[mode]:
+            parameters = os.path.join(folder, "p.var")
+            open(parameters, "w").close()
+            ini = os.path.join(folder, "machine.ini")
+            with open(ini, "w") as f:
+                f.write("[RS274NGC]\nPARAMETER_FILE = %s\n%s" % (parameters, MODES[mode]))
+            argv += ["-i", ini]
+        with open(os.path.join(folder, "out"), "w+b") as out, open(os.path.join(folder, "err"), "w+b") as err:
+            process = subprocess.Popen(argv + [path], stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=folder)
+            resource.prlimit(process.pid, resource.RLIMIT_CPU, (CPU_LIMIT_S, CPU_LIMIT_S + 1))
+            resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
+            try:
+                status = process.wait(WALL_LIMIT_S)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                status = process.wait()
+            text = os.pread(err.fileno(), STDERR_READ, 0).decode("latin-1")
+            size = os.fstat(out.fileno()).st_size
+            canon = os.pread(out.fileno(), 4000, max(0, size - 4000)).decode("latin-1")
+    moves = re.findall(r"STRAIGHT_TRAVERSE\((-?[\d.]+)", canon)
+    return status, text.replace("executing", "", 1).strip(), moves[-1] if moves else ""
+
+
+def _outcome(path, status, text, x):
+    lines = text.split("\n")
+    message = lines[0].replace(path, "PROGRAM").strip()
+    if status in (-signal.SIGXCPU, -signal.SIGKILL):
+        return Outcome("hang", 0, message[:HANG_SAYS])
+    if status < 0:
+        return Outcome("crash", _last_line(message), message)
+    if status == 0:
+        return Outcome("ok", 0, message, x)
+    said = re.match(r"(\d+): ", message)
+    line = int(said.group(1)) if said else 0
+    if not line and len(lines) > 1 and not AT_FILE_END.search(message):
+        line = _line_of(path, lines[1])
+    return Outcome("error", line, message, x)
+
+
+def _last_line(message):
+    """The line of the last warning before a crash."""
+    said = re.findall(r"(?:^|[^\d])(\d+): (?:undefined|duplicate|no matching|not in)", message)
+    return int(said[-1]) if said else 0
+
+
+def _line_of(path, text):
+    """The interpreter prints the line that it had read; its number, where no other line reads alike."""
+    with open(path, "rb") as f:
+        lines = [line.decode("latin-1").strip() for line in f.read().split(b"\n")]
+    hits = [number for number, line in enumerate(lines, 1) if line == text.strip()]
+    return hits[0] if len(hits) == 1 and text.strip() else 0

@@ -1,0 +1,60 @@
+// What people read, kept word for word in tests/snapshots. With OWLINT_UPDATE=1 they are rewritten.
+#include <filesystem>
+#include <map>
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "support/files.h"
+#include "support/fixture.h"
+#include "support/process.h"
+
+using namespace owlint::test;
+
+namespace {
+
+/// Runs owlint in tests/programs and holds everything it prints against the snapshot `name`.
+void snapshot(const std::string& name, const std::string& arguments) {
+  const Run run = owlint::test::owlint(words(arguments), "", repository("tests/programs"));
+  const std::string text = fmt::format("$ owlint {}\n{}{}[exit status {}]\n", arguments, run.out, run.err, run.status);
+  const std::string path = repository("tests/snapshots/" + name + ".txt");
+  if (updating()) {
+    if (!std::filesystem::exists(path) || read_file(path) != text) write_file(path, text);
+    return;
+  }
+  INFO(path);
+  REQUIRE(std::filesystem::exists(path));
+  CHECK(text == read_file(path));
+}
+
+}  // namespace
+
+TEST_CASE("the text of one fixture for each rule is as in its snapshot", "[snapshots]") {
+  const std::vector<Fixture> fixtures = all_fixtures();
+  const std::vector<nlohmann::json> findings = check_fixtures(fixtures);
+  std::map<std::string, const Fixture*> first;
+  for (size_t i = 0; i < fixtures.size(); ++i) {
+    const auto own = [&](const auto& f) { return f["code"].template get<std::string>() == fixtures[i].folder; };
+    if (std::ranges::any_of(findings[i], own)) first.emplace(fixtures[i].folder, &fixtures[i]);
+  }
+  REQUIRE(first.size() > 50);
+  for (const auto& [code, fixture] : first) {
+    const std::string path = code + "/" + std::filesystem::path(fixture->path).filename().string();
+    const std::string options = fixture->options.empty() ? "" : fixture->options + " ";
+    snapshot(code, "check --isolated --color never " + options + path);
+  }
+}
+
+TEST_CASE("other texts are as in their snapshots", "[snapshots]") {
+  snapshot("check-color", "--isolated --color always OW104/label-if-twice.ngc");
+  snapshot("check-statistics", "--isolated --quiet --statistics --format jsonl OW104/label-if-twice.ngc OW205/if-unclosed-skipped.ngc");
+  snapshot("check-json", "--isolated --format json OW104/label-if-twice.ngc");
+  snapshot("check-nothing", "--isolated OW104/label-if-in-loop.ngc");
+  snapshot("explain", "explain OW104");
+  snapshot("explain-unknown", "explain if-label-resued");
+  snapshot("rules", "rules");
+  snapshot("rules-markdown", "rules --format markdown");
+  snapshot("graph-dot", "graph OW104/label-if-reused-in-other-sub.ngc");
+  snapshot("graph-mermaid", "graph --format mermaid OW104/label-if-reused-in-other-sub.ngc");
+  snapshot("graph-json", "graph --format json OW104/label-if-reused-in-other-sub.ngc");
+}
