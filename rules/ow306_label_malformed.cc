@@ -16,6 +16,10 @@ void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
       f.message = "the O-word has no label before its keyword";
       f.help = "write a number or `<name>` after the `o`: `o100 " + std::string("if` or `o<name> call`");
       break;
+    case StopKind::kLabelForgotten:
+      f.message = "this keyword has no O-label before it";
+      f.help = "write the label first: `o100 if [...]`";
+      break;
     case StopKind::kLabelNotInteger: case StopKind::kM98Number:
       f.message = "`" + std::string(p.source->slice(s.label_span())) + "` is not a whole number";
       f.help = "use a whole number or a name in `<>`";

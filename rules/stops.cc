@@ -48,7 +48,7 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kLineTooLong: return "OW309";
     case StopKind::kCommentNested: case StopKind::kCommentUnclosed: return "OW308";
     case StopKind::kLabelMissing: case StopKind::kLabelWord: case StopKind::kLabelNotInteger:
-    case StopKind::kLabelExpression: case StopKind::kM98Number: return "OW306";
+    case StopKind::kLabelExpression: case StopKind::kM98Number: case StopKind::kLabelForgotten: return "OW306";
     case StopKind::kM98NoTarget: return "OW208";
     case StopKind::kKeywordUnknown: return "OW301";
     case StopKind::kBracketMissing: return "OW302";

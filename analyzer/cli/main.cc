@@ -20,10 +20,10 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("--ini", line.ini, "INI file of the machine that runs the programs")->type_name("FILE")->group("Machine");
   app.add_option("--feature", line.feature, "FEATURE mask, as 32 or 0x20; 0x20 makes OW101 to OW108 warnings")->type_name("MASK")->group("Machine");
   app.add_option("--linuxcnc", line.linuxcnc, "LinuxCNC version: 2.7, 2.8, 2.9 (default) or 2.10")->type_name("VERSION")->group("Machine");
-  app.add_option("--select", line.select, "only these rules: codes or beginnings, as OW3")->delimiter(',')->type_name("CODES")->group("Rules");
-  app.add_option("--extend-select", line.extend_select, "these rules as well")->delimiter(',')->type_name("CODES")->group("Rules");
-  app.add_option("--ignore", line.ignore, "not these rules")->delimiter(',')->type_name("CODES")->group("Rules");
-  app.add_option("--severity", line.severity, "severity of a rule: off, info, warning, error")->delimiter(',')->type_name("CODE=LEVEL")->group("Rules");
+  app.add_option("--select", line.select, "only these rules: codes or beginnings, as OW3")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
+  app.add_option("--extend-select", line.extend_select, "these rules as well")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
+  app.add_option("--ignore", line.ignore, "not these rules")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
+  app.add_option("--severity", line.severity, "severity of a rule: off, info, warning, error")->delimiter(',')->allow_extra_args(false)->type_name("CODE=LEVEL")->group("Rules");
   app.add_option("--fail-on", line.fail_on, "exit with 1 from this severity on")->check(CLI::IsMember({"error", "warning", "info"}))->capture_default_str()->group("Rules");
   app.add_option("--config", line.config, "use this owlint.toml instead of the nearest one above each file")->type_name("FILE")->group("Rules");
   app.add_flag("--isolated", line.isolated, "use no owlint.toml")->group("Rules");

@@ -198,6 +198,7 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
   profile->ini_path = path;
   profile->ini_mask = known->second.ini_mask;
   profile->ini_warnonly = known->second.ini_warnonly;
+  profile->ini_has_folders = known->second.ini_has_folders;
   return true;
 }
 

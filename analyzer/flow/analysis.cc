@@ -20,7 +20,8 @@ struct Patience {
   size_t states;
   size_t contexts;
 };
-constexpr Patience kPatience[] = {{60'000, 64, 32}, {300'000, 8, 4}, {UINT64_MAX, 1, 1}};
+constexpr Patience kPatience[] = {{60'000, 64, 32}, {200'000, 8, 4}, {UINT64_MAX, 1, 1}};
+constexpr size_t kCoarse = 2;  // from this level on, constants are not told apart either
 
 constexpr uint32_t kNormalEnd = 0;
 
@@ -48,9 +49,17 @@ class Analysis final : public Listener {
     FullLabel skip;
     NameId defining;
     bool seek;
+    bool looped;
     uint32_t next;
     std::vector<std::pair<uint64_t, RecordId>> seen;
     std::unique_ptr<State> joined;
+    std::vector<RecordId> parents;  ///< records whose states wait in `joined`
+    bool dirty;
+
+    RecordId find(uint64_t hash) const {
+      const auto found = std::ranges::find(seen, hash, &std::pair<uint64_t, RecordId>::first);
+      return found == seen.end() ? kNoRecord : found->second;
+    }
   };
   struct Caller {
     State state;
@@ -87,15 +96,12 @@ class Analysis final : public Listener {
     FlowStop stop;
   };
 
-  const Patience& patience() const {
-    size_t level = 0;
-    while (result_.statistics.steps >= kPatience[level].steps) ++level;
-    return kPatience[level];
-  }
+  const Patience& patience() const { return kPatience[level_]; }
   void start();
   void push(State state);
-  bool admit(State* state);
-  void process(State state);
+  void arrive(State state);
+  void execute(State state, Group& group, uint64_t hash);
+  void execute_joined(uint32_t index);
   void end_of_file(const State& state);
   void add_stop(RecordId record, FlowStop stop);
   void resume_one(const Caller& caller, const State& exit, Frame& frame);
@@ -108,20 +114,23 @@ class Analysis final : public Listener {
   PersistentMap::Pool pool_;
   Machine machine_;
   std::vector<uint32_t> heads_;
-  std::vector<Group> groups_;
+  std::vector<Group> groups_;  // grows only while states arrive, never while one is executed
   std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
   std::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_;
   std::map<std::tuple<NameId, int, bool>, std::pair<size_t, ContextId>> context_counts_;
   std::priority_queue<Pending> queue_;
   std::vector<State> waiting_;
   std::vector<uint32_t> free_;
+  std::vector<uint32_t> dirty_;  // groups with a join to execute
   uint64_t order_ = 0;
+  size_t level_ = 0;
   std::shared_ptr<Trace> trace_;
   std::map<StopKey, StopInfo> stops_;
   std::map<std::tuple<HazardKind, StatementId, StatementId, uint32_t>, Hazard> hazards_;
   std::vector<std::tuple<ContextId, uint32_t, StatementId>> not_passed_;
   std::unordered_set<RecordId> warned_;  // records with an error that FEATURE 0x20 turned into a message
   std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond the limit
+  std::map<std::pair<HazardKind, StatementId>, size_t> origins_;
   uint32_t next_key_ = 1;
   FlowResult result_;
 };
@@ -144,11 +153,18 @@ void Analysis::start() {
 FlowResult Analysis::run() {
   start();
   while (!queue_.empty()) {
-    const Pending next = queue_.top();
-    queue_.pop();
-    State state = std::move(waiting_[next.state]);
-    free_.push_back(next.state);
-    process(std::move(state));
+    // All states that wait at the foremost line arrive together.
+    const StatementId position = queue_.top().position;
+    while (!queue_.empty() && queue_.top().position == position) {
+      const uint32_t slot = queue_.top().state;
+      queue_.pop();
+      State state = std::move(waiting_[slot]);
+      free_.push_back(slot);
+      arrive(std::move(state));
+    }
+    std::vector<uint32_t> dirty;
+    dirty.swap(dirty_);
+    for (const uint32_t group : dirty) execute_joined(group);
   }
   finish();
   return std::move(result_);
@@ -177,55 +193,67 @@ Analysis::Group& Analysis::group_at(const State& state) {
   uint32_t& head = heads_[state.position];
   for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) {
     Group& g = groups_[i];
-    if (g.context == state.context && g.skip == state.skip && g.defining == state.defining && g.seek == state.seek) return g;
+    if (g.context == state.context && g.skip == state.skip && g.defining == state.defining && g.seek == state.seek && g.looped == state.looped) return g;
   }
-  groups_.push_back({state.context, state.skip, state.defining, state.seek, head, {}, nullptr});
+  groups_.push_back({state.context, state.skip, state.defining, state.seek, state.looped, head, {}, nullptr, {}, false});
   head = static_cast<uint32_t>(groups_.size() - 1);
   return groups_.back();
 }
 
-/// Decides whether a state that arrives at its line is new; joins it with its like when there are many.
-bool Analysis::admit(State* state) {
-  Group& group = group_at(*state);
-  const auto known = [&](uint64_t hash) {
-    const auto found = std::ranges::find(group.seen, hash, &std::pair<uint64_t, RecordId>::first);
-    if (found == group.seen.end()) return false;
-    if (state->record != kNoRecord) trace_->link(state->record, found->second);
-    return true;
-  };
-  uint64_t hash = state->hash();
-  if (known(hash)) return false;
-  if (group.seen.size() >= patience().states) {
-    ++result_.statistics.merges;
-    if (group.joined == nullptr) {
-      group.joined = std::make_unique<State>(*state);
-    } else {
-      *group.joined = machine_.join(*group.joined, *state);
-    }
-    State joined = *group.joined;
-    joined.record = state->record;
-    joined.branch = state->branch;
-    *state = std::move(joined);
-    hash = state->hash();
-    if (known(hash)) return false;
+/// Takes in a state that arrives at its line. New ones are executed at once; where there are many already they are
+/// joined, and the join waits until all that arrive together are in it.
+void Analysis::arrive(State state) {
+  Group& group = group_at(state);
+  const uint64_t hash = state.hash();
+  if (const RecordId known = group.find(hash); known != kNoRecord) {
+    if (state.record != kNoRecord) trace_->link(state.record, known);
+    return;
   }
-  const bool skipping = state->skip != kNoLabel;
-  const bool at_file_end = state->position >= program_.size();
-  bool executed = !skipping && !at_file_end;
-  if (skipping && !at_file_end) {
-    executed = machine_.is_target(*state, frames_[state->context].info);
+  if (group.seen.size() < patience().states) return execute(std::move(state), group, hash);
+  ++result_.statistics.merges;
+  if (state.record != kNoRecord) group.parents.push_back(state.record);
+  if (group.joined == nullptr) {
+    group.joined = std::make_unique<State>(std::move(state));
+  } else {
+    State joined = machine_.join(*group.joined, state);
+    joined.record = state.record;
+    joined.branch = state.branch;
+    *group.joined = std::move(joined);
   }
-  const RecordId record = trace_->add({state->record, at_file_end ? kNoStatement : state->position, state->branch, executed});
-  if (executed) result_.executed[state->position] = true;
-  group.seen.emplace_back(hash, record);
-  state->record = record;
-  return true;
+  if (!group.dirty) dirty_.push_back(static_cast<uint32_t>(&group - groups_.data()));
+  group.dirty = true;
 }
 
-void Analysis::process(State state) {
-  if (!admit(&state)) return;
-  ++result_.statistics.steps;
-  if (state.position >= program_.size()) return end_of_file(state);
+void Analysis::execute_joined(uint32_t index) {
+  Group& group = groups_[index];
+  group.dirty = false;
+  State state = *group.joined;
+  const uint64_t hash = state.hash();
+  std::vector<RecordId> parents;
+  parents.swap(group.parents);
+  RecordId record = group.find(hash);
+  if (record == kNoRecord) {
+    record = static_cast<RecordId>(trace_->size());  // the one that execute() makes next
+    execute(std::move(state), group, hash);
+  }
+  for (const RecordId parent : parents) {
+    if (trace_->at(record).parent != parent) trace_->link(parent, record);
+  }
+}
+
+void Analysis::execute(State state, Group& group, uint64_t hash) {
+  const bool at_file_end = state.position >= program_.size();
+  bool executed = !at_file_end;
+  if (state.skip != kNoLabel && !at_file_end) executed = machine_.is_target(state, frames_[state.context].info);
+  const RecordId record = trace_->add({state.record, at_file_end ? kNoStatement : state.position, state.branch, executed});
+  if (executed) result_.executed[state.position] = true;
+  group.seen.emplace_back(hash, record);
+  state.record = record;
+  if (++result_.statistics.steps >= kPatience[level_].steps) {
+    ++level_;
+    machine_.evaluator().set_coarse(level_ >= kCoarse);
+  }
+  if (at_file_end) return end_of_file(state);
   const Context context = frames_[state.context].info;
   machine_.step(std::move(state), context, *this);
 }
@@ -296,6 +324,11 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
     hazard.other = hazard.statement;
     hazard.statement = origin;
   };
+  // Looking for where it began walks back along the run; a few such places are enough.
+  constexpr size_t kMaxOrigins = 4;
+  const bool has_origin = kind == HazardKind::kStaleBreak || kind == HazardKind::kStaleContinue ||
+                          kind == HazardKind::kContinueMeetsBreak || kind == HazardKind::kStaleRepeatCount;
+  if (has_origin && ++origins_[{kind, at.position}] > kMaxOrigins) return;
   switch (kind) {
     case HazardKind::kStaleBreak: begins_at(trace_->nearest(at.record, executed(Keyword::kBreak, Keyword::kWhile))); break;
     case HazardKind::kStaleContinue: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;

@@ -101,7 +101,7 @@ int Evaluator::known(const Parameters& p, Fact fact) {
 }
 
 void Evaluator::learn(Parameters& p, Fact fact, bool truth) const {
-  if (fact.id != 0) (fact.global ? p.global_facts : p.local_facts).set(pool_, fact.id, truth ? 1 : 2);
+  if (fact.id != 0 && !coarse_) (fact.global ? p.global_facts : p.local_facts).set(pool_, fact.id, truth ? 1 : 2);
 }
 
 void Evaluator::forget_facts(Parameters& p, uint32_t key, bool global) const {

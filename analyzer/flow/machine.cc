@@ -91,6 +91,7 @@ uint32_t Definers::without_undefined(uint32_t packed) {
 Machine::Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool)
     : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool), effects_(program) {
   labels_.emplace_back(kNoName, kNoName);
+  depth_matters_ = !shallow_calls(program);
   structured_ = structured_blocks(program);
   index();
 }
@@ -101,6 +102,7 @@ void Machine::index() {
     const Statement& s = syntax.statements[id];
     const LineError* error = syntax.error(s);
     if (s.kind == LineKind::kOWord && s.label_expr != kNoExpr) computed_.push_back(id);
+    if (s.is(Keyword::kDo)) has_do_ = true;
     if (s.opens_sub()) definitions_.push_back(id);
     if (s.kind == LineKind::kPercent) percents_.push_back(id);
     if (error == nullptr) continue;
@@ -142,6 +144,12 @@ StatementId Machine::next_stop(const State& state, StatementId from) const {
   return next;
 }
 
+std::string Machine::full_text(FullLabel label) const {
+  const auto& [scope, name] = labels_[label];
+  if (scope == kGlobalScope) return program_.name(name);
+  return (scope == kNoName ? std::string() : program_.name(scope)) + "#" + program_.name(name);
+}
+
 bool Machine::is_target(const State& state, const Context& context) const {
   const Statement& s = program_.at(state.position);
   const auto& [scope, label] = labels_[state.skip];
@@ -151,7 +159,7 @@ bool Machine::is_target(const State& state, const Context& context) const {
 }
 
 bool Machine::may_be_elsewhere(NameId sub) const {
-  if (profile_.ini_given) return false;
+  if (profile_.ini_given && !profile_.ini_has_folders) return false;
   const std::string& name = program_.name(sub);
   if (name.find_first_not_of("-0123456789") == std::string::npos) return false;
   if (sub >= program_.by_label.size()) return true;

@@ -119,9 +119,11 @@ class Machine {
   bool may_be_elsewhere(NameId sub) const;
 
   FullLabel full_label(NameId scope, NameId label);
+  /// A label as the interpreter names it: `100`, or `100#110` for a block's label in sub 100.
+  std::string full_text(FullLabel label) const;
   NameId label_of(FullLabel label) const { return labels_[label].second; }
   Definers& definers() { return definers_; }
-  const Evaluator& evaluator() const { return evaluator_; }
+  Evaluator& evaluator() { return evaluator_; }
 
  private:
   struct Step;  // one step in progress: machine_step.cc
@@ -135,6 +137,8 @@ class Machine {
   Constants constants_;
   Evaluator evaluator_;
   Definers definers_;
+  bool has_do_ = false;           // only a `do` loop looks at the flag that `break` leaves behind
+  bool depth_matters_ = true;     // some chain of calls may be too deep
   std::vector<bool> structured_;  // by block, see structured.h
   EffectsOfSubs effects_;
   std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label

@@ -203,7 +203,7 @@ void Machine::Step::run() {
 void Machine::Step::plain() {
   if (s.kind == LineKind::kPercent && m.program_.syntax.percent) {
     if (here == 0) return next_line();
-    if (skipping) return stop(StopKind::kFileEnd, "Failed to find sub 'O" + m.program_.name(m.label_of(state.skip)) + "' before EOF");
+    if (skipping) return stop(StopKind::kFileEnd, "Failed to find sub 'O" + m.full_text(state.skip) + "' before EOF");
     return out.end(state);
   }
   if (skipping) return next_line();
@@ -440,7 +440,9 @@ void Machine::Step::call(int repeats, bool fanuc) {
   }
   if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
 
-  const Context callee{m.label_of(label), context.depth + 1, fanuc, fanuc ? 30 : static_cast<int>(arguments.size())};
+  // Where no chain is too deep, calls at all depths are alike.
+  const int depth = m.depth_matters_ ? context.depth + 1 : 1;
+  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size())};
   State enter = state;
   enter.looped = false;
   enter.fanuc_style = false;
@@ -660,7 +662,7 @@ void Machine::Step::jump() {
         out.hazard(state, HazardKind::kContinueMeetsBreak, 0, StopKind::kNone, "");
       }
       // The `while` that closes a `do` clears the flag; `endwhile` leaves it behind.
-      state.breaking = kind == Keyword::kDo ? kYes : kStale;
+      if (m.has_do_) state.breaking = kind == Keyword::kDo ? kYes : kStale;
     } else if (!skipping) {
       state.continuing = kind == Keyword::kDo ? kStale : kYes;
     }

@@ -18,9 +18,9 @@ inline uint64_t mix(uint64_t key, uint64_t value) {
 
 class PersistentMap {
  public:
-  struct Node {
+  union Node {
     std::array<const Node*, 16> children{};  // inner nodes
-    std::array<uint32_t, 16> values{};       // leaves
+    std::array<uint32_t, 16> values;         // leaves; all zero is all empty in both readings
   };
 
   class Pool {

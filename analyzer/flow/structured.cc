@@ -1,6 +1,7 @@
 #include "analyzer/flow/structured.h"
 
 #include <unordered_map>
+#include <unordered_set>
 
 namespace owlint::flow {
 namespace {
@@ -34,8 +35,55 @@ bool is_regular(const Program& program) {
   return true;
 }
 
+bool shallow_calls(const Program& program) {
+  constexpr int kMaxCallDepth = 9;
+  if (!is_regular(program)) return false;
+  // Longest chain from the main program, by rounds: after nine of them nothing may be left to deepen.
+  std::unordered_map<NameId, std::vector<NameId>> callees;
+  for (const Call& call : program.calls) {
+    if (call.callee == kNoName) return false;
+    callees[program.regions[call.caller].name].push_back(call.callee);
+  }
+  std::unordered_set<NameId> level{program.sub_file ? program.entry : kNoName};
+  for (int depth = program.sub_file ? 1 : 0; depth <= kMaxCallDepth; ++depth) {
+    std::unordered_set<NameId> next;
+    for (const NameId name : level) {
+      const auto found = callees.find(name);
+      if (found != callees.end()) next.insert(found->second.begin(), found->second.end());
+    }
+    if (next.empty()) return true;
+    level = std::move(next);
+  }
+  return false;
+}
+
+namespace {
+
+/// A part or end of a block that stands inside another one, opened later: a skip can land there.
+void mark_entered_sideways(const Program& program, std::vector<bool>& good) {
+  std::vector<BlockId> open;
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const BlockId block = program.block_of[id];
+    if (block == kNoBlock) continue;
+    const Statement& s = program.at(id);
+    if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) continue;  // these never end a skip
+    if (program.blocks[block].opener == id) {
+      open.push_back(block);
+      continue;
+    }
+    while (!open.empty() && open.back() != block) {
+      good[open.back()] = false;
+      open.pop_back();
+    }
+    if (!open.empty() && program.blocks[block].end == id) open.pop_back();
+  }
+}
+
+}  // namespace
+
 std::vector<bool> structured_blocks(const Program& program) {
   std::vector<bool> good(program.blocks.size(), true);
+  mark_entered_sideways(program, good);
   const bool regular = is_regular(program);
   // How many blocks and stray lines carry a label: in its sub if runs stay in their subs, else in the whole file.
   std::unordered_map<uint64_t, BlockId> owner;

@@ -16,4 +16,7 @@ std::vector<bool> structured_blocks(const Program& program);
 /// that its line stands in.
 bool is_regular(const Program& program);
 
+/// Whether no chain of calls can be deeper than LinuxCNC allows, whatever the conditions.
+bool shallow_calls(const Program& program);
+
 }  // namespace owlint::flow

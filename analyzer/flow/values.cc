@@ -131,6 +131,7 @@ void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
     if (number >= kFirstGlobalNumber || !read_argument_[number]) return;
     if (value != kNotPassed) value = kUnknown;
   }
+  if (coarse_ && value >= kFirstConstant) value = kUnknown;
   PersistentMap& map = number < kFirstGlobalNumber ? p.locals : p.globals;
   map.set(pool_, static_cast<uint32_t>(number), value);
 }
@@ -139,7 +140,7 @@ void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
   const bool global = is_global_name(syntax_.names.text(name));
   forget_facts(p, (global ? kGlobalNames : kLocalNames) + name, global);
   // A constant that decides nothing is only "assigned".
-  if (value >= kFirstConstant && !relevant_name_[name]) value = kUnknown;
+  if (value >= kFirstConstant && (coarse_ || !relevant_name_[name])) value = kUnknown;
   (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
 }
 

@@ -88,6 +88,9 @@ class Evaluator {
   /// Returns what stops it, if anything does.
   Evaluation assign(const Statement& s, Parameters& parameters, ReadLog* log) const;
 
+  /// From now on constants are only "assigned", and outcomes are not remembered: for very large programs.
+  void set_coarse(bool coarse) { coarse_ = coarse; }
+
   Fact fact(ExprId condition) const;
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
@@ -123,6 +126,7 @@ class Evaluator {
   std::unordered_map<ExprId, Fact> facts_;                          // by condition
   std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global
   bool computed_targets_ = false;
+  bool coarse_ = false;
 };
 
 }  // namespace owlint::flow

@@ -31,6 +31,8 @@ void apply_setting(std::string_view key, std::string_view value, Profile* profil
     profile->ini_mask = parse_mask(value);
   } else if (key == "OWORD_WARNONLY") {
     profile->ini_warnonly = is_true(value);
+  } else if (key == "SUBROUTINE_PATH") {
+    profile->ini_has_folders = true;
   }
 }
 
@@ -71,6 +73,7 @@ bool read_ini(const std::string& path, Profile* profile, std::string* error) {
   profile->ini_path = path;
   std::string_view rest = source->bytes();
   bool in_section = false;
+  bool in_display = false;
   while (!rest.empty()) {
     const size_t feed = rest.find('\n');
     const std::string_view line = trim(rest.substr(0, feed));
@@ -78,10 +81,13 @@ bool read_ini(const std::string& path, Profile* profile, std::string* error) {
     if (line.empty() || line[0] == '#' || line[0] == ';') continue;
     if (line[0] == '[') {
       in_section = line.starts_with("[RS274NGC]");
+      in_display = line.starts_with("[DISPLAY]");
       continue;
     }
     const size_t equals = line.find('=');
-    if (!in_section || equals == std::string_view::npos) continue;
+    if (equals == std::string_view::npos) continue;
+    if (in_display && trim(line.substr(0, equals)) == "PROGRAM_PREFIX") profile->ini_has_folders = true;
+    if (!in_section) continue;
     apply_setting(trim(line.substr(0, equals)), trim(line.substr(equals + 1)), profile);
   }
   return true;

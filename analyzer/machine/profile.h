@@ -21,6 +21,7 @@ struct Profile {
   std::optional<uint32_t> feature;      ///< from --feature or the configuration
   std::optional<uint32_t> ini_mask;     ///< FEATURE or FEATURES of the INI
   bool ini_warnonly = false;            ///< OWORD_WARNONLY of the INI
+  bool ini_has_folders = false;         ///< the INI names folders with subs, which are not searched yet
   std::string ini_path;
 
   /// FEATURE 0x20 as interface.md defines it: the documented abort list only warns.

@@ -159,38 +159,46 @@ class Matcher {
     }
   }
 
-  size_t indent(StatementId id) const {
-    const Statement& s = program_.at(id);
-    const std::string_view text = program_.source->slice({s.offset, s.end});
+  /// Indentation of a line; -1 for blank lines and comments.
+  int indent(std::string_view text) const {
     const size_t first = text.find_first_not_of(" \t");
-    return first == std::string_view::npos ? 0 : first;
+    if (first == std::string_view::npos || std::string_view("(;\r").find(text[first]) != std::string_view::npos) return -1;
+    return static_cast<int>(first);
   }
 
-  /// Guesses where the missing end belongs: before the first O-word at the opener's own indentation or further out,
-  /// and not behind `limit`, where an enclosing block ends. Without indentation there is nothing to tell ties apart.
+  /// Guesses where the missing end belongs: before the first line at the opener's own indentation or further out, and
+  /// not behind `limit`, where an enclosing block ends. Without indentation there is nothing to tell ties apart.
   void unclosed(BlockId id, StatementId limit) {
     Block& b = block(id);
-    const size_t own = indent(b.opener);
+    const Source& source = *program_.source;
+    const Statement& opener = program_.at(b.opener);
+    const int own = indent(source.slice({opener.offset, opener.end}));
+    const uint32_t limit_line = limit < program_.size() ? program_.at(limit).line : UINT32_MAX;
+    // The search is bounded: a guess further away than this would not help anybody.
+    constexpr int kHorizon = 400;
+    size_t part = 0;
     bool indented = false;
-    // The scan is bounded: a guess further away than this would not help anybody.
-    constexpr StatementId kHorizon = 256;
-    const StatementId last = std::min<StatementId>({limit, static_cast<StatementId>(program_.size()), b.opener + kHorizon});
-    for (StatementId at = b.opener + 1; at < last; ++at) {
-      if (program_.region_of[at] != region_) break;
-      if (std::ranges::find(b.parts, at) != b.parts.end()) continue;
-      const size_t depth = indent(at);
-      if (depth > own) {
+    int lines = 0;
+    uint64_t at = opener.end + 1;
+    for (uint32_t number = opener.line + 1; at < source.bytes().size() && lines < kHorizon; ++number, ++lines) {
+      const size_t feed = source.bytes().find('\n', at);
+      const uint64_t end = feed == std::string_view::npos ? source.bytes().size() : feed;
+      const int depth = indent(source.slice({at, std::min(end, at + 256)}));
+      at = end + 1;
+      if (number >= limit_line) {
+        // Inside another block, that block's end is the last place; it is the only one when nothing lies between.
+        if (indented || lines == 0) b.suggested_line = number;
+        return;
+      }
+      if (part < b.parts.size() && program_.at(b.parts[part]).line == number) {
+        ++part;
+      } else if (depth > own) {
         indented = true;
-      } else if (indented) {
-        b.suggested_line = program_.at(at).line;
+      } else if (depth >= 0) {
+        if (indented) b.suggested_line = number;
         return;
       }
     }
-    const bool within = limit < program_.size() && limit - b.opener < kHorizon;
-    // Inside another block the end of that block is the last possible place; it is the only one when nothing else
-    // opens or ends between.
-    const bool only_place = within && limit == b.opener + 1 + b.parts.size();
-    if (within && (indented || only_place)) b.suggested_line = program_.at(limit).line;
   }
 
   Program& program_;

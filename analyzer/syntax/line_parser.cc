@@ -48,7 +48,18 @@ bool literal_value(const ExprPool& pool, ExprId id, double* value) {
   return apply(expr.op, left, right, value) == nullptr;
 }
 
-uint16_t LineParser::relative(size_t at) const { return static_cast<uint16_t>(line_.offset(at) - line_.offset(0)); }
+/// The length of the keyword that stands at `at` instead of a word, followed by a bracket, a comment or nothing.
+size_t LineParser::keyword_at(size_t at) const {
+  const std::string_view rest = line_.text().substr(at);
+  for (const std::string_view keyword : kKeywordSpellings) {
+    if (!rest.starts_with(keyword)) continue;
+    const char next = line_[at + keyword.size()];
+    if (next == '\0' || next == '[' || next == '(' || next == ';') return keyword.size();
+  }
+  return 0;
+}
+
+uint16_t LineParser::relative(size_t at) const { return static_cast<uint16_t>(line_.offset(at) - line_.begin()); }
 
 void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message) {
   if (s.error != UINT32_MAX) return;  // the first error on a line is the one that the interpreter reports
@@ -404,6 +415,13 @@ bool LineParser::words(size_t at, Statement& s) {
       if (number == 98) m98(first, s);
       return true;
     }
+  }
+  if (const size_t keyword = keyword_at(at); keyword > 0) {
+    ExpressionParser first(line_, out_.exprs, out_.names);
+    first.cursor = at + 1;
+    first.value();
+    fail(s, StopKind::kLabelForgotten, at, at + keyword, first.error().message);
+    return true;
   }
   for (;;) {
     in.cursor = skip_comments(in.cursor, &comments);

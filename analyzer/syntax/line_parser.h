@@ -25,6 +25,7 @@ class LineParser {
   void recover(size_t at, Statement& s);
   void fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message);
   uint16_t relative(size_t at) const;
+  size_t keyword_at(size_t at) const;
   size_t skip_comments(size_t at, bool* any) const;
 
   Syntax& out_;

@@ -25,6 +25,9 @@ class LineText {
   size_t size() const { return length_; }
   char operator[](size_t i) const { return i < length_ ? text_[i] : '\0'; }
 
+  /// File offset of the line's first byte.
+  uint64_t begin() const { return offset_; }
+
   /// File offset of the normalised character `i`; of the end of the last character when `i` is the size.
   uint64_t offset(size_t i) const { return offset_ + (i < length_ ? at_[i] : end_); }
 

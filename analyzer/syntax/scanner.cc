@@ -34,6 +34,8 @@ constexpr std::array<uint8_t, 256> make_classes() {
 
 constexpr auto kClasses = make_classes();
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
 /// Whether the M at `at` may be an M2, M30, M98, M99 or a computed one.
@@ -69,7 +71,9 @@ LineView look(std::string_view line) {
           if (c == '\r' && line.find_first_not_of(" \t\r\v\f", i) != std::string_view::npos) view.matters = true;
           continue;
         }
+        // A digit or two letters at the beginning: a zero for the letter O, a keyword without its label.
         if (first && c >= '0' && c <= '9') view.matters = true;
+        if (first && i + 1 < line.size() && is_letter(c) && is_letter(line[i + 1])) view.matters = true;
         break;
       case kParen: {
         const size_t close = line.find_first_of(std::string_view("()\0", 3), i + 1);

@@ -27,6 +27,7 @@ enum class StopKind : uint8_t {
   kTooManyArguments,
   kWordBefore,
   kZeroForO,
+  kLabelForgotten,  // `if [1]` without `o100`
   kBlockDelete,
   kBadCharacter,
   kM98NoTarget,

@@ -45,6 +45,7 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"Command too long", "OW309"),
     (r"Non integer value|No characters found in reading real value|Unknown word starting with", "OW306 OW303"),
     (r"Bad character 'o'", "OW305"),
+    (r"Bad character '%'", "OW315 OW314"),
     (r"Bad character", "OW303 OW305 OW306 OW307 OW313 OW314"),
 )]
 
