@@ -15,7 +15,7 @@ void check(const Input& in, Reporter& out) {
     } else if (!known_prefix(s.code)) {
       Finding& f = out.add(s.span, "`" + s.code + "` is not a code of owlint");
       const std::string_view near = nearest_rule(s.code);
-      f.help = near.empty() ? "`owlint rules` lists the codes" : "did you mean `" + std::string(near) + "`";
+      f.help = near.empty() ? "`owlint rules` lists the codes" : "write `" + std::string(near) + "`";
       f.reach = Reach::kAlways;
     }
   }

@@ -10,10 +10,10 @@ namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
-  Finding& f = out.add(p.at(id).head_span(), "the program runs into `" + p.head(id) + "`, which a call has already used");
+  Finding& f = out.add(p.at(id).head_span(), "the program runs into `" + p.head(id) + "`");
   for (const Call& call : p.calls) {
     if (call.callee != p.at(id).label || call.statement >= id) continue;
-    f.message += ": line " + std::to_string(p.at(call.statement).line) + " calls it before it is defined";
+    f.message += " after line " + std::to_string(p.at(call.statement).line) + " has called it";
     relate(f, p, call.statement, "called here, before the definition");
     break;
   }

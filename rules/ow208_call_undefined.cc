@@ -29,7 +29,7 @@ void check(const Input& in, Reporter& out) {
       return &f;
     }
     const std::string label = number_only(stop.detail).empty() ? "o<" + stop.detail + ">" : "o" + stop.detail;
-    Finding& f = out.add(s.head_span(), "no sub `" + label + "` is found from here on, and no file `" + stop.detail + ".ngc` beside the program");
+    Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` in its folder");
     const std::string near = number_only(stop.detail).empty() ? nearest(stop.detail, known, 1) : std::string();
     for (const Region& region : p.regions) {
       if (region.name == kNoName || p.name(region.name) != stop.detail) continue;
@@ -40,12 +40,12 @@ void check(const Input& in, Reporter& out) {
     }
     if (!near.empty() && near != stop.detail) {
       const std::string meant = number_only(near).empty() ? "o<" + near + ">" : "o" + near;
-      f.help = "did you mean `" + meant + "`";
+      f.help = "write `" + meant + "`";
       for (const Region& region : p.regions) {
         if (region.name != kNoName && p.name(region.name) == near) relate(f, p, region.opener, "`" + meant + "` is defined here");
       }
     } else if (stop.unproven) {
-      f.help = "give the machine's INI with `--ini`, if the sub is in a file on its search path";
+      f.help = "define the sub, or correct the name, unless a file on the machine's search path has it: owlint does not look there";
     } else {
       f.help = "define the sub, or correct the label";
     }

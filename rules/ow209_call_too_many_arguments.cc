@@ -6,7 +6,7 @@ namespace owlint::rules {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id, Span extra) {
-  Finding& f = out.add(extra, "`" + in.program.head(id) + "` passes more than 30 arguments");
+  Finding& f = out.add(extra, "`" + in.program.head(id) + "` passes more than 30 arguments, which is all that LinuxCNC takes");
   f.help = "a sub takes #1 to #30: pass the rest in global parameters such as `#<_depth>`";
   return &f;
 }

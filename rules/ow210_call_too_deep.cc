@@ -8,11 +8,11 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
-    Finding& f = out.add(p.at(s.statement).head_span(), "`" + p.head(s.statement) + "` can be the tenth call inside one another; LinuxCNC allows nine");
+    Finding& f = out.add(p.at(s.statement).head_span(), "`" + p.head(s.statement) + "` can be the tenth level of calls; LinuxCNC allows nine");
     const RegionId region = p.region_of[s.statement];
     const bool recursive = p.regions[region].name != kNoName && p.regions[region].name == p.at(s.statement).label;
     if (recursive) {
-      f.message = "`" + p.head(s.statement) + "` calls its own sub, " + (s.unproven ? "and how often is not known here" : "and never comes back") + ": LinuxCNC allows nine calls inside one another";
+      f.message = "`" + p.head(s.statement) + "` calls its own sub, " + (s.unproven ? "how deep is not known" : "again and again") + ": LinuxCNC allows nine levels";
       relate(f, p, p.regions[region].opener, "the sub begins here");
     }
     f.help = recursive ? "use a loop, or count the depth and stop before the tenth call" : "call the subs one after the other instead";

@@ -13,7 +13,7 @@ void check(const Input& in, Reporter& out) {
     const Region& region = p.regions[p.region_of[id]];
     if (!s.is(Keyword::kReturn) || s.label == kNoName || region.name == kNoName || s.label == region.name || has_stop(in, id)) continue;
     if (!p.at(region.opener).is(Keyword::kSub)) continue;
-    Finding& f = out.add(s.label_span(), "`" + p.head(id) + "` stands in sub `" + p.label_text(region.name) + "`, and returns from that one");
+    Finding& f = out.add(s.label_span(), "`" + p.head(id) + "` returns from `" + p.label_text(region.name) + "`, the sub in which it stands");
     relate(f, p, region.opener, "the sub begins here");
     f.help = "write `" + p.label_text(region.name) + " return`";
     f.reach = in.flow.reach(id);

@@ -14,11 +14,14 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   std::string word(p.source->slice(s.keyword_span()));
   std::erase_if(word, [](char c) { return c == ' ' || c == '\t'; });
   std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  Finding& f = out.add(s.keyword_span(), "`" + word + "` is not an O-word");
+  Finding& f = out.add(s.keyword_span(), "`" + word + "` is not an O-word keyword");
   const std::string near = nearest(word, {kKeywordSpellings.begin(), kKeywordSpellings.end()});
-  f.help = "an O-label is followed by sub, endsub, call, return, if, elseif, else, endif, while, endwhile, do, repeat, endrepeat, break or continue";
+  f.help = "write one of the keywords: sub, call, return, if, while, do, repeat and their ends; `owlint explain OW301` lists them";
+  if (word == "for" || word == "next" || word == "loop") f.help = "there is no `" + word + "`: use `repeat` or `while`";
+  if (word.starts_with("goto")) f.help = "there is no jump: use `if` and `while`";
+  if (word == "end") f.help = "write `endif`, `endwhile`, `endrepeat` or `endsub`";
   if (!near.empty()) {
-    f.help = "did you mean `" + near + "`";
+    f.help = "write `" + near + "`";
     f.fixes.push_back({"write `" + near + "`", false, {{s.keyword_span(), near}}});
   }
   return &f;

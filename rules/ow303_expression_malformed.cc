@@ -13,6 +13,7 @@ struct Words {
 };
 
 constexpr Words kWords[] = {
+    {"Unexpected character after O-word", "this bracket closes nothing", "remove it"},
     {"Unclosed expression", "a bracket is not closed", "close it with `]`"},
     {"Unknown operation name", "this is not an operator", "operators are + - * / ** MOD EQ NE GT GE LT LE AND OR XOR"},
     {"Unknown operation", "an operator is expected here", "operators are + - * / ** MOD EQ NE GT GE LT LE AND OR XOR; comments do not belong in brackets"},
@@ -26,10 +27,27 @@ constexpr Words kWords[] = {
     {"Named parameter not terminated", "the parameter's name is not closed with `>`", "write `#<name>`"},
     {"Bad character ']'", "this bracket closes nothing", "remove it"},
     {"Bad format unsigned integer", "`N` is not followed by a number", "write a line number, or remove the `N`"},
-    {"Attempt to divide by zero", "this divides by zero", "check the divisor first"},
+    {"Attempt to divide by zero", "this divides by zero", "change the divisor, or test it before"},
     {"Parameter number out of range", "there is no parameter with that number", "numbers go from #1 to #5601"},
     {"Expected", "`EXISTS` takes one parameter", "write `EXISTS[#<name>]`"},
 };
+
+/// What people write who know another language.
+bool habit(std::string_view text, Finding& f) {
+  if (text.starts_with("=") || text.starts_with("!") || text.starts_with("<") || text.starts_with(">")) {
+    f.message = "`" + std::string(text.substr(0, 1)) + "` is not an operator here";
+    f.help = "compare with EQ, NE, GT, GE, LT or LE";
+  } else if (text.starts_with("(")) {
+    f.message = "a comment may not stand inside brackets";
+    f.help = "put it behind the closing bracket";
+  } else if (text.starts_with("not") || text.starts_with("NOT") || text.starts_with("Not")) {
+    f.message = "there is no `NOT`";
+    f.help = "turn the comparison round: `LE` for not `GT`, `EQ 0` for not true";
+  } else {
+    return false;
+  }
+  return true;
+}
 
 void word(Finding& f) {
   f.message = "this value cannot be computed";
@@ -49,7 +67,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id, const std::strin
   const Span whole = s.kind == LineKind::kOWord ? Span{s.offset + s.label_from, s.end} : Span{s.offset, s.end};
   Finding& f = out.add(reading ? error->span : whole, "");
   f.interpreter = interpreter;
-  word(f);
+  if (!reading || !habit(in.program.source->slice(error->span), f)) word(f);
   return &f;
 }
 

@@ -14,7 +14,16 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   Finding& f = out.add(s.rest_span(), "`" + text + "` stands behind `" + p.head(id) + "`, where nothing but a comment may stand");
   const std::string written = std::string(spelling(s.keyword)) + text.substr(0, text.find_first_of(" \t([;"));
   const std::string near = s.keyword_to == s.rest_from ? nearest(written, {kKeywordSpellings.begin(), kKeywordSpellings.end()}) : std::string();
-  f.help = near.empty() || near == written ? "put it on a line of its own" : "did you mean `" + near + "`";
+  const bool number = std::string_view("0123456789#-[,.").find(text[0]) != std::string_view::npos;
+  if (!near.empty() && near != written) {
+    f.help = "write `" + near + "`";
+  } else if (s.is(Keyword::kCall) && number) {
+    f.help = "write each argument in brackets of its own: `[4] [5]`";
+  } else if ((s.is(Keyword::kReturn) || s.is(Keyword::kEndsub)) && number) {
+    f.help = "write the value in brackets: `" + std::string(spelling(s.keyword)) + " [" + text.substr(0, text.find_first_of(" \t(;")) + "]`";
+  } else {
+    f.help = "put it on a line of its own, or remove it";
+  }
   return &f;
 }
 

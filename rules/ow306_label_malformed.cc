@@ -50,7 +50,7 @@ void check(const Input& in, Reporter& out) {
   for (StatementId id = 0; id < p.size(); ++id) {
     const Statement& s = p.at(id);
     if (!s.name_open || has_stop(in, id)) continue;
-    Finding& f = out.add(s.label_span(), "the label's name is not closed with `>`: LinuxCNC takes the rest of the line for a program number and does nothing");
+    Finding& f = out.add(s.label_span(), "the label's name is not closed with `>`: LinuxCNC does nothing on this line");
     f.help = "close the name with `>`";
     f.reach = in.flow.reach(id);
   }

@@ -24,8 +24,12 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.help = "save it as UTF-8 without byte order mark, or as plain text";
     f.fixes.push_back({"remove the byte order mark", true, {{{0, 3}, ""}}});
   } else if (!bytes.empty() && static_cast<unsigned char>(bytes[0]) >= 0x80) {
-    f.message = "LinuxCNC reads plain letters only, and not this character";
-    f.help = "such characters may stand in comments and names only";
+    const bool no_break = bytes.starts_with("\xC2\xA0") || bytes == "\xA0";
+    const bool utf16 = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+    f.message = utf16      ? "the file is UTF-16 text, which LinuxCNC cannot read"
+                : no_break ? "a no-break space stands here"
+                           : "LinuxCNC does not know this character outside of comments and names";
+    f.help = utf16 ? "save it as plain text" : no_break ? "type it again as a plain blank" : "remove it, or put it in a comment";
   } else if (!bytes.empty() && (static_cast<unsigned char>(bytes[0]) < 0x20 || bytes[0] == 0x7F)) {
     f.message = "a control character stands here";
     f.help = "remove it";

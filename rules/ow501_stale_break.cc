@@ -10,7 +10,7 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kStaleBreak) continue;
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a flag behind: the `do` loop that ends on line " + std::to_string(p.at(h.other == kNoStatement ? h.statement : h.other).line) + " then ends after one pass");
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` makes the `do` loop that ends on line " + std::to_string(p.at(h.other == kNoStatement ? h.statement : h.other).line) + " run only once: LinuxCNC does not forget the break");
     relate(f, p, h.other, "this loop ends early");
     f.help = "leave the `while` by its condition instead, or write the other loop as a `while`";
     f.reach = h.reach;

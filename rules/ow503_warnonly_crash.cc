@@ -10,8 +10,8 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kCrash) continue;
-    Finding& f = out.add(p.at(h.statement).head_span(), "LinuxCNC crashes at `" + p.head(h.statement) + "`: under FEATURE 0x20 it goes on with a label that it does not have");
-    f.help = "mend the label; do not rely on FEATURE 0x20";
+    Finding& f = out.add(p.at(h.statement).head_span(), "LinuxCNC crashes at `" + p.head(h.statement) + "`: the label is unknown, and FEATURE 0x20 makes it go on");
+    f.help = "correct the label; do not rely on FEATURE 0x20";
     f.interpreter = h.interpreter;
     f.reach = h.reach;
     f.stops = true;

@@ -11,9 +11,9 @@ void check(const Input& in, Reporter& out) {
   // An endless loop that begins with an error which 0x20 turned into a message.
   for (const Hazard& loop : in.flow.hazards) {
     if (loop.kind != HazardKind::kHang) continue;
-    Finding& f = out.add(p.at(loop.statement).head_span(), "LinuxCNC never ends after `" + p.head(loop.statement) + "`: under FEATURE 0x20 it goes on, round and round");
+    Finding& f = out.add(p.at(loop.statement).head_span(), "under FEATURE 0x20 the program never ends after `" + p.head(loop.statement) + "`");
     relate(f, p, loop.other, "it always comes back to this line");
-    f.help = "mend the label; do not rely on FEATURE 0x20";
+    f.help = "correct the label; do not rely on FEATURE 0x20";
     f.interpreter = loop.interpreter;
     f.reach = loop.reach;
     f.never_ends = true;

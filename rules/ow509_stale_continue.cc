@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     if (h.kind != HazardKind::kStaleContinue) continue;
     const StatementId shown = h.other == kNoStatement ? h.statement : h.other;
     const std::string effect = p.at(shown).is(Keyword::kEndrepeat) ? " runs its passes twice" : " goes on after its `break`";
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a flag behind: the loop that ends on line " + std::to_string(p.at(shown).line) + effect);
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` is not forgotten: the loop that ends on line " + std::to_string(p.at(shown).line) + effect);
     relate(f, p, h.other, "this loop" + effect);
     f.help = "skip the rest of the `do` loop with an `if` instead";
     f.reach = h.reach;

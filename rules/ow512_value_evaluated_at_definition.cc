@@ -18,7 +18,7 @@ void check(const Input& in, Reporter& out) {
       return h.kind == HazardKind::kValueAtDefinition && h.statement == s.statement;
     });
     Finding& f = out.add({line.offset + line.keyword_to, line.end}, at_definition
-        ? "the value of `" + p.head(s.statement) + "` is computed where the definition is passed over, before any call, and fails there"
+        ? "LinuxCNC computes the value of `" + p.head(s.statement) + "` already when it passes the definition, before any call, and that can fail"
         : "the value of `" + p.head(s.statement) + "` cannot be computed");
     f.help = "compute the value into a parameter first, and return that";
     return &f;

@@ -120,15 +120,14 @@ void relate(Finding& finding, const Program& program, StatementId statement, std
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.stops = true;
   finding.reach = stop.reach;
-  finding.unproven = stop.unproven && !finding.help.starts_with("did you mean");
+  finding.unproven = stop.unproven && !finding.help.starts_with("write `");
   finding.interpreter = stop.interpreter;
   for (const Decision& decision : stop.path) {
     const Statement& s = in.program.at(decision.statement);
     const bool repeat = s.is(Keyword::kRepeat);
     const std::string outcome = repeat ? (decision.taken ? " runs its passes" : " has no pass left")
                                        : (decision.taken ? " is true" : " is false");
-    relate(finding, in.program, decision.statement,
-           "when `" + in.program.head(decision.statement) + "` on line " + std::to_string(s.line) + outcome);
+    finding.path.push_back({s.head_span(), "when `" + in.program.head(decision.statement) + "` on line " + std::to_string(s.line) + outcome});
   }
   const auto [first, last] = in.stops.consequences.equal_range(stop.statement);
   for (auto it = first; it != last; ++it) {

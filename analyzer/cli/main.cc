@@ -24,12 +24,12 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("--extend-select", line.extend_select, "these rules as well")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
   app.add_option("--ignore", line.ignore, "not these rules")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
   app.add_option("--severity", line.severity, "severity of a rule: off, info, warning, error")->delimiter(',')->allow_extra_args(false)->type_name("CODE=LEVEL")->group("Rules");
-  app.add_option("--fail-on", line.fail_on, "exit with 1 from this severity on")->check(CLI::IsMember({"error", "warning", "info"}))->capture_default_str()->group("Rules");
+  app.add_option("--fail-on", line.fail_on, "exit with 1 from this severity on")->check(CLI::IsMember({"error", "warning", "info"}))->type_name("error|warning|info")->capture_default_str()->group("Rules");
   app.add_option("--config", line.config, "use this owlint.toml instead of the nearest one above each file")->type_name("FILE")->group("Rules");
   app.add_flag("--isolated", line.isolated, "use no owlint.toml")->group("Rules");
-  app.add_option("--format", line.format, "how findings are written")->check(CLI::IsMember({"text", "json", "jsonl"}))->capture_default_str()->group("Output");
+  app.add_option("--format", line.format, "how findings are written")->check(CLI::IsMember({"text", "json", "jsonl"}))->type_name("text|json|jsonl")->capture_default_str()->group("Output");
   app.add_option("--output", line.output, "write the report to a file")->type_name("FILE")->group("Output");
-  app.add_option("--color", line.color, "colours in the text")->check(CLI::IsMember({"auto", "always", "never"}))->capture_default_str()->group("Output");
+  app.add_option("--color", line.color, "colours in the text")->check(CLI::IsMember({"auto", "always", "never"}))->type_name("auto|always|never")->capture_default_str()->group("Output");
   app.add_option("--stdin-filename", line.stdin_filename, "what standard input is called in the report")->type_name("NAME")->group("Output");
   app.add_flag("--statistics", line.statistics, "count the findings by rule, on standard error")->group("Output");
   app.add_flag("-q,--quiet", line.quiet, "no summary line")->group("Output");
@@ -62,6 +62,7 @@ int run(std::vector<std::string> arguments) {
   CLI::App* rules = app.add_subcommand("rules", "list all rules");
   rules->add_option("--format", rules_format, "text, json or markdown")->check(CLI::IsMember({"text", "json", "markdown"}))->capture_default_str();
 
+  if (arguments.empty()) arguments.emplace_back("--help");
   // `check` may be left out.
   if (!arguments.empty() && std::ranges::find(kCommands, arguments.front()) == kCommands.end() &&
       arguments.front() != "--help" && arguments.front() != "-h" && arguments.front() != "--version") {

@@ -87,10 +87,14 @@ bool read_selection(const toml::table& table, Selection* selection, std::string*
   return true;
 }
 
+/// `select` replaces what was selected before; the others add to it.
 void apply(const Selection& selection, LintOptions* options) {
+  const auto add = [](const std::optional<std::vector<std::string>>& codes, std::vector<std::string>* to) {
+    if (codes) to->insert(to->end(), codes->begin(), codes->end());
+  };
   if (selection.select) options->select = *selection.select;
-  if (selection.ignore) options->ignore = *selection.ignore;
-  if (selection.extend_select) options->extend_select = *selection.extend_select;
+  add(selection.ignore, &options->ignore);
+  add(selection.extend_select, &options->extend_select);
   for (const auto& [code, severity] : selection.severity) options->severity[code] = severity;
 }
 

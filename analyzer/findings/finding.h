@@ -58,6 +58,7 @@ struct Finding {
   bool unproven = false;     ///< it may not happen on the real machine: never more than a warning
   bool never_ends = false;   ///< it hangs or crashes here on some path
   std::vector<Related> related;
+  std::vector<Related> path;  ///< the branch outcomes that lead here; shown behind `related`
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
 };

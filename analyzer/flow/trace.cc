@@ -129,7 +129,10 @@ std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {
     bool decides = can_stop.empty();
     for (uint32_t i = next_first_[parent]; !decides && i < next_first_[parent + 1]; ++i) decides = !can_stop[next_[i]];
     if (!decides) continue;
-    path.push_back({records_[parent].statement, record.branch == 1});
+    // In a loop or a recursion the last pass is the one that counts.
+    const StatementId decided = records_[parent].statement;
+    if (std::ranges::find(path, decided, &Decision::statement) != path.end()) continue;
+    path.push_back({decided, record.branch == 1});
     if (path.size() == kMaxDecisions) break;
   }
   std::ranges::reverse(path);

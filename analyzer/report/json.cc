@@ -28,7 +28,9 @@ Json finding_json(const Source& source, const Finding& f) {
   if (!f.interpreter.empty()) json["interpreter"] = printable(f.interpreter);
   if (!f.help.empty()) json["help"] = printable(f.help);
   json["related"] = Json::array();
-  for (const Related& related : f.related) {
+  std::vector<Related> places = f.related;
+  places.insert(places.end(), f.path.begin(), f.path.end());
+  for (const Related& related : places) {
     Json entry{{"path", printable(source.path())}, {"message", printable(related.message)}};
     place(entry, related.span);
     json["related"].push_back(std::move(entry));

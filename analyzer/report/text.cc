@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string>
 #include <map>
 
 #include <fmt/format.h>
@@ -41,6 +42,21 @@ void write_snippet(std::ostream& out, const Source& source, Span span, char mark
   out << fmt::format("{}{:>5} |{} {}\n", c.dim, start.line, c.reset, text);
   out << fmt::format("{}      |{} {}{}{}{}{}\n", c.dim, c.reset, pad, color, std::string(width, mark), c.reset,
                      words.empty() ? "" : " " + std::string(words));
+}
+
+/// `when ... is true, and ... is false`: the branches that lead to a finding.
+std::string path_text(const Finding& f) {
+  constexpr size_t kShown = 4;
+  std::string text;
+  // The last decisions are the nearest ones.
+  const size_t first = f.path.size() > kShown ? f.path.size() - kShown : 0;
+  for (size_t i = first; i < f.path.size(); ++i) {
+    std::string_view words = f.path[i].message;
+    if (i > first) words.remove_prefix(std::min<size_t>(words.size(), 5));  // "when "
+    text += (i == first ? "" : i + 1 == f.path.size() ? " and " : ", ") + std::string(words);
+  }
+  if (first > 0) text += fmt::format(" (and {} more)", first);
+  return text;
 }
 
 }  // namespace
@@ -106,9 +122,12 @@ void write_text(std::ostream& out, const FileReport& file, bool color) {
     const auto line = [&](std::string_view label, std::string_view words) {
       if (!words.empty()) out << fmt::format("      {}= {}:{} {}\n", c.cyan, label, c.reset, printable(words));
     };
+    line("happens", path_text(f));
     line("LinuxCNC says", f.interpreter);
-    for (const Consequence& consequence : f.consequences) line("or, on other runs", consequence.interpreter);
-    if (f.reach == Reach::kNever) line("reach", "no run gets here; it is wrong all the same");
+    for (const Consequence& consequence : f.consequences) {
+      line("on other runs", fmt::format("it stops on account of line {} instead: {}", source.position(consequence.span.begin).line, consequence.interpreter));
+    }
+    if (f.reach == Reach::kNever && f.severity != Severity::kInfo && f.code != "OW316") line("reach", "no run gets here as the program stands");
     line("mend", f.help);
     out << '\n';
   }
@@ -118,8 +137,13 @@ std::string summary_text(const Summary& summary) {
   const auto count = [](size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
   const std::string files = count(summary.files, "file");
   if (summary.total() == 0) return fmt::format("nothing found in {}", files);
-  std::string text = count(summary.errors, "error") + ", " + count(summary.warnings, "warning");
-  if (summary.infos > 0) text += ", " + count(summary.infos, "info");
+  std::string text;
+  const auto add = [&](size_t n, std::string_view what) {
+    if (n > 0) text += (text.empty() ? "" : ", ") + count(n, what);
+  };
+  add(summary.errors, "error");
+  add(summary.warnings, "warning");
+  add(summary.infos, "info");
   return text + " in " + files;
 }
 
