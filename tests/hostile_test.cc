@@ -29,22 +29,21 @@ std::string lines(int count, const std::string& line) {
   return repeat(count, [&](int) { return line; });
 }
 
-/// Every position must be one of the file, and findings must be in order.
+/// Every position must be one of the file, and findings must be in order. One assertion: there may be many findings.
 void check_report(const FileReport& report) {
-  const Source& source = *report.source;
-  const uint64_t size = source.bytes().size();
+  const uint64_t size = report.source->bytes().size();
   uint64_t last = 0;
-  const auto inside = [&](Span span) {
-    REQUIRE(span.begin <= span.end);
-    REQUIRE(span.end <= size);
+  std::string wrong;
+  const auto expect = [&](bool good, std::string_view what) {
+    if (!good) wrong = what;
   };
+  const auto inside = [&](Span span) { expect(span.begin <= span.end && span.end <= size, "a place outside the file"); };
   for (const Finding& f : report.findings) {
     inside(f.span);
-    REQUIRE(f.span.begin >= last);
+    expect(f.span.begin >= last, "findings out of order");
     last = f.span.begin;
-    REQUIRE_FALSE(f.message.empty());
-    REQUIRE(find_rule(f.code) != nullptr);
-    REQUIRE(f.severity != Severity::kOff);
+    expect(!f.message.empty(), "no message");
+    expect(f.severity != Severity::kOff, "a finding that is off");
     for (const Related& r : f.related) inside(r.span);
     for (const Consequence& c : f.consequences) inside(c.span);
     for (const Fix& fix : f.fixes) {
@@ -53,9 +52,10 @@ void check_report(const FileReport& report) {
   }
   std::ostringstream json;
   write_json(json, {report});
-  REQUIRE(nlohmann::json::accept(json.str()));
+  expect(nlohmann::json::accept(json.str()), "JSON that is none");
   std::ostringstream text;
   write_text(text, report, false);
+  REQUIRE(wrong == "");
 }
 
 /// Lints, checks the report and the time, and gives the codes that were found, each once.
@@ -85,7 +85,7 @@ TEST_CASE("files with nothing in them", "[hostile]") {
 
 TEST_CASE("bytes that are no text", "[hostile]") {
   CHECK(codes("NUL", std::string(100000, '\0')).find("OW3") == 0);
-  CHECK(codes("one line of 10 MB", std::string(10 << 20, 'G')) == "OW309 OW315");
+  CHECK(codes("one line of 10 MB", std::string(10 << 20, 'G')) == "OW309");
   CHECK(codes("one open bracket line", "o1 if " + std::string(240, '[') + "\nM2\n") == "OW303");
   CHECK(codes("Latin-1", "(Fl\xE4""che)\nG0 X1 ; gr\xFC\xDF""e\nM2\n").empty());
   CHECK(codes("BOM", "\xEF\xBB\xBFo1 if [1]\no1 endif\nM2\n").find("OW314") == 0);
@@ -96,7 +96,7 @@ TEST_CASE("very many labels", "[hostile]") {
   CHECK(codes("1,000,000 labels", repeat(1000000, label_block) + "M2\n").empty());
   CHECK(codes("100,000 duplicate labels", lines(100000, "o1 if [#1 GT 0]\no1 endif\n") + "M2\n") == "OW104");
   CHECK(codes("100,000 duplicates, constant", lines(100000, "o1 if [1]\no1 endif\n") + "M2\n") == "OW104");
-  CHECK(codes("100,000 duplicate whiles", lines(100000, "o1 while [#1 GT 0]\no1 endwhile\n") + "M2\n") == "OW103");
+  CHECK(codes("100,000 duplicate whiles", lines(100000, "o1 while [#1 GT 0]\no1 endwhile\n") + "M2\n") == "OW103 OW508");
 }
 
 TEST_CASE("very deep nesting", "[hostile]") {

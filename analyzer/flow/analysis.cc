@@ -409,7 +409,7 @@ void Analysis::resume_one(const Caller& caller, const State& exit, Frame& frame)
     if (set.lines.empty()) return;
     after.position = caller.state.position;
     State entry = after;
-    entry.position = set.lines.front() + 1;
+    entry.position = set.lines.front();
     return call(after, std::move(entry), frame.info, caller.repeats - 1);
   }
   if (caller.repeats != 1) {

@@ -462,16 +462,9 @@ void Machine::Step::call(int repeats, bool fanuc) {
   }
   const Definers::Set set = m.definers_.get(entry());
   for (const StatementId line : set.lines) {
-    if (fanuc != m.program_.at(line).is(Keyword::kBare)) {  // the interpreter notices at the definition
-      state.position = line;
-      stop(fanuc ? StopKind::kStyleNeedsCall : StopKind::kStyleNeedsM98,
-           fanuc ? "'O.... sub' subroutine must be called with 'O.... call'" : "Fanuc 'O....' subroutine must be called with 'M98'");
-      state.position = here;
-      continue;
-    }
     State known = enter;
     known.table.set(m.pool_, label, Definers::one(line));
-    known.position = line + 1;
+    known.position = line;  // the definition's line is read again (measured: text behind it stops there)
     out.call(state, std::move(known), callee, repeats);
   }
   if (!set.undefined) return;

@@ -59,15 +59,16 @@ bool shallow_calls(const Program& program) {
 
 namespace {
 
-/// A part or end of a block that stands inside another one, opened later: a skip can land there.
+/// A part or end of a block that stands inside another one, opened later, or that belongs to none at all: a skip can
+/// land there.
 void mark_entered_sideways(const Program& program, std::vector<bool>& good) {
   std::vector<BlockId> open;
   for (StatementId id = 0; id < program.size(); ++id) {
     const BlockId block = program.block_of[id];
-    if (block == kNoBlock) continue;
     const Statement& s = program.at(id);
+    if (!part_of_block(s)) continue;
     if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) continue;  // these never end a skip
-    if (program.blocks[block].opener == id) {
+    if (block != kNoBlock && program.blocks[block].opener == id) {
       open.push_back(block);
       continue;
     }
@@ -75,7 +76,7 @@ void mark_entered_sideways(const Program& program, std::vector<bool>& good) {
       good[open.back()] = false;
       open.pop_back();
     }
-    if (!open.empty() && program.blocks[block].end == id) open.pop_back();
+    if (!open.empty() && program.blocks[open.back()].end == id) open.pop_back();
   }
 }
 
