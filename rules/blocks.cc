@@ -39,10 +39,8 @@ bool in_exclusive_branches(const Program& program, StatementId a, StatementId b)
   return false;
 }
 
-bool has_unreadable_line(const Program& program, NameId label, RegionId region) {
-  return std::ranges::any_of(program.by_label[label], [&](StatementId id) {
-    return program.at(id).is(Keyword::kUnknown) && program.region_of[id] == region;
-  });
+bool has_unreadable_line(const Input& in, NameId label, RegionId region) {
+  return in.stops.unreadable.contains(static_cast<uint64_t>(region) << 32 | label);
 }
 
 void for_shared_labels(const Input& in, const std::function<void(StatementId, StatementId)>& each) {
@@ -57,6 +55,8 @@ void add_relabel_fix(const Input& in, StatementId opener, Finding& finding) {
   const BlockId id = in.program.block_of[opener];
   if (id == kNoBlock || in.program.blocks[id].end == kNoStatement) return;
   const Block& block = in.program.blocks[id];
+  constexpr StatementId kLargest = 2000;  // nobody relabels by hand what is larger than this
+  if (block.end - block.opener > kLargest) return;
   const std::string label = free_label(in.program, block.label);
   if (label.empty()) return;
   Fix fix;
@@ -171,7 +171,7 @@ void check_parts(const Input& in, Reporter& out, const std::function<bool(Keywor
     const BlockId block = p.block_of[id];
     const bool mistaken = block != kNoBlock && p.blocks[block].mistaken_end == id;
     if (block != kNoBlock && !mistaken) continue;
-    if (has_unreadable_line(p, s.label, p.region_of[id])) continue;
+    if (has_unreadable_line(in, s.label, p.region_of[id])) continue;
     FlowStop unmet;
     unmet.statement = id;
     if (Finding* f = report(unmet)) f->reach = in.flow.reach(id);

@@ -11,7 +11,7 @@ namespace owlint::rules {
 void for_shared_labels(const Input& in, const std::function<void(StatementId, StatementId)>& each);
 
 /// Whether a line with this label carries an unknown keyword: then it may be the part of the block that is missing.
-bool has_unreadable_line(const Program& program, NameId label, RegionId region);
+bool has_unreadable_line(const Input& in, NameId label, RegionId region);
 
 /// Whether two statements stand in different branches of one `if`, so that no single pass meets both.
 bool in_exclusive_branches(const Program& program, StatementId a, StatementId b);

@@ -1,7 +1,7 @@
 // OW203 sub-in-block: a sub that is defined inside an `if` or a loop.
 // Rests on: a definition only exists once its `sub` line has been met, and meeting it a second
 // time is an error, from the same line too.
-#include <algorithm>
+#include <unordered_set>
 
 #include "rules/stops.h"
 
@@ -22,13 +22,14 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  std::unordered_set<NameId> not_found;
+  if (const auto lost = in.stops.by_code.find("OW208"); lost != in.stops.by_code.end()) {
+    for (const FlowStop* s : lost->second) not_found.insert(p.at(s->statement).label);
+  }
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || region.enclosing == kNoBlock || has_stop(in, region.opener)) continue;
     if (!p.at(region.opener).is(Keyword::kSub)) continue;
-    const auto lost = in.stops.by_code.find("OW208");
-    const bool reported = lost != in.stops.by_code.end() && std::ranges::any_of(lost->second, [&](const FlowStop* s) {
-      return p.at(s->statement).label == region.name;  // the call that does not find it says so
-    });
+    const bool reported = not_found.contains(region.name);  // the call that does not find it says so
     if (!reported) report(in, out, region.opener)->reach = in.flow.reach(region.opener);
   }
 }

@@ -26,15 +26,20 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
-  const auto own = in.stops.by_code.find("OW204");
-  const auto nested = in.stops.by_code.find("OW202");
+  std::vector<bool> done(p.size());
+  for_stops(in, out, [&](const FlowStop& s) {
+    done[s.statement] = true;
+    return report(in, out, s.statement);
+  });
+  StatementId last_nested = 0;
+  if (const auto nested = in.stops.by_code.find("OW202"); nested != in.stops.by_code.end()) {
+    for (const FlowStop* s : nested->second) last_nested = std::max(last_nested, s->statement);
+  }
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || region.end != kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
     if (p.at(region.opener).inner_cr || p.at(region.opener).refused) continue;
-    if (own != in.stops.by_code.end() && std::ranges::any_of(own->second, [&](const FlowStop* s) { return s->statement == region.opener; })) continue;
     // A `sub` that begins before this one is closed stops the interpreter there and is reported there.
-    if (nested != in.stops.by_code.end() && std::ranges::any_of(nested->second, [&](const FlowStop* s) { return s->statement > region.opener; })) continue;
+    if (done[region.opener] || last_nested > region.opener) continue;
     report(in, out, region.opener)->reach = in.flow.reach(region.opener);
   }
 }

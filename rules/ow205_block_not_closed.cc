@@ -36,7 +36,7 @@ void check(const Input& in, Reporter& out) {
     // One mistake, one finding: the line that was meant to be the end speaks for it.
     if (block.mistaken_end != kNoStatement) continue;
     // So does a line with its label that the interpreter cannot read.
-    if (p.at(block.opener).inner_cr || has_unreadable_line(p, block.label, block.region)) continue;
+    if (p.at(block.opener).inner_cr || has_unreadable_line(in, block.label, block.region)) continue;
     // So does the end that stands outside, where the sub ends inside the block.
     const Region& region = p.regions[block.region];
     if (block.region != kMainRegion && region.end != kNoStatement) {

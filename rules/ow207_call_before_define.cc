@@ -12,7 +12,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   Finding& f = out.add(p.at(id).head_span(), "the program runs into `" + p.head(id) + "`");
   for (const Call& call : p.calls) {
-    if (call.callee != p.at(id).label || call.statement >= id) continue;
+    if (call.statement >= id) break;
+    if (call.callee != p.at(id).label) continue;
     f.message += " after line " + std::to_string(p.at(call.statement).line) + " has called it";
     relate(f, p, call.statement, "called here, before the definition");
     break;
@@ -24,17 +25,22 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
-  // Called before its definition, and only by luck never run into: subs below the program end are sound.
+  // In lines that no run gets to, a definition between its call and the program end is wrong all the same.
+  std::unordered_map<NameId, StatementId> first_call;
+  for (const Call& call : p.calls) {
+    if (call.caller == kMainRegion) first_call.emplace(call.callee, call.statement);
+  }
+  std::vector<StatementId> ends;
+  for (StatementId id = 0; id < p.size(); ++id) {
+    const LineKind kind = p.at(id).kind;
+    if (p.region_of[id] == kMainRegion && (kind == LineKind::kProgramEnd || kind == LineKind::kM99 || kind == LineKind::kPercent)) ends.push_back(id);
+  }
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub)) continue;
-    const auto first_call = std::ranges::find_if(p.calls, [&](const Call& c) { return c.callee == region.name; });
-    if (first_call == p.calls.end() || first_call->statement > region.opener || first_call->caller != kMainRegion) continue;
-    bool behind_end = false;
-    for (StatementId id = first_call->statement; id < region.opener && !behind_end; ++id) {
-      const Statement& s = p.at(id);
-      behind_end = p.region_of[id] == kMainRegion && (s.kind == LineKind::kProgramEnd || s.kind == LineKind::kM99 || s.kind == LineKind::kPercent);
-    }
-    if (!behind_end && !in.flow.executed[first_call->statement]) report(in, out, region.opener)->reach = in.flow.reach(region.opener);
+    const auto call = first_call.find(region.name);
+    if (call == first_call.end() || call->second > region.opener || in.flow.executed[call->second]) continue;
+    const auto end = std::ranges::lower_bound(ends, call->second);
+    if (end == ends.end() || *end > region.opener) report(in, out, region.opener)->reach = in.flow.reach(region.opener);
   }
 }
 

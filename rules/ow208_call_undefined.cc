@@ -2,6 +2,7 @@
 // Rests on: an unknown sub is looked for as a file, then by reading ahead to the end of the
 // program; not found is an error there.
 #include <algorithm>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "rules/stops.h"
@@ -15,10 +16,14 @@ std::string number_only(const std::string& name) {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
+  constexpr size_t kMaxCandidates = 2000;  // and as many misspelt names: beyond, nobody reads suggestions
   std::vector<std::string> known;
+  std::unordered_map<std::string, const Region*> by_name;
   for (const Region& region : p.regions) {
-    if (region.name != kNoName) known.push_back(p.name(region.name));
+    if (region.name == kNoName || !by_name.emplace(p.name(region.name), &region).second) continue;
+    if (known.size() < kMaxCandidates) known.push_back(p.name(region.name));
   }
+  size_t suggestions = 0;
   std::unordered_set<std::string> told;  // names that may be in a file elsewhere, each said once
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const Statement& s = p.at(stop.statement);
@@ -30,20 +35,19 @@ void check(const Input& in, Reporter& out) {
     }
     const std::string label = number_only(stop.detail).empty() ? "o<" + stop.detail + ">" : "o" + stop.detail;
     Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` in its folder");
-    const std::string near = number_only(stop.detail).empty() ? nearest(stop.detail, known, 1) : std::string();
-    for (const Region& region : p.regions) {
-      if (region.name == kNoName || p.name(region.name) != stop.detail) continue;
+    if (const auto found = by_name.find(stop.detail); found != by_name.end()) {
+      const Region& region = *found->second;
       f.message = "`" + label + "` is not known here: its definition on line " + std::to_string(p.at(region.opener).line) + " was not run before";
       relate(f, p, region.opener, region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
       f.help = "define the sub before the call, outside of blocks";
       return &f;
     }
-    if (!near.empty() && near != stop.detail) {
+    std::string near;
+    if (number_only(stop.detail).empty() && suggestions++ < kMaxCandidates) near = nearest(stop.detail, known, 1);
+    if (!near.empty()) {
       const std::string meant = number_only(near).empty() ? "o<" + near + ">" : "o" + near;
       f.help = "write `" + meant + "`";
-      for (const Region& region : p.regions) {
-        if (region.name != kNoName && p.name(region.name) == near) relate(f, p, region.opener, "`" + meant + "` is defined here");
-      }
+      relate(f, p, by_name.at(near)->opener, "`" + meant + "` is defined here");
     } else if (stop.unproven) {
       f.help = "define the sub, or correct the name, unless a file on the machine's search path has it: owlint does not look there";
     } else {

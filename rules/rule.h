@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "analyzer/findings/finding.h"
@@ -27,6 +28,7 @@ struct StopIndex {
 
   std::unordered_map<std::string_view, std::vector<const FlowStop*>> by_code;
   std::unordered_map<std::string_view, std::vector<const Hazard*>> warned_by_code;
+  std::unordered_set<uint64_t> unreadable;  ///< region << 32 | label: a line there has an unknown keyword
   std::vector<bool> at;  ///< by statement: a stop, or a message under FEATURE 0x20, is there
   std::unordered_multimap<StatementId, const FlowStop*> consequences;  ///< by the statement of their mistake
 };

@@ -6,6 +6,10 @@ namespace owlint {
 
 StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(program.size()) {
   std::vector<bool> stopped(program.size());
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    if (s.is(Keyword::kUnknown) && s.label != kNoName) unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
+  }
   for (const FlowStop& stop : flow.stops) {
     if (stop.statement == kNoStatement) continue;
     const Statement& s = program.at(stop.statement);
@@ -211,10 +215,13 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 std::string free_label(const Program& program, NameId label) {
   const std::string& text = program.name(label);
   if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string::npos) return {};
-  for (long number = std::stol(text) + 1;; ++number) {
+  constexpr long kTries = 200;
+  const long first = std::stol(text) + 1;
+  for (long number = first; number < first + kTries; ++number) {
     const NameId id = program.syntax.names.find(std::to_string(number));
     if (id == kNoName || id >= program.by_label.size() || program.by_label[id].empty()) return "o" + std::to_string(number);
   }
+  return {};
 }
 
 }  // namespace owlint::rules

@@ -12,21 +12,7 @@ using namespace owlint::test;
 
 TEST_CASE("fixtures meet their expectations", "[programs]") {
   if (updating()) {
-    // More or fewer expectations move the lines below them: until nothing changes any more.
-    size_t rewritten = 1;
-    for (int round = 0; rewritten > 0; ++round) {
-      REQUIRE(round < 4);
-      rewritten = 0;
-      const std::vector<Fixture> fixtures = all_fixtures();
-      const std::vector<nlohmann::json> findings = check_fixtures(fixtures);
-      for (size_t i = 0; i < fixtures.size(); ++i) {
-        const std::vector<std::string> found = expectations(findings[i]);
-        if (found == fixtures[i].expected) continue;
-        rewrite(fixtures[i], found);
-        ++rewritten;
-      }
-      if (rewritten > 0) WARN(rewritten << " fixtures rewritten: read the difference before you keep it");
-    }
+    if (const size_t count = update_fixtures(); count > 0) WARN(count << " fixtures rewritten: read the difference before you keep it");
     return;
   }
   const std::vector<Fixture> fixtures = all_fixtures();

@@ -62,7 +62,10 @@ int run(std::vector<std::string> arguments) {
   CLI::App* rules = app.add_subcommand("rules", "list all rules");
   rules->add_option("--format", rules_format, "text, json or markdown")->check(CLI::IsMember({"text", "json", "markdown"}))->capture_default_str();
 
-  if (arguments.empty()) arguments.emplace_back("--help");
+  if (arguments.empty()) {
+    std::cerr << app.help();
+    return owlint::cli::kUsage;
+  }
   // `check` may be left out.
   if (!arguments.empty() && std::ranges::find(kCommands, arguments.front()) == kCommands.end() &&
       arguments.front() != "--help" && arguments.front() != "-h" && arguments.front() != "--version") {

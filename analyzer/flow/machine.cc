@@ -44,7 +44,6 @@ uint64_t State::hash() const {
   h = combine(h, defining);
   h = combine(h, static_cast<uint64_t>(executed) | breaking << 4 | continuing << 8 | returned << 12 |
                      static_cast<uint64_t>(seek) << 16 | static_cast<uint64_t>(looped) << 17 |
-                     static_cast<uint64_t>(fanuc_style) << 19 |
                      static_cast<uint64_t>(parameters.outside) << 18);
   h = combine(h, table.hash());
   h = combine(h, parameters.locals.hash());
@@ -180,7 +179,6 @@ State Machine::join(const State& a, const State& b) {
   out.continuing |= b.continuing;
   out.returned |= b.returned;
   out.looped = a.looped && b.looped;
-  out.fanuc_style = a.fanuc_style || b.fanuc_style;
   out.table = PersistentMap::merge(pool_, a.table, b.table, [this](uint32_t, uint32_t x, uint32_t y) { return definers_.join(x, y); });
   if (a.counts != b.counts) out.counts = join_counts(a.counts, b.counts);
   const auto join = [](uint32_t, uint32_t x, uint32_t y) { return join_values(x, y); };
@@ -218,13 +216,10 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
   out.skip = kNoLabel;
   out.seek = false;
   out.looped = false;
-  out.fanuc_style = caller.fanuc_style;
   out.branch = 0;
   // M98 does not save #1 to #30; an O-word call gives the caller's own values back.
-  if (!fanuc) {
-    out.parameters.locals = caller.parameters.locals;
-    out.parameters.local_facts = caller.parameters.local_facts;
-  }
+  out.parameters.locals = fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;
+  out.parameters.local_facts = fanuc ? PersistentMap() : caller.parameters.local_facts;
   return out;
 }
 

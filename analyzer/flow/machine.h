@@ -41,7 +41,6 @@ struct State {
   FullLabel skip = kNoLabel;
   NameId defining = kNoName;
   bool seek = false;
-  bool fanuc_style = false;     ///< an M98 with L0 has made this level a Fanuc-style one (measured)
   bool looped = false;          ///< arrived by the way back of a loop
   uint8_t executed = kNo;       ///< "a branch has been taken"
   uint8_t breaking = kNo;

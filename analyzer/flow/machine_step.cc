@@ -363,7 +363,7 @@ bool Machine::Step::enter_sub() {
 }
 
 void Machine::Step::sub() {
-  if (state.fanuc_style || (called() && context.fanuc)) {
+  if (called() && context.fanuc) {
     return stop(StopKind::kStyleNeedsCall, "'O.... sub' subroutine must be called with 'O.... call'");
   }
   if (skipping) {
@@ -390,7 +390,6 @@ void Machine::Step::bare() {
 
 void Machine::Step::leave_sub() {
   const bool endsub = s.keyword == Keyword::kEndsub;
-  if (state.fanuc_style && !defining()) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
   if (called()) {
     if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
     if (endsub) state.skip = kNoLabel;
@@ -434,10 +433,6 @@ void Machine::Step::call(int repeats, bool fanuc) {
     }
     if (error() != nullptr) return stop_error();
   }
-  if (repeats == 0) {
-    state.fanuc_style = true;
-    return next_line();
-  }
   if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
 
   // Where no chain is too deep, calls at all depths are alike.
@@ -445,20 +440,23 @@ void Machine::Step::call(int repeats, bool fanuc) {
   const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size())};
   State enter = state;
   enter.looped = false;
-  enter.fanuc_style = false;
   enter.branch = 0;
-  if (!fanuc) {
+  enter.parameters.local_facts = {};
+  if (fanuc) {
+    enter.parameters.locals = m.evaluator_.share_numbers({}, state.parameters.locals);
+  } else {
     enter.parameters.locals = {};
-    enter.parameters.local_facts = {};
     for (long n = 1; n < kFirstGlobalNumber; ++n) {
       const bool passed = n <= static_cast<long>(arguments.size());
       m.evaluator_.set_number(enter.parameters, n, passed ? arguments[n - 1] : kNotPassed);
     }
   }
-  if (repeats == kUnknownRepeats) {  // perhaps not once
-    State past = state;
-    past.fanuc_style = true;
-    go(std::move(past), here + 1);
+  if (repeats == 0 || repeats == kUnknownRepeats) {
+    // Measured: with L0 the call is made and simply goes on with the next line, inside; M99 comes back to that line.
+    State inside = enter;
+    inside.position = here + 1;
+    out.call(state, std::move(inside), callee, 1);
+    if (repeats == 0) return;
   }
   const Definers::Set set = m.definers_.get(entry());
   for (const StatementId line : set.lines) {

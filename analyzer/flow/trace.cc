@@ -7,7 +7,7 @@ namespace {
 
 // Questions that walk the whole graph are answered exactly up to these sizes; beyond, `maybe` and unpruned paths
 // are true as well, only less telling.
-constexpr size_t kMaxQuestions = 256;
+constexpr size_t kMaxWork = 16'000'000;  // records looked at for `reach`, over all questions
 constexpr size_t kMaxRecords = 2'000'000;
 constexpr size_t kMaxDecisions = 8;
 
@@ -30,6 +30,9 @@ void Trace::finish() {
   }
   pack(edges, records_.size(), true, next_first_, next_);
   pack(edges, records_.size(), false, previous_first_, previous_);
+  for (const Record& record : records_) {
+    if (record.executed) executed_.insert(record.statement);
+  }
   std::vector<RecordId> ends;
   for (const auto& [at, key] : terminals_) ends.push_back(at);
   hanging_ = backward_from(ends);
@@ -87,10 +90,10 @@ bool Trace::has_cycle(const std::vector<bool>& within) const {
 Reach Trace::reach(StatementId statement) const {
   if (const auto known = reaches_.find(statement); known != reaches_.end()) return known->second;
   const auto hits = [&](RecordId id) { return records_[id].statement == statement && records_[id].executed; };
-  bool reached = false;
-  for (RecordId id = 0; id < records_.size() && !reached; ++id) reached = hits(id);
+  const bool reached = executed_.contains(statement);
   Reach answer = reached ? Reach::kMaybe : Reach::kNever;
-  if (reached && reaches_.size() < kMaxQuestions && records_.size() < kMaxRecords) {
+  work_ += reached ? records_.size() : 0;
+  if (reached && work_ <= kMaxWork) {
     // Can a run end (or never end) without coming here?
     std::vector<bool> seen(records_.size());
     std::vector<RecordId> todo{0};

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,9 @@ class Trace {
   // Successors and predecessors, packed: those of record i are [first[i], first[i + 1]).
   std::vector<uint32_t> next_first_, next_, previous_first_, previous_;
   std::vector<bool> hanging_;
+  std::unordered_set<StatementId> executed_;
   mutable std::unordered_map<StatementId, Reach> reaches_;
+  mutable size_t work_ = 0;
 };
 
 }  // namespace owlint::flow

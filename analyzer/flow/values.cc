@@ -144,6 +144,11 @@ void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
   (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
 }
 
+PersistentMap Evaluator::share_numbers(PersistentMap names, const PersistentMap& numbers) const {
+  for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) names.set(pool_, n, numbers.get(n));
+  return names;
+}
+
 void Evaluator::expect_from_outside(Parameters& p) const {
   for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
   // A remap passes named parameters: those that the file reads before any of its lines assigns them. Expressions

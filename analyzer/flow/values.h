@@ -99,6 +99,8 @@ class Evaluator {
 
   Constants& constants() const { return constants_; }
   void set_number(Parameters& p, long number, ValueId value) const;
+  /// M98 shares #1 to #30 with its sub, but not names: `names` with the numbers of `numbers`.
+  PersistentMap share_numbers(PersistentMap names, const PersistentMap& numbers) const;
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
   void expect_from_outside(Parameters& p) const;
   void set_name(Parameters& p, NameId name, ValueId value) const;

@@ -24,6 +24,9 @@ class Matcher {
       unclosed(open_.back(), lines.empty() ? 0 : lines.back() + 1);
       open_.pop_back();
     }
+    for (const BlockId id : floating_) {
+      if (block(id).end == kNoStatement) block(id).crossed = kNoBlock;  // its end did not come after all
+    }
   }
 
  private:
@@ -42,21 +45,19 @@ class Matcher {
     if (s.kind != LineKind::kOWord || s.label == kNoName) return;
     switch (s.keyword) {
       case Keyword::kWhile:
-        if (const size_t at = find(Keyword::kDo, s.label); at != open_.size()) return close(at, id);
+        if (const BlockId loop = find(Keyword::kDo, s.label); loop != kNoBlock) return close(loop, id);
         return open(id);
       case Keyword::kIf: case Keyword::kDo: case Keyword::kRepeat:
         return open(id);
       case Keyword::kElseif: case Keyword::kElse:
-        if (const size_t at = find(Keyword::kIf, s.label); at != open_.size()) {
-          block(open_[at]).parts.push_back(id);
-          program_.block_of[id] = open_[at];
+        if (const BlockId branch = find(Keyword::kIf, s.label); branch != kNoBlock) {
+          block(branch).parts.push_back(id);
+          program_.block_of[id] = branch;
         }
         return;
       case Keyword::kBreak: case Keyword::kContinue:
-        for (size_t at = open_.size(); at-- > 0;) {
-          if (block(open_[at]).label != s.label) continue;
-          program_.block_of[id] = open_[at];
-          return;
+        if (const auto found = by_label_.find(s.label); found != by_label_.end() && !found->second.empty()) {
+          program_.block_of[id] = found->second.back();
         }
         return;
       case Keyword::kEndif: case Keyword::kEndwhile: case Keyword::kEndrepeat:
@@ -81,16 +82,14 @@ class Matcher {
     by_label_[s.label].push_back(number);
   }
 
-  /// Position in the stack of the innermost open block of that kind and label; the stack's size if there is none.
-  size_t find(Keyword kind, NameId label) {
+  /// The innermost open block of that kind and label.
+  BlockId find(Keyword kind, NameId label) {
     const auto found = by_label_.find(label);
-    if (found == by_label_.end()) return open_.size();
+    if (found == by_label_.end()) return kNoBlock;
     for (size_t i = found->second.size(); i-- > 0;) {
-      if (block(found->second[i]).kind != kind) continue;
-      const auto at = std::ranges::lower_bound(open_, found->second[i]);
-      return static_cast<size_t>(at - open_.begin());
+      if (block(found->second[i]).kind == kind) return found->second[i];
     }
-    return open_.size();
+    return kNoBlock;
   }
 
   void forget(BlockId id) {
@@ -102,8 +101,7 @@ class Matcher {
 
   void end(StatementId id) {
     const Statement& s = program_.at(id);
-    const size_t at = find(opener_of(s.keyword), s.label);
-    if (at != open_.size()) return close(at, id);
+    if (const BlockId own = find(opener_of(s.keyword), s.label); own != kNoBlock) return close(own, id);
     if (open_.empty()) return;
     // No open block fits. The innermost one was probably meant if only its label or its keyword differs and its
     // proper end does not come later.
@@ -132,31 +130,23 @@ class Matcher {
     return false;
   }
 
-  void close(size_t at, StatementId id) {
-    const BlockId closing = open_[at];
-    while (open_.size() > at + 1) {
+  void close(BlockId closing, StatementId id) {
+    // A block that another one has crossed is not on the stack any more; only its label is still known.
+    while (block(closing).crossed == kNoBlock && open_.back() != closing) {
       const BlockId inner = open_.back();
+      open_.pop_back();
       if (comes_later(block(inner))) {
-        crossing_.push_back(inner);
         block(inner).crossed = closing;
+        floating_.push_back(inner);
       } else {
         unclosed(inner, id);
+        forget(inner);
       }
-      forget(inner);
-      open_.pop_back();
     }
+    if (block(closing).crossed == kNoBlock) open_.pop_back();
     block(closing).end = id;
     program_.block_of[id] = closing;
     forget(closing);
-    open_.pop_back();
-    // Crossing blocks go on behind the end of the one that they cross.
-    while (!crossing_.empty()) {
-      const BlockId inner = crossing_.back();
-      crossing_.pop_back();
-      open_.push_back(inner);
-      std::ranges::sort(open_);
-      by_label_[block(inner).label].push_back(inner);
-    }
   }
 
   /// Indentation of a line; -1 for blank lines and comments.
@@ -207,7 +197,7 @@ class Matcher {
   size_t index_ = 0;
   RegionId next_region_ = 1;
   std::vector<BlockId> open_;
-  std::vector<BlockId> crossing_;
+  std::vector<BlockId> floating_;  // crossed by another block, their own end still to come
   std::unordered_map<NameId, std::vector<BlockId>> by_label_;  // open blocks
 };
 

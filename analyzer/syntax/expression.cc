@@ -3,6 +3,9 @@
 #include <array>
 #include <charconv>
 
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
 namespace owlint {
 namespace {
 
@@ -64,7 +67,7 @@ ExprId ExpressionParser::add(Expr expr) {
 }
 
 ExprId ExpressionParser::fail(size_t from, size_t to, std::string message) {
-  error_ = {StopKind::kExpression, from, to, std::move(message)};
+  error_ = {StopKind::kExpression, from, to, failed_ != nullptr ? std::string(failed_) : std::move(message)};
   return kNoExpr;
 }
 
@@ -229,6 +232,12 @@ ExprId ExpressionParser::bracketed() {
     }
     while (depth > 0 && (closed || strength(pending[depth - 1].op) >= strength(op))) {
       --depth;
+      double left_value = 0;
+      double right_value = 0;
+      double result = 0;
+      if (failed_ == nullptr && literal_value(pool_, pending[depth].left, &left_value) && literal_value(pool_, right, &right_value)) {
+        failed_ = apply(pending[depth].op, left_value, right_value, &result);
+      }
       right = add({.op = pending[depth].op, .left = pending[depth].left, .right = right});
     }
     if (closed) return right;

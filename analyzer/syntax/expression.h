@@ -76,6 +76,7 @@ class ExpressionParser {
   ExprPool& pool_;
   Names& names_;
   ReadError error_;
+  const char* failed_ = nullptr;  // the interpreter computes while it reads: what fails comes before what is malformed
 };
 
 /// Name of an operator as it is written (`**`, `LT`, `SQRT`), for messages and graphs.

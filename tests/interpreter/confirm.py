@@ -6,7 +6,7 @@ usage: confirm.py --owlint build/test/owlint [--record] [--only TEXT]
 Runs `rs274 -g` over the fixtures (tests/programs), the corpus, the examples on every rule's page and the table of
 expressions (tests/unit/expressions.tsv), and holds the outcomes against owlint's findings: each stop is claimed by a
 finding that quotes the interpreter's message; a stop of reach `always` happens; without such a finding the program
-ends.  The outcomes are kept in recorded.tsv (--record writes it) and serve where rs274 is not installed.
+ends.  The outcomes are kept in recorded.tsv (--record or OWLINT_UPDATE=1 writes it) and serve where rs274 is not installed.
 """
 import argparse
 import hashlib
@@ -204,6 +204,8 @@ def main(argv):
     parser.add_argument("--record", action="store_true", help="write recorded.tsv")
     parser.add_argument("--only", default="", help="programs whose name contains this")
     options = parser.parse_args(argv)
+    if os.environ.get("OWLINT_UPDATE", "0") not in ("", "0"):
+        options.record = True
     owlint = os.path.abspath(options.owlint)
     wanted = dict(expressions())
     programs = [p for p in [*fixtures(), *corpus(), *pages(owlint), *wanted] if options.only in p.name]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Holds owlint against the measured outcomes of the probe programs, in all three modes.
 
-usage: probes.py --owlint build/test/owlint [--probes FOLDER]
+usage: probes.py --owlint build/test/owlint [FOLDER]
 
 FOLDER has outcomes.tsv and probes/; it lies beside the repository (../shared/interpreter) and not in it, so that
 without it there is nothing to do. Modes: default; warnonly (`--feature 0x20`); mask (the INI's FEATURE mask, which
@@ -20,7 +20,6 @@ from rs274 import Outcome
 HERE = os.path.dirname(os.path.abspath(__file__))
 BESIDE = os.path.normpath(os.path.join(HERE, "..", "..", "..", "shared", "interpreter"))
 SKIPPED = 77                # what ctest takes for "not run"
-NUMBER_ENDS = 120           # outcomes.tsv cuts the message of an endless loop here
 
 
 def outcomes_of(folder):
@@ -37,7 +36,7 @@ def outcomes_of(folder):
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--owlint", required=True)
-    parser.add_argument("--probes", default=BESIDE)
+    parser.add_argument("probes", nargs="?", default=BESIDE, metavar="FOLDER")
     options = parser.parse_args(argv)
     if not os.path.exists(os.path.join(options.probes, "outcomes.tsv")):
         print("probes.py: skipped, %s has no outcomes.tsv" % options.probes)

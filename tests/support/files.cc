@@ -1,5 +1,7 @@
 #include "support/files.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -22,11 +24,14 @@ std::string read_file(const std::string& path) {
 }
 
 void write_file(const std::string& path, const std::string& bytes) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  // Renamed into place: tests that run at the same time never see half a file.
+  const fs::path beside = fs::path(path).parent_path() / (".owlint-new-" + std::to_string(::getpid()));
+  std::ofstream out(beside, std::ios::binary | std::ios::trunc);
   out << bytes;
   out.close();
   INFO("writing " << path);
   REQUIRE(out.good());
+  fs::rename(beside, path);
 }
 
 std::vector<std::string> files_below(const std::string& folder) {

@@ -37,6 +37,10 @@ bool meets(const std::string& expected, const std::string& found);
 /// Rewrites a fixture's expectations and leaves all other bytes as they are.
 void rewrite(const Fixture& fixture, const std::vector<std::string>& found);
 
+/// Rewrites the expectations of all fixtures until nothing changes any more (fewer or more of them move the lines
+/// below); how many were not as found.
+size_t update_fixtures();
+
 /// Checks all fixtures, those with the same options in one run: their findings, in the order of `fixtures`.
 std::vector<nlohmann::json> check_fixtures(const std::vector<Fixture>& fixtures);
 

@@ -104,7 +104,7 @@ TEST_CASE("overrides change the selection of some files", "[settings]") {
                 "[[overrides]]\nfiles = [\"*.tap\"]\nselect = [\"OW5\"]\n");
   CHECK(settings(scratch, "p.ngc").options.ignore == std::vector<std::string>{"OW304"});
   const Settings legacy = settings(scratch, "legacy/deep/p.tap");
-  CHECK(legacy.options.ignore == std::vector<std::string>{"OW1"});
+  CHECK(legacy.options.ignore == std::vector<std::string>{"OW304", "OW1"});  // added to those of all files
   CHECK(legacy.options.select == std::vector<std::string>{"OW5"});
   CHECK(legacy.options.severity.at("OW2") == Severity::kWarning);
 }

@@ -1,0 +1,41 @@
+// Any bytes are a program: lint must come back, with places inside the file and in order.
+#include <cstdlib>
+#include <sstream>
+
+#include "analyzer/report/report.h"
+
+using namespace owlint;
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+void inside(Span span, uint64_t size) { require(span.begin <= span.end && span.end <= size); }
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  if (size == 0) return 0;
+  Profile profile;
+  if ((data[0] & 1) != 0) profile.feature = 0x20;
+  profile.version = static_cast<Version>(data[0] >> 1 & 3);
+  LintOptions options;
+  options.extend_select = {"OW"};
+  const FileReport report = lint(Source::own("p.ngc", {reinterpret_cast<const char*>(data) + 1, size - 1}), profile, options);
+  uint64_t last = 0;
+  for (const Finding& f : report.findings) {
+    inside(f.span, size - 1);
+    require(f.span.begin >= last);
+    last = f.span.begin;
+    for (const Related& related : f.related) inside(related.span, size - 1);
+    for (const Fix& fix : f.fixes) {
+      for (const Edit& edit : fix.edits) inside(edit.span, size - 1);
+    }
+  }
+  std::ostringstream out;
+  write_json(out, {report});
+  write_text(out, report, true);
+  return 0;
+}
