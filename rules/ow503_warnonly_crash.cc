@@ -16,6 +16,7 @@ void check(const Input& in, Reporter& out) {
     f.reach = h.reach;
     f.stops = true;
     f.never_ends = true;
+    add_consequences(in, h.statement, f);
   }
 }
 

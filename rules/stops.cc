@@ -15,6 +15,9 @@ StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(progra
     const Statement& s = program.at(stop.statement);
     if (stop.kind != StopKind::kFileEnd || !(opens_block(s.keyword) || s.opens_sub())) stopped[stop.statement] = true;
   }
+  for (const Hazard& hazard : flow.hazards) {
+    if (hazard.kind == HazardKind::kCrash) stopped[hazard.statement] = true;
+  }
   at = stopped;
   for (const Hazard& hazard : flow.hazards) {
     if (hazard.kind != HazardKind::kWarned) continue;
@@ -133,7 +136,11 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
                                        : (decision.taken ? " is true" : " is false");
     finding.path.push_back({s.head_span(), "when `" + in.program.head(decision.statement) + "` on line " + std::to_string(s.line) + outcome});
   }
-  const auto [first, last] = in.stops.consequences.equal_range(stop.statement);
+  add_consequences(in, stop.statement, finding);
+}
+
+void add_consequences(const Input& in, StatementId statement, Finding& finding) {
+  const auto [first, last] = in.stops.consequences.equal_range(statement);
   for (auto it = first; it != last; ++it) {
     const FlowStop& other = *it->second;
     const Span span = other.statement == kNoStatement ? finding.span : in.program.at(other.statement).head_span();

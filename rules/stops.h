@@ -16,6 +16,9 @@ std::string_view code_of(StopKind kind, const Statement& statement);
 /// Fills reach, stops, interpreter and the path of a finding about `stop`.
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding);
 
+/// Names the other stops that the mistake at `statement` leads to.
+void add_consequences(const Input& in, StatementId statement, Finding& finding);
+
 /// Calls `each` for every stop that belongs to the rule and is not the consequence of another mistake; `each` adds
 /// the finding and returns it.
 void for_stops(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each);

@@ -59,6 +59,7 @@ def claims_of(findings):
         if f["stops"] and f["reach"] != "never" and f["code"] not in HAZARDS:
             at_file_end = codes_of(f.get("interpreter", "")) & {EOF} != set()
             claims.add(Claim(f["code"], f["start"]["line"], f["reach"], at_file_end))
+        if f["stops"] and f["reach"] != "never":
             claims.update(Claim(c["code"], c["start"]["line"], "maybe") for c in f.get("consequences", []))
     return claims
 
