@@ -497,7 +497,7 @@ void Analysis::endless_loops() {
   }
   if (hangs) return;  // one mistake, one finding
   std::ranges::sort(loops);
-  loops.erase(std::ranges::unique(loops).begin(), loops.end());
+  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
   for (const StatementId loop : loops) {
     Hazard hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, ""};
     hazards_.emplace(std::make_tuple(hazard.kind, loop, kNoStatement, 0U), std::move(hazard));
