@@ -2,8 +2,8 @@
 // report one mistake, and where it says in which place the end is missing, that must be the place.
 #include <iostream>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "analyzer/findings/severity.h"
 #include "rules/lint.h"
@@ -16,10 +16,10 @@ namespace {
 
 struct Deletion {
   std::string path;
-  std::string text;      ///< the program without the line
-  std::string what;      ///< `o100 endif`
-  uint32_t line = 0;     ///< where it stood
-  uint32_t opener = 0;   ///< the line of the `if`, `sub`...
+  std::string text;     ///< the program without the line
+  std::string what;     ///< `o100 endif`
+  uint32_t line = 0;    ///< where it stood
+  uint32_t opener = 0;  ///< the line of the `if`, `sub`...
   bool sub = false;
 };
 

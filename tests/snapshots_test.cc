@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <map>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "support/files.h"
 #include "support/fixture.h"

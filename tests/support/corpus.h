@@ -10,7 +10,7 @@ struct CorpusProgram {
   std::string path;
   std::string shows;
   bool sound = false;
-  std::string code;    ///< of its one finding
+  std::string code;  ///< of its one finding
   int line = 0;
 };
 

@@ -1,6 +1,6 @@
 // Expressions: values and messages as LinuxCNC's, from a table that confirm.py puts to LinuxCNC as well.
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"

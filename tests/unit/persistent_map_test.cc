@@ -34,7 +34,8 @@ uint32_t random_key(std::mt19937& random) {
   return std::uniform_int_distribution<uint32_t>(0, limits[random() % 4])(random);
 }
 
-uint32_t join(uint32_t key, uint32_t a, uint32_t b) { return key % 3 == 0 ? 0 : a > b ? a : b; }
+uint32_t join(uint32_t key, uint32_t a, uint32_t b) { return key % 3 == 0 ? 0 : a > b ? a
+                                                                                      : b; }
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // Subs and blocks: what belongs to what, also where something is missing.
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "analyzer/program/program.h"
 

@@ -1,6 +1,6 @@
 // What the scanner keeps and how one line is read.
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "analyzer/program/program.h"
 
@@ -19,7 +19,8 @@ struct Read {
       out += std::to_string(s.line) + " ";
       switch (s.kind) {
         case LineKind::kOWord:
-          out += s.keyword == Keyword::kBare ? "bare" : s.keyword == Keyword::kUnknown ? "unknown" : std::string(spelling(s.keyword));
+          out += s.keyword == Keyword::kBare ? "bare" : s.keyword == Keyword::kUnknown ? "unknown"
+                                                                                       : std::string(spelling(s.keyword));
           out += s.label == kNoName ? " ?" : " " + syntax.names.text(s.label);
           break;
         case LineKind::kM98: out += "M98"; break;
