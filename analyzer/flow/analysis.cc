@@ -480,20 +480,28 @@ void Analysis::endless_loops() {
       hazards_.emplace(std::make_tuple(HazardKind::kHang, warned, kNoStatement, 0U), Hazard{HazardKind::kHang, warned, target, 0, Reach::kMaybe, StopKind::kNone, ""});
     }
   };
+  // A wrong end that became a message goes back to an `if` or a `do`, again and again as long as the conditions stay
+  // as they are, also where other outcomes lead out.
+  constexpr size_t kMaxSearches = 64;
+  size_t searches = 0;
+  const auto goes_round = [&](RecordId from, RecordId to) {
+    if (hanging[from] || !warned_.contains(from)) return;
+    const StatementId target = trace_->at(to).statement;
+    const StatementId end = trace_->at(from).statement;
+    if (target == kNoStatement || target > end || !ends_block(program_.at(end).keyword)) return;
+    if (!program_.at(target).is(Keyword::kIf) && !program_.at(target).is(Keyword::kDo)) return;
+    if (searches++ >= kMaxSearches || !trace_->leads(to, from)) return;
+    hazards_.emplace(std::make_tuple(HazardKind::kHang, end, kNoStatement, 0U),
+                     Hazard{HazardKind::kHang, end, target, 0, Reach::kMaybe, StopKind::kNone, ""});
+  };
   for (const auto& [from, to] : trace_->links()) {
     back(from, to);
-    // A wrong end that became a message goes back to an `if` or a `do`, again and again as long as the conditions
-    // stay as they are.
-    if (hanging[from] || !warned_.contains(from)) continue;
-    const StatementId target = trace_->at(to).statement;
-    const Statement& end = program_.at(trace_->at(from).statement);
-    if (target == kNoStatement || target > trace_->at(from).statement || !ends_block(end.keyword)) continue;
-    if (!program_.at(target).is(Keyword::kIf) && !program_.at(target).is(Keyword::kDo)) continue;
-    hazards_.emplace(std::make_tuple(HazardKind::kHang, trace_->at(from).statement, kNoStatement, 0U),
-                     Hazard{HazardKind::kHang, trace_->at(from).statement, target, 0, Reach::kMaybe, StopKind::kNone, ""});
+    goes_round(from, to);
   }
   for (RecordId id = 0; id < trace_->size(); ++id) {
-    if (trace_->at(id).parent != kNoRecord) back(trace_->at(id).parent, id);
+    if (trace_->at(id).parent == kNoRecord) continue;
+    back(trace_->at(id).parent, id);
+    goes_round(trace_->at(id).parent, id);
   }
   if (hangs) return;  // one mistake, one finding
   std::ranges::sort(loops);

@@ -42,6 +42,8 @@ class Trace {
   /// Whether every run that ends, ends with `key`.
   bool only_end(uint32_t key) const;
   Reach reach(StatementId statement) const;
+  /// Whether a run can get from one record to another.
+  bool leads(RecordId from, RecordId to) const { return backward_from({to})[from]; }
   /// The branch outcomes on the way to `stop` without which a run does not get to an end with `key`.
   std::vector<Decision> path(RecordId stop, uint32_t key) const;
   /// Records from which no end can be reached.

@@ -58,7 +58,7 @@ struct Program {
 
   std::vector<Region> regions;        ///< [0] is the main program
   std::vector<RegionId> region_of;    ///< by statement
-  std::vector<Block> blocks;          ///< in the order of their openers
+  std::vector<Block> blocks;          ///< region by region, there in the order of their openers
   std::vector<BlockId> block_of;      ///< by statement: the block that it opens, divides, ends, breaks or continues
   std::vector<Call> calls;
   std::vector<std::vector<StatementId>> by_label;  ///< by NameId: the O-words with that label, in file order
