@@ -12,6 +12,8 @@ from collections import Counter, deque
 TAIL = 48       # random values after the chosen beginning; more than the plugin takes
 HANG_COST = 10  # an endless run takes as long as many others, and seldom leads anywhere
 
+ONES_FOR_EVER = b"\xff"   # every condition true, every count 1: see plugin/namedparams.py
+
 
 class Explorer:
     """All that is known about one program's runs."""
@@ -24,7 +26,7 @@ class Explorer:
         self.hung_after = set()         # lines warned about in runs that never ended
         self.outcomes = Counter()
         self.runs = 0
-        self._fresh = deque([b""])
+        self._fresh = deque([b"", ONES_FOR_EVER])
         self._stale = []
         self._seen = set()
 
@@ -50,8 +52,15 @@ class Explorer:
         start = self._fresh.popleft() if self._fresh else heapq.heappop(self._stale)[1]
         bias = self.rng.choice((0.0, 0.15, 0.4, 0.6, 0.85))
         tail = bytes(self.rng.choice((1, 2)) if self.rng.random() < bias else 0 for _ in range(TAIL))
-        run = self.interpreter.run(self.text, start + (tail if self.runs else b""))
+        if not self.runs or start == ONES_FOR_EVER:
+            tail = b""
+        run = self.interpreter.run(self.text, start + tail)
         self.runs += 1
+        if start == ONES_FOR_EVER and run.outcome == "hang":
+            # A loop of the program's own may do that too: it only bears out a claim, it is no stop to be predicted.
+            self.hung_after.update(run.warned)
+            self._branch(run, 0)
+            return HANG_COST
         self.outcomes[run.outcome] += 1
         end = (run.outcome, run.codes, run.line)
         if end not in self.ends or len(run.trace) < len(self.ends[end].trace):

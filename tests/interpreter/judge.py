@@ -85,8 +85,9 @@ def is_witnessed(claim, explorer):
     if claim.code == CRASH:
         return any(outcome == "crash" and line == claim.line for outcome, _, line in explorer.ends)
     if claim.code in HANGS:
-        return any(outcome == "hang" for outcome, _, _ in explorer.ends) and \
-            (claim.code != "OW504" or claim.line in explorer.hung_after)
+        if claim.code == "OW504":
+            return claim.line in explorer.hung_after
+        return any(outcome == "hang" for outcome, _, _ in explorer.ends)
     return any(_agrees(claim, end) for end in explorer.ends)
 
 

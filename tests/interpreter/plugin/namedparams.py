@@ -2,7 +2,8 @@
 
 The interpreter calls a function of this module each time a program reads the parameter of that name.  Every reading
 takes the next number of `CHOICES`, so one list of numbers is one run.  Past the end of the list, and from the
-`LIMIT`-th reading on, the value is 0: a loop on an unknown condition always ends.
+`LIMIT`-th reading on, the value is 0: a loop on an unknown condition always ends. A list that ends with `ONES` goes on
+with 1 for ever instead: so an endless loop is seen that needs a condition to stay true.
 
 `#<_choice>` is a condition (0 or 1), `#<_count>` a repeat count (0, 1 or 2).
 With the stand-alone `rs274` the list is given in the environment: CHOICES=0110.
@@ -10,6 +11,7 @@ With the stand-alone `rs274` the list is given in the environment: CHOICES=0110.
 import os
 
 LIMIT = 40
+ONES = 255
 CHOICES = [int(c) for c in os.environ.get("CHOICES", "")]
 TAKEN = 0
 NOTE = None      # called with (position, line, arity, value) for each reading, when set
@@ -17,7 +19,10 @@ NOTE = None      # called with (position, line, arity, value) for each reading, 
 
 def _take(interp, arity):
     global TAKEN
-    value = CHOICES[TAKEN] % arity if TAKEN < min(len(CHOICES), LIMIT) else 0
+    if CHOICES and CHOICES[-1] == ONES:
+        value = CHOICES[TAKEN] % arity if TAKEN < len(CHOICES) - 1 else 1
+    else:
+        value = CHOICES[TAKEN] % arity if TAKEN < min(len(CHOICES), LIMIT) else 0
     if NOTE is not None and TAKEN < LIMIT:
         NOTE(TAKEN, interp.sequence_number, arity, value)
     TAKEN += 1

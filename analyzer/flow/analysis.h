@@ -1,0 +1,142 @@
+// The analysis in progress: which states wait, which were seen, which calls were made, what was found. Used by
+// analysis.cc, which runs it, and results.cc, which draws the conclusions.
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <memory>
+#include <queue>
+#include <string>
+#include <tuple>
+#include <unordered_set>
+#include <vector>
+
+#include "analyzer/flow/machine.h"
+#include "analyzer/flow/trace.h"
+
+namespace owlint::flow {
+
+// How many states are kept apart at one place. Small programs are followed almost path by path; the further an
+// analysis goes on, the more it joins.
+struct Patience {
+  uint64_t steps;
+  size_t states;
+  size_t contexts;
+};
+inline constexpr Patience kPatience[] = {{60'000, 64, 32}, {200'000, 8, 4}, {UINT64_MAX, 1, 1}};
+inline constexpr size_t kCoarse = 2;  // from this level on, constants are not told apart either
+
+inline constexpr uint32_t kNormalEnd = 0;
+
+class Analysis final : public Listener {
+ public:
+  Analysis(Program& program, const Profile& profile)
+      : program_(program), machine_(program, profile, pool_), heads_(program.size() + 1, UINT32_MAX),
+        trace_(std::make_shared<Trace>()) {
+    result_.executed.resize(program.size());
+  }
+
+  FlowResult run();
+
+  void successor(State state) override;
+  void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) override;
+  void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) override;
+  void end(const State& at) override { trace_->terminate(at.record, kNormalEnd); result_.ends = true; }
+  void call(const State& at, State entry, Context callee, int repeats) override;
+  void leave(const State& at) override;
+
+ private:
+  /// All states at one line in one mode (same call, same skip).
+  struct Group {
+    ContextId context;
+    FullLabel skip;
+    NameId defining;
+    bool seek;
+    bool looped;
+    uint32_t next;
+    std::vector<std::pair<uint64_t, RecordId>> seen;
+    std::unique_ptr<State> joined;
+    std::vector<RecordId> parents;  ///< records whose states wait in `joined`
+    bool dirty;
+
+    RecordId find(uint64_t hash) const {
+      const auto found = std::ranges::find(seen, hash, &std::pair<uint64_t, RecordId>::first);
+      return found == seen.end() ? kNoRecord : found->second;
+    }
+  };
+  struct Caller {
+    State state;
+    int repeats;
+  };
+  struct Frame {
+    Context info;
+    bool outside = false;  ///< called from outside the file: its return ends the run
+    std::vector<Caller> callers;
+    std::unordered_set<uint64_t> caller_hashes;
+    std::vector<State> exits;
+    std::vector<uint64_t> exit_hashes;
+    std::unique_ptr<State> joined_exit;
+    std::unique_ptr<State> joined_entry;
+    RecordId entry = kNoRecord;
+  };
+  struct Pending {
+    StatementId position;
+    uint64_t order;
+    uint32_t state;
+    bool operator<(const Pending& other) const {
+      return position != other.position ? position > other.position : order > other.order;
+    }
+  };
+  struct StopKey {
+    StatementId statement;
+    StopKind kind;
+    std::string detail;
+    auto operator<=>(const StopKey&) const = default;
+  };
+  struct StopInfo {
+    uint32_t key;
+    RecordId record;
+    FlowStop stop;
+  };
+
+  const Patience& patience() const { return kPatience[level_]; }
+  void start();
+  void push(State state);
+  void arrive(State state);
+  void execute(State state, Group& group, uint64_t hash);
+  void execute_joined(uint32_t index);
+  void end_of_file(const State& state);
+  void add_stop(RecordId record, FlowStop stop);
+  void resume_one(const Caller& caller, const State& exit, Frame& frame);
+  ContextId context_for(const Context& callee, const State& entry, bool* merged);
+  void finish();
+  void endless_loops();
+  Group& group_at(const State& state);
+
+  Program& program_;
+  PersistentMap::Pool pool_;
+  Machine machine_;
+  std::vector<uint32_t> heads_;
+  std::vector<Group> groups_;  // grows only while states arrive, never while one is executed
+  std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
+  std::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_;
+  std::map<std::tuple<NameId, int, bool>, std::pair<size_t, ContextId>> context_counts_;
+  std::priority_queue<Pending> queue_;
+  std::vector<State> waiting_;
+  std::vector<uint32_t> free_;
+  std::vector<uint32_t> dirty_;  // groups with a join to execute
+  uint64_t order_ = 0;
+  size_t level_ = 0;
+  std::shared_ptr<Trace> trace_;
+  std::map<StopKey, StopInfo> stops_;
+  std::map<std::tuple<HazardKind, StatementId, StatementId, uint32_t>, Hazard> hazards_;
+  std::vector<std::tuple<ContextId, uint32_t, StatementId>> not_passed_;
+  std::unordered_set<RecordId> warned_;  // records with an error that FEATURE 0x20 turned into a message
+  std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond the limit
+  std::map<std::pair<HazardKind, StatementId>, size_t> origins_;
+  uint32_t next_key_ = 1;
+  FlowResult result_;
+};
+
+}  // namespace owlint::flow

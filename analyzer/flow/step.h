@@ -1,0 +1,188 @@
+// One step of the O-word machine in progress: a line, and the state in which it is met. Used by the step_*.cc files
+// only, which hold the transitions, keyword by keyword.
+#pragma once
+
+#include <algorithm>
+
+#include "analyzer/flow/machine.h"
+
+namespace owlint::flow {
+
+enum class Truth : uint8_t { kFalse, kTrue, kOpen };  // open: both outcomes are followed
+
+inline constexpr int kUnknownRepeats = -1;  // M98 with an L that is not known
+
+struct Machine::Step {
+  Machine& m;
+  State state;
+  const Context& context;
+  Listener& out;
+  const Statement& s;
+  StatementId here;
+  bool skipping;
+  FullLabel label = kNoLabel;
+  Fact tested;  ///< the condition of this line, when its outcome can be remembered
+  ReadLog reads;
+
+  Step(Machine& machine, State start, const Context& ctx, Listener& listener)
+      : m(machine), state(std::move(start)), context(ctx), out(listener), s(m.program_.at(state.position)),
+        here(state.position), skipping(state.skip != kNoLabel) {}
+
+  const LineError* error() const { return m.program_.syntax.error(s); }
+  bool defining() const { return state.defining != kNoName; }
+  bool called() const { return context.depth > 0; }
+  bool warn_only() const { return m.profile_.warn_only(); }
+
+  // --- leaving the line ---
+
+  /// `branch`: 1 when this outcome needs a true condition, 2 a false one.
+  void go(State next, StatementId position, uint8_t branch = 0) {
+    if (branch != 0) m.evaluator_.learn(next.parameters, tested, branch == 1);
+    next.position = position;
+    next.branch = branch;
+    next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
+    out.successor(std::move(next));
+  }
+  void next_line() { go(std::move(state), here + 1); }
+
+  void stop(StopKind kind, std::string message, StatementId other = kNoStatement, std::string detail = {}) {
+    out.stop(state, kind, other, std::move(message), std::move(detail));
+  }
+  void stop_error() { stop(error()->kind, error()->message); }
+
+  /// One of the eight documented errors: stops, or under FEATURE 0x20 becomes a message. True when it goes on.
+  bool documented(StopKind kind, std::string message, StatementId other = kNoStatement) {
+    if (!warn_only()) {
+      stop(kind, std::move(message), other);
+      return false;
+    }
+    out.hazard(state, HazardKind::kWarned, 0, kind, std::move(message));
+    return true;
+  }
+
+  // --- evaluating ---
+
+  /// False when evaluation stops the interpreter on every merged path.
+  bool settle(const Evaluation& e, bool at_definition = false) {
+    const StopKind kind = e.fails != StopKind::kNone ? e.fails : e.may_fail;
+    if (kind != StopKind::kNone) {
+      std::string message = e.message != nullptr ? e.message : "";
+      std::string detail;
+      if (e.name != kNoName) {
+        detail = m.program_.name(e.name);
+        message = kind == StopKind::kNameReadOnly ? "Cannot assign to read-only parameter #<" + detail + ">"
+                                                  : "Named parameter #<" + detail + "> not defined";
+      }
+      if (at_definition) out.hazard(state, HazardKind::kValueAtDefinition, 0, kind, message);
+      stop(kind, std::move(message), kNoStatement, std::move(detail));
+    }
+    return e.fails == StopKind::kNone;
+  }
+
+  Evaluation evaluate(ExprId id, bool zero_when_unassigned = false) {
+    return m.evaluator_.evaluate(id, state.parameters, zero_when_unassigned, defining(), &reads);
+  }
+
+  void report_reads() {
+    for (uint32_t n = 1; n <= 30; ++n) {
+      if ((reads.not_passed >> n & 1) != 0) out.hazard(state, HazardKind::kArgumentNotPassed, n, StopKind::kNone, "");
+    }
+    reads.not_passed = 0;
+  }
+
+  ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first_value + i]; }
+
+  /// The condition of `if`, `elseif`, `while`; false when it stops.
+  bool condition(Truth* truth, double* number = nullptr) {
+    if (s.value_count == 0) {
+      stop_error();
+      return false;
+    }
+    const Evaluation e = evaluate(value(0));
+    reads.not_passed = 0;  // testing an argument that was not passed is how optional arguments are written
+    if (!settle(e)) return false;
+    const bool known = m.constants_.is_constant(e.value);
+    *truth = !known ? Truth::kOpen : m.constants_.value(e.value) != 0 ? Truth::kTrue : Truth::kFalse;
+    if (!known && !s.is(Keyword::kRepeat)) {
+      tested = m.evaluator_.fact(value(0));
+      const int before = Evaluator::known(state.parameters, tested);
+      if (before != 0) *truth = before == 1 ? Truth::kTrue : Truth::kFalse;
+    }
+    if (number != nullptr && known) *number = m.constants_.value(e.value);
+    return true;
+  }
+
+  // --- the table ---
+
+  /// Structured blocks are in the table from their opener on, without being written there.
+  bool structured() const {
+    const BlockId block = m.program_.block_of[here];
+    return block != kNoBlock && m.structured_[block];
+  }
+  uint32_t entry() const {
+    if (!structured()) return state.table.get(label);
+    const StatementId opener = m.program_.blocks[m.program_.block_of[here]].opener;
+    return opener == here ? 0 : Definers::one(opener);
+  }
+  void set_entry(uint32_t packed) {
+    if (!structured()) state.table.set(m.pool_, label, packed);
+  }
+  void define_here() { set_entry(Definers::one(here)); }
+  Keyword kind_of(StatementId line) const { return m.program_.at(line).keyword; }
+  uint32_t line_of(StatementId id) const { return m.program_.at(id).line; }
+  std::string line_text() const {
+    const std::string_view text = m.program_.source->slice({s.offset, s.end});
+    const size_t first = text.find_first_not_of(" \t\r");
+    const size_t last = text.find_last_not_of(" \t\r");
+    return first == std::string_view::npos ? std::string() : std::string(text.substr(first, last - first + 1));
+  }
+  /// `N: ` as the interpreter begins its messages about labels.
+  std::string at_line(const std::string& rest) const { return std::to_string(s.line) + ": " + rest; }
+
+  void set_count(FullLabel of, int count) {
+    auto& counts = state.counts;
+    const auto found = std::ranges::lower_bound(counts, of, {}, &std::pair<FullLabel, uint8_t>::first);
+    const bool present = found != counts.end() && found->first == of;
+    if (count < 0) {
+      if (present) counts.erase(found);
+    } else if (present) {
+      found->second = static_cast<uint8_t>(count);
+    } else {
+      counts.insert(found, {of, static_cast<uint8_t>(count)});
+    }
+  }
+  int count() const {
+    for (const auto& [of, count] : state.counts) {
+      if (of == label) return count;
+    }
+    return -1;
+  }
+
+  // --- keywords ---
+
+  void run();
+  void plain();
+  void o_word();
+  bool resolve_label();
+  void act(Truth truth, double number);
+  bool enter_sub();
+  void sub();
+  void bare();
+  void leave_sub();
+  void call(int repeats, bool fanuc);
+  void repeat(Truth truth, double number);
+  void count_passes(Truth truth, double number);
+  void while_(Truth truth);
+  void if_(Truth truth);
+  void else_(Truth truth);
+  void endif();
+  void jump();
+  void end_loop();
+  void end_loop_at(StatementId opener);
+
+  /// Splits on "undefined": reports `kind` for that part; true when a defined part remains (then narrowed to it).
+  bool require_defined(StopKind kind);
+  void crash(StopKind kind, std::string message);
+};
+
+}  // namespace owlint::flow

@@ -1,0 +1,163 @@
+// What the interpreter does with one line in a given state: reading it, its label, its values; then its keyword acts.
+#include <cmath>
+
+#include "analyzer/flow/step.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+
+void Machine::step(State state, const Context& context, Listener& out) {
+  Step step(*this, std::move(state), context, out);
+  step.run();
+}
+
+void Machine::Step::run() {
+  const LineError* e = error();
+  if (e != nullptr && e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) return stop_error();
+  if (s.kind == LineKind::kOWord) return o_word();
+  plain();
+}
+
+void Machine::Step::plain() {
+  if (s.kind == LineKind::kPercent && m.program_.syntax.percent) {
+    if (here == 0) return next_line();
+    if (skipping) return stop(StopKind::kFileEnd, "Failed to find sub 'O" + m.full_text(state.skip) + "' before EOF");
+    return out.end(state);
+  }
+  if (skipping) return next_line();
+  if (s.kind == LineKind::kPercent) return stop(StopKind::kBadCharacter, "Bad character '%' used");
+  if (s.kind == LineKind::kM98 || s.kind == LineKind::kM99) {
+    if (error() != nullptr) return stop_error();
+    if (s.kind == LineKind::kM98) {
+      if (!resolve_label()) return;
+      if (label == kNoLabel) return next_line();
+      int repeats = 1;
+      if (s.value_count > 0) {
+        const Evaluation times = evaluate(value(0));
+        if (!settle(times)) return;
+        repeats = m.constants_.is_constant(times.value)
+                      ? static_cast<int>(std::clamp(m.constants_.value(times.value), 0.0, 1e6))
+                      : kUnknownRepeats;
+      }
+      return call(repeats, true);
+    }
+    if (!called()) return out.end(state);  // ends a run; the machine itself starts the program again
+    if (!context.fanuc) {
+      return stop(StopKind::kStyleNeedsEndsub, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
+    }
+    return out.leave(state);
+  }
+  const State before = state;
+  const Evaluation e = m.evaluator_.assign(s, state.parameters, &reads);
+  report_reads();
+  if (e.fails != StopKind::kNone || e.may_fail != StopKind::kNone) {
+    State after = std::move(state);
+    state = before;
+    if (!settle(e)) return;
+    state = std::move(after);
+  }
+  if (error() != nullptr) return stop_error();
+  if (s.kind == LineKind::kProgramEnd) return out.end(state);
+  next_line();
+}
+
+/// Finds the full label. False when evaluating it stops; `label` stays none when it cannot be known.
+bool Machine::Step::resolve_label() {
+  NameId name = s.label;
+  if (s.label_expr != kNoExpr) {
+    const Evaluation e = m.evaluator_.evaluate(s.label_expr, state.parameters, false, defining(), &reads);
+    report_reads();
+    if (!settle(e)) return false;
+    if (!m.constants_.is_constant(e.value)) return true;
+    std::string text;
+    if (!label_of_number(m.constants_.value(e.value), &text)) {
+      stop(StopKind::kLabelNotInteger, "Non integer value for integer");
+      return false;
+    }
+    name = m.program_.syntax.names.intern(text);
+  }
+  const bool global = s.kind == LineKind::kM98 || global_label(s.keyword);
+  const NameId scope = global ? kGlobalScope : called() ? context.sub : state.defining;
+  label = m.full_label(scope, name);
+  return true;
+}
+
+void Machine::Step::o_word() {
+  if (s.refused) {  // only read as an O-word by us, to understand the rest
+    if (skipping) return next_line();
+    return stop_error();
+  }
+  if (error() != nullptr && error()->kind == StopKind::kLabelExpression) return stop_error();
+  if (!resolve_label()) return;
+  const Keyword k = s.keyword;
+  if (k == Keyword::kUnknown) {
+    if (defining()) return next_line();
+    return stop_error();
+  }
+  if ((k == Keyword::kSub || k == Keyword::kBare) && defining()) {
+    return stop(StopKind::kSubNested, "Nested subroutine definition");
+  }
+  if (label == kNoLabel) {
+    // The label is computed from something unknown: no claim, on either side. A call comes back, having done
+    // whatever it likes to the global parameters.
+    if (k == Keyword::kCall && !skipping && !defining()) Evaluator::call_outside(state.parameters);
+    return next_line();
+  }
+  Truth truth = Truth::kOpen;
+  double number = NAN;
+  const bool target = state.skip == label;
+  if (k == Keyword::kEndsub || k == Keyword::kReturn) {
+    if (!skipping || target) {
+      if (s.value_count > 0) {
+        Evaluation e = evaluate(value(0));
+        report_reads();
+        if (e.fails == StopKind::kNone && e.may_fail == StopKind::kNone) {
+          // A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
+          const Evaluation fresh = evaluate(value(0), true);
+          e.may_fail = fresh.fails;
+          e.message = fresh.message;
+        }
+        if (!settle(e, defining())) return;
+      } else if (s.has_bracket) {
+        return stop_error();
+      }
+    }
+  } else if (defining()) {
+    return next_line();
+  } else if (k == Keyword::kCall) {
+    if (skipping) return next_line();
+  } else if (k == Keyword::kIf || k == Keyword::kElseif || k == Keyword::kWhile || k == Keyword::kRepeat) {
+    if ((!skipping || target) && !condition(&truth, &number)) return;
+  }
+  if (!skipping && error() != nullptr && error()->kind == StopKind::kTrailingText) return stop_error();
+  if (skipping && !target) return next_line();
+  if (state.seek && k != Keyword::kSub && k != Keyword::kBare) return next_line();
+  act(truth, number);
+}
+
+void Machine::Step::act(Truth truth, double number) {
+  switch (s.keyword) {
+    case Keyword::kSub: return sub();
+    case Keyword::kBare: return bare();
+    case Keyword::kEndsub: case Keyword::kReturn: return leave_sub();
+    case Keyword::kCall: return call(1, false);
+    case Keyword::kDo:
+      state.skip = kNoLabel;
+      if (entry() == 0) {
+        define_here();
+      } else if (m.definers_.get(entry()).undefined) {
+        set_entry(m.definers_.without_undefined(m.definers_.join(entry(), Definers::one(here))));
+      }
+      return next_line();
+    case Keyword::kRepeat: return repeat(truth, number);
+    case Keyword::kWhile: return while_(truth);
+    case Keyword::kIf: return if_(truth);
+    case Keyword::kElseif: case Keyword::kElse: return else_(truth);
+    case Keyword::kEndif: return endif();
+    case Keyword::kBreak: case Keyword::kContinue: return jump();
+    case Keyword::kEndwhile: case Keyword::kEndrepeat: return end_loop();
+    case Keyword::kUnknown: return next_line();
+  }
+}
+
+}  // namespace owlint::flow

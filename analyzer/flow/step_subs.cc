@@ -1,0 +1,149 @@
+// Transitions of `sub`, bare `O`, `endsub`, `return`, `call` and M98.
+#include "analyzer/flow/step.h"
+
+namespace owlint::flow {
+
+/// Enters the sub's label in the table; false when it is there on every path.
+bool Machine::Step::enter_sub() {
+  const Definers::Set set = m.definers_.get(entry());
+  const std::string& path = m.program_.source->path();
+  const std::string where = "File:" + path + " line:" + std::to_string(s.line);
+  const std::string& name = m.program_.name(s.label_expr == kNoExpr ? s.label : m.label_of(label));
+  for (const StatementId line : set.lines) {
+    if (line == here) {
+      stop(StopKind::kSubIllegalLocation, where + " sub: o|" + name + "| found in illegal location", line);
+    } else {
+      stop(StopKind::kSubRedefined, where + " redefining sub: o|" + name + "| already defined in file:" + path, line);
+    }
+  }
+  if (!set.undefined) return false;
+  define_here();
+  return true;
+}
+
+void Machine::Step::sub() {
+  if (called() && context.fanuc) {
+    return stop(StopKind::kStyleNeedsCall, "'O.... sub' subroutine must be called with 'O.... call'");
+  }
+  if (skipping) {
+    if (!enter_sub()) return;
+    state.skip = kNoLabel;
+    state.seek = false;
+  }
+  if (called()) return next_line();
+  if (!enter_sub()) return;
+  state.skip = label;
+  state.defining = m.label_of(label);
+  next_line();
+}
+
+void Machine::Step::bare() {
+  if (called() && !context.fanuc) return stop(StopKind::kStyleNeedsM98, "Fanuc 'O....' subroutine must be called with 'M98'");
+  if (skipping) {
+    if (!enter_sub()) return;
+    state.skip = kNoLabel;
+    state.seek = false;
+  }
+  next_line();
+}
+
+void Machine::Step::leave_sub() {
+  const bool endsub = s.keyword == Keyword::kEndsub;
+  if (called()) {
+    if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
+    if (endsub) state.skip = kNoLabel;
+    return out.leave(state);
+  }
+  if (defining()) {
+    if (endsub) {
+      state.skip = kNoLabel;
+      state.defining = kNoName;
+      state.returned = kNo;
+    }
+    return next_line();
+  }
+  const uint8_t returned = state.returned;
+  if ((returned & kNo) != 0) {
+    state.returned = kNo;
+    if (documented(StopKind::kReturnOutside, at_line("not in a subroutine definition: '" + line_text() + "'"))) {
+      // Measured: `endsub` is still an error, `return` goes on.
+      if (endsub) {
+        stop(StopKind::kNotInDefinition, "Not in subroutine definition");
+      } else {
+        go(state, here + 1);
+      }
+    }
+  }
+  if ((returned & kYes) != 0) {
+    state.returned = kYes;
+    if (endsub) return stop(StopKind::kNotInDefinition, "Not in subroutine definition");
+    go(std::move(state), here + 1);
+  }
+}
+
+void Machine::Step::call(int repeats, bool fanuc) {
+  std::vector<ValueId> arguments;
+  if (!fanuc) {
+    for (uint32_t i = 0; i < s.value_count; ++i) {
+      const Evaluation e = evaluate(value(i));
+      report_reads();
+      if (!settle(e)) return;
+      arguments.push_back(e.value);
+    }
+    if (error() != nullptr) return stop_error();
+  }
+  if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
+
+  // Where no chain is too deep, calls at all depths are alike.
+  const int depth = m.depth_matters_ ? context.depth + 1 : 1;
+  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size())};
+  State enter = state;
+  enter.looped = false;
+  enter.branch = 0;
+  enter.parameters.local_facts = {};
+  if (fanuc) {
+    enter.parameters.locals = m.evaluator_.share_numbers({}, state.parameters.locals);
+  } else {
+    enter.parameters.locals = {};
+    for (long n = 1; n < kFirstGlobalNumber; ++n) {
+      const bool passed = n <= static_cast<long>(arguments.size());
+      m.evaluator_.set_number(enter.parameters, n, passed ? arguments[n - 1] : kNotPassed);
+    }
+  }
+  if (repeats == 0 || repeats == kUnknownRepeats) {
+    // Measured: with L0 the call is made and simply goes on with the next line, inside; M99 comes back to that line.
+    State inside = enter;
+    inside.position = here + 1;
+    out.call(state, std::move(inside), callee, 1);
+    if (repeats == 0) return;
+  }
+  const Definers::Set set = m.definers_.get(entry());
+  for (const StatementId line : set.lines) {
+    State known = enter;
+    known.table.set(m.pool_, label, Definers::one(line));
+    known.position = line;  // the definition's line is read again (measured: text behind it stops there)
+    out.call(state, std::move(known), callee, repeats);
+  }
+  if (!set.undefined) return;
+  if (m.program_.outside_subs.contains(callee.sub)) {
+    // Found in another file: it is taken to come back.
+    Evaluator::call_outside(state.parameters);
+    state.returned = kYes;
+    return next_line();
+  }
+  if (m.may_be_elsewhere(callee.sub)) {
+    // A named sub that the file does not define, and no INI that says where else to look: it stops, or a file on the
+    // machine's search path has it and it comes back.
+    State back = state;
+    Evaluator::call_outside(back.parameters);
+    back.returned = kYes;
+    go(std::move(back), here + 1);
+  }
+  enter.table.set(m.pool_, label, 0);
+  enter.position = here + 1;
+  enter.skip = label;
+  enter.seek = true;
+  out.call(state, std::move(enter), callee, repeats);
+}
+
+}  // namespace owlint::flow
