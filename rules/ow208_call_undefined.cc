@@ -107,8 +107,9 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Correct the name, or add the definition. If the sub lives in a file, give the machine's INI with
-`--ini`, so that its search path is known.)",
+        .fix = R"(Correct the name, or add the definition. owlint looks for a file of that name
+beside the program only; if yours is elsewhere on the machine's search path, ignore the warning with
+`(owlint: ignore OW208 -- in subs/)`.)",
         .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
         .options = "",
     },
