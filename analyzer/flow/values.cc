@@ -275,6 +275,11 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
     } else {
       out.value = constants_.intern(result);
     }
+  } else if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
+    // One known side can decide: nothing is true together with 0.
+    const bool deciding = expr.op == Operator::kOr;
+    const auto decides = [&](bool known, ValueId value) { return known && (constants_.value(value) != 0) == deciding; };
+    if (decides(left_known, left.value) || decides(right_known, right_value)) out.value = constants_.intern(deciding ? 1 : 0);
   } else if (expr.op == Operator::kDivide && right_known && constants_.value(right_value) == 0) {
     out.fails = StopKind::kValueFails;
     out.message = "Attempt to divide by zero";
