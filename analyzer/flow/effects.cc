@@ -19,7 +19,7 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = program.syntax.items[s.first_item + i];
     if (item.target_name != kNoName) {
-      if (program.name(item.target_name).starts_with("_")) effects.globals.insert(global_name_key(item.target_name));
+      if (program.name(item.target_name).starts_with("_")) effects.globals.insert(kGlobalNames + item.target_name);
       continue;
     }
     if (item.target == kNoExpr) continue;

@@ -9,9 +9,6 @@
 namespace owlint::flow {
 namespace {
 
-constexpr uint32_t kLocalNames = 32;
-constexpr uint32_t kGlobalNames = 8192;
-constexpr long kFirstVolatileNumber = 5061;
 // A parameter that more conditions than this read would make every assignment to it expensive.
 constexpr size_t kMaxFactsOfOne = 64;
 

@@ -10,10 +10,6 @@
 namespace owlint::flow {
 namespace {
 
-constexpr uint32_t kLocalNames = 32;
-constexpr uint32_t kGlobalNames = 8192;
-// Positions, offsets, probe results, tool data: the machine changes these between two lines.
-constexpr long kFirstVolatileNumber = 5061;
 // Above this many tracked numbers a write to a computed number would cost too much to model.
 constexpr size_t kMaxTracked = 512;
 
@@ -31,8 +27,6 @@ constexpr std::string_view kPredefined[] = {
 bool is_global_name(std::string_view name) { return !name.empty() && name[0] == '_'; }
 
 }  // namespace
-
-uint32_t global_name_key(NameId name) { return kGlobalNames + name; }
 
 bool predefined_name(std::string_view name) { return std::ranges::binary_search(kPredefined, name); }
 

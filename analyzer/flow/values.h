@@ -11,9 +11,6 @@
 
 namespace owlint::flow {
 
-/// The key of a global name in Parameters::globals.
-uint32_t global_name_key(NameId name);
-
 /// A value in a state's parameter maps. Constants are numbered from kFirstConstant.
 using ValueId = uint32_t;
 inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
@@ -25,6 +22,12 @@ inline constexpr ValueId kFirstConstant = 4;
 /// #1 to #30 belong to the sub that is executed, named ones without `_` too; the rest is global.
 inline constexpr long kFirstGlobalNumber = 31;
 inline constexpr long kLastNumber = 5601;
+/// From here on positions, offsets, probe results, tool data: the machine changes these between two lines.
+inline constexpr long kFirstVolatileNumber = 5061;
+
+/// Keys of names in Parameters: these plus the NameId. Numbers are their own keys.
+inline constexpr uint32_t kLocalNames = 32;
+inline constexpr uint32_t kGlobalNames = 8192;
 
 class Constants {
  public:
@@ -49,8 +52,8 @@ ValueId join_values(ValueId a, ValueId b);
 
 /// Parameters as one state sees them.
 struct Parameters {
-  PersistentMap locals;   ///< keys: 1-30, and 32 + NameId
-  PersistentMap globals;  ///< keys: number, and 8192 + NameId
+  PersistentMap locals;   ///< keys: 1-30, and kLocalNames + NameId
+  PersistentMap globals;  ///< keys: number, and kGlobalNames + NameId
   PersistentMap local_facts;   ///< conditions on locals whose outcome is known: FactId -> 1 true, 2 false
   PersistentMap global_facts;  ///< the same for conditions on globals
   bool outside = false;   ///< an unknown sub has run: globals may have any value
