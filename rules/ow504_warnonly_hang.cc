@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& loop : in.flow.hazards) {
     if (loop.kind != HazardKind::kHang) continue;
     Finding& f = out.add(p.at(loop.statement).head_span(), "under FEATURE 0x20 the program never ends after `" + p.head(loop.statement) + "`");
-    relate(f, p, loop.other, "it always comes back to this line");
+    relate(f, p, loop.other, "it comes back to this line again and again");
     f.help = "correct the label; do not rely on FEATURE 0x20";
     f.interpreter = loop.interpreter;
     f.reach = loop.reach;

@@ -78,12 +78,12 @@ void Analysis::arrive(State state) {
   Group& group = group_at(state);
   const uint64_t hash = state.hash();
   if (const RecordId known = group.find(hash); known != kNoRecord) {
-    if (state.record != kNoRecord) trace_->link(state.record, known);
+    if (state.record != kNoRecord) trace_->link(state.record, known, state.branch);
     return;
   }
   if (group.seen.size() < patience().states) return execute(std::move(state), group, hash);
   ++result_.statistics.merges;
-  if (state.record != kNoRecord) group.parents.push_back(state.record);
+  if (state.record != kNoRecord) group.parents.emplace_back(state.record, state.branch);
   if (group.joined == nullptr) {
     group.joined = std::make_unique<State>(std::move(state));
   } else {
@@ -101,15 +101,15 @@ void Analysis::execute_joined(uint32_t index) {
   group.dirty = false;
   State state = *group.joined;
   const uint64_t hash = state.hash();
-  std::vector<RecordId> parents;
+  std::vector<std::pair<RecordId, uint8_t>> parents;
   parents.swap(group.parents);
   RecordId record = group.find(hash);
   if (record == kNoRecord) {
     record = static_cast<RecordId>(trace_->size());  // the one that execute() makes next
     execute(std::move(state), group, hash);
   }
-  for (const RecordId parent : parents) {
-    if (trace_->at(record).parent != parent) trace_->link(parent, record);
+  for (const auto& [parent, branch] : parents) {
+    if (trace_->at(record).parent != parent || trace_->at(record).branch != branch) trace_->link(parent, record, branch);
   }
 }
 
@@ -117,7 +117,7 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
   const bool at_file_end = state.position >= program_.size();
   bool executed = !at_file_end;
   if (state.skip != kNoLabel && !at_file_end) executed = machine_.is_target(state, frames_[state.context].info);
-  const RecordId record = trace_->add({state.record, at_file_end ? kNoStatement : state.position, state.branch, executed});
+  const RecordId record = trace_->add({state.record, at_file_end ? kNoStatement : state.position, state.branch, executed, false});
   if (executed) result_.executed[state.position] = true;
   group.seen.emplace_back(hash, record);
   state.record = record;
@@ -182,13 +182,11 @@ void Analysis::call(const State& at, State entry, Context callee, int repeats) {
 void Analysis::resume_one(const Caller& caller, const State& exit, Frame& frame) {
   State after = machine_.resume(caller.state, exit, frame.info, frame.joined_entry != nullptr);
   if (frames_[caller.state.context].info.depth == 0) after.returned = kYes;
-  after.record = frame.callers.size() > 1 ? caller.state.record : exit.record;
-  if (frame.callers.size() > 1) {
-    // The way back is an edge of its own, so that "every run" and "never ends" see it.
-    const RecordId bridge = trace_->add({caller.state.record, kNoStatement, 0, false});
-    trace_->link(exit.record, bridge);
-    after.record = bridge;
-  }
+  // The way back is a record of its own, so that "every run" and "never ends" see it.
+  const bool shared = frame.callers.size() > 1;
+  after.record = trace_->add({shared ? caller.state.record : exit.record, kNoStatement, 0, false, true});
+  if (shared) trace_->link(exit.record, after.record);
+  trace_->come_back(caller.state.record, after.record);
   // M98 with L: the call is made again. A few times are counted; more, or an unknown number, run the line anew.
   constexpr int kCountedRepeats = 8;
   if (caller.repeats > 1 && caller.repeats <= kCountedRepeats) {
@@ -240,8 +238,6 @@ void Analysis::leave(const State& at) {
     resume_one(caller, exit, frames_[id]);
   }
 }
-
-/// A loop that no run leaves: its lines are in records from which no end can be reached.
 
 }  // namespace owlint::flow
 

@@ -57,7 +57,7 @@ class Analysis final : public Listener {
     uint32_t next;
     std::vector<std::pair<uint64_t, RecordId>> seen;
     std::unique_ptr<State> joined;
-    std::vector<RecordId> parents;  ///< records whose states wait in `joined`
+    std::vector<std::pair<RecordId, uint8_t>> parents;  ///< records whose states wait in `joined`, and by which branch
     bool dirty;
 
     RecordId find(uint64_t hash) const {
@@ -112,6 +112,7 @@ class Analysis final : public Listener {
   ContextId context_for(const Context& callee, const State& entry, bool* merged);
   void finish();
   void endless_loops();
+  void idle_loops();
   Group& group_at(const State& state);
 
   Program& program_;

@@ -88,7 +88,9 @@ uint32_t Definers::without_undefined(uint32_t packed) {
 }
 
 Machine::Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool)
-    : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool), effects_(program) {
+    : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool),
+      // Under FEATURE 0x20 any block can be taken for a `do` loop.
+      reads_break_(profile.warn_only()), effects_(program) {
   labels_.emplace_back(kNoName, kNoName);
   depth_matters_ = !shallow_calls(program);
   structured_ = structured_blocks(program);
@@ -101,7 +103,7 @@ void Machine::index() {
     const Statement& s = syntax.statements[id];
     const LineError* error = syntax.error(s);
     if (s.kind == LineKind::kOWord && s.label_expr != kNoExpr) computed_.push_back(id);
-    if (s.is(Keyword::kDo)) has_do_ = true;
+    if (s.is(Keyword::kDo)) reads_break_ = true;
     if (s.opens_sub()) definitions_.push_back(id);
     if (s.kind == LineKind::kPercent) percents_.push_back(id);
     if (error == nullptr) continue;

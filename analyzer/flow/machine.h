@@ -136,7 +136,7 @@ class Machine {
   Constants constants_;
   Evaluator evaluator_;
   Definers definers_;
-  bool has_do_ = false;           // only a `do` loop looks at the flag that `break` leaves behind
+  bool reads_break_;              // only a `do` loop looks at the flag that `break` leaves behind
   bool depth_matters_ = true;     // some chain of calls may be too deep
   std::vector<bool> structured_;  // by block, see structured.h
   EffectsOfSubs effects_;

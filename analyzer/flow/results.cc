@@ -89,61 +89,54 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
   hazards_.emplace(std::make_tuple(kind, hazard.statement, hazard.other, static_cast<uint32_t>(warned)), std::move(hazard));
 }
 
+/// Loops that no run leaves: their lines are in records from which no end can be reached.
 void Analysis::endless_loops() {
   const std::vector<bool>& hanging = trace_->hanging();
   std::vector<StatementId> loops;
-  // Under FEATURE 0x20: an error that became a message, met on the way round, is what the loop is due to.
-  const auto warned_on_the_way = [&](RecordId from, StatementId target) {
-    StatementId first = kNoStatement;
-    for (RecordId id = from; id != kNoRecord; id = trace_->at(id).parent) {
-      if (warned_.contains(id)) first = trace_->at(id).statement;
-      if (trace_->at(id).statement == target) break;
-    }
-    return first;
-  };
-  bool hangs = false;
   const auto back = [&](RecordId from, RecordId to) {
     if (!hanging[from] || !hanging[to]) return;
     const StatementId target = trace_->at(to).statement;
     const StatementId source = trace_->at(from).statement;
-    if (target == kNoStatement || source == kNoStatement || target > source) return;
-    const StatementId warned = warned_.empty() ? kNoStatement : warned_on_the_way(from, target);
-    if (warned == kNoStatement) {
-      loops.push_back(target);
-    } else {
-      hangs = true;
-      hazards_.emplace(std::make_tuple(HazardKind::kHang, warned, kNoStatement, 0U), Hazard{HazardKind::kHang, warned, target, 0, Reach::kMaybe, StopKind::kNone, ""});
-    }
+    if (target != kNoStatement && source != kNoStatement && target <= source) loops.push_back(target);
   };
-  // A wrong end that became a message goes back to an `if` or a `do`, again and again as long as the conditions stay
-  // as they are, also where other outcomes lead out.
-  constexpr size_t kMaxSearches = 64;
-  size_t searches = 0;
-  const auto goes_round = [&](RecordId from, RecordId to) {
-    if (hanging[from] || !warned_.contains(from)) return;
-    const StatementId target = trace_->at(to).statement;
-    const StatementId end = trace_->at(from).statement;
-    if (target == kNoStatement || target > end || !ends_block(program_.at(end).keyword)) return;
-    if (!program_.at(target).is(Keyword::kIf) && !program_.at(target).is(Keyword::kDo)) return;
-    if (searches++ >= kMaxSearches || !trace_->leads(to, from)) return;
-    hazards_.emplace(std::make_tuple(HazardKind::kHang, end, kNoStatement, 0U),
-                     Hazard{HazardKind::kHang, end, target, 0, Reach::kMaybe, StopKind::kNone, ""});
-  };
-  for (const auto& [from, to] : trace_->links()) {
-    back(from, to);
-    goes_round(from, to);
-  }
+  for (const auto& [from, to, branch] : trace_->links()) back(from, to);
   for (RecordId id = 0; id < trace_->size(); ++id) {
-    if (trace_->at(id).parent == kNoRecord) continue;
-    back(trace_->at(id).parent, id);
-    goes_round(trace_->at(id).parent, id);
+    if (trace_->at(id).parent != kNoRecord) back(trace_->at(id).parent, id);
   }
-  if (hangs) return;  // one mistake, one finding
   std::ranges::sort(loops);
   loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
   for (const StatementId loop : loops) {
     Hazard hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, ""};
     hazards_.emplace(std::make_tuple(hazard.kind, loop, kNoStatement, 0U), std::move(hazard));
+  }
+}
+
+/// Under FEATURE 0x20: ways round that an error which became a message leads into or keeps going. Loops as they
+/// are meant go round while a condition is true; these do with every condition false, so that nothing ends them.
+void Analysis::idle_loops() {
+  if (warned_.empty()) return;
+  const std::vector<uint32_t> group = trace_->idle_cycles();
+  struct Loop {
+    StatementId first = kNoStatement;   ///< the foremost line of the way round
+    StatementId warned = kNoStatement;  ///< the foremost warning on it
+    RecordId entry = kNoRecord;
+  };
+  std::map<uint32_t, Loop> loops;
+  for (RecordId id = 0; id < trace_->size(); ++id) {
+    const StatementId here = trace_->at(id).statement;
+    if (group[id] == 0 || here == kNoStatement) continue;
+    Loop& loop = loops[group[id]];
+    if (loop.entry == kNoRecord) loop.entry = id;
+    if (loop.first == kNoStatement || here < loop.first) loop.first = here;
+    if (warned_.contains(id) && (loop.warned == kNoStatement || here < loop.warned)) loop.warned = here;
+  }
+  for (auto& [number, loop] : loops) {
+    for (RecordId id = loop.entry; loop.warned == kNoStatement && id != kNoRecord; id = trace_->at(id).parent) {
+      if (warned_.contains(id)) loop.warned = trace_->at(id).statement;
+    }
+    if (loop.warned == kNoStatement) continue;
+    hazards_.emplace(std::make_tuple(HazardKind::kHang, loop.warned, kNoStatement, 0U),
+                     Hazard{HazardKind::kHang, loop.warned, loop.first, 0, Reach::kMaybe, StopKind::kNone, ""});
   }
 }
 
@@ -182,7 +175,9 @@ void Analysis::finish() {
     }
   }
   trace_->finish();
-  endless_loops();
+  idle_loops();
+  const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
+  if (!hangs) endless_loops();  // one mistake, one finding
   for (const auto& [context, number, read] : not_passed_) {
     for (const Caller& caller : frames_[context].callers) {
       const StatementId call = caller.state.position;
@@ -212,6 +207,7 @@ void Analysis::finish() {
   result_.trace = trace_;
   for (auto& [key, hazard] : hazards_) {
     hazard.reach = trace_->reach(hazard.statement);
+    if (hazard.kind == HazardKind::kHang && trace_->ends()) hazard.reach = Reach::kMaybe;
     result_.hazards.push_back(std::move(hazard));
   }
 }

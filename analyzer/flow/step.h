@@ -22,6 +22,7 @@ struct Machine::Step {
   bool skipping;
   FullLabel label = kNoLabel;
   Fact tested;  ///< the condition of this line, when its outcome can be remembered
+  bool decided = false;  ///< the condition has one outcome only here: going on is no branch
   ReadLog reads;
 
   Step(Machine& machine, State start, const Context& ctx, Listener& listener)
@@ -39,7 +40,7 @@ struct Machine::Step {
   void go(State next, StatementId position, uint8_t branch = 0) {
     if (branch != 0) m.evaluator_.learn(next.parameters, tested, branch == 1);
     next.position = position;
-    next.branch = branch;
+    next.branch = decided ? 0 : branch;
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
     out.successor(std::move(next));
   }
@@ -108,6 +109,7 @@ struct Machine::Step {
       const int before = Evaluator::known(state.parameters, tested);
       if (before != 0) *truth = before == 1 ? Truth::kTrue : Truth::kFalse;
     }
+    decided = *truth != Truth::kOpen;
     if (number != nullptr && known) *number = m.constants_.value(e.value);
     return true;
   }

@@ -68,6 +68,7 @@ void Machine::Step::count_passes(Truth truth, double number) {
     }
   }
   if (left < 0) return;
+  decided = left <= kLargestExactCount;
   if (left == kManyLeft || left == kAnyCount) {
     if (!fresh || truth != Truth::kOpen) {
       enter(kManyLeft);
@@ -171,7 +172,7 @@ void Machine::Step::jump() {
         out.hazard(state, HazardKind::kContinueMeetsBreak, 0, StopKind::kNone, "");
       }
       // The `while` that closes a `do` clears the flag; `endwhile` leaves it behind.
-      if (m.has_do_) state.breaking = kind == Keyword::kDo ? kYes : kStale;
+      if (m.reads_break_) state.breaking = kind == Keyword::kDo ? kYes : kStale;
     } else if (!skipping) {
       state.continuing = kind == Keyword::kDo ? kStale : kYes;
     }

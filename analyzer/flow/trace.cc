@@ -24,7 +24,8 @@ void pack(const std::vector<std::pair<RecordId, RecordId>>& edges, size_t nodes,
 }  // namespace
 
 void Trace::finish() {
-  std::vector<std::pair<RecordId, RecordId>> edges = links_;
+  std::vector<std::pair<RecordId, RecordId>> edges;
+  for (const Link& link : links_) edges.emplace_back(link.from, link.to);
   for (RecordId id = 0; id < records_.size(); ++id) {
     if (records_[id].parent != kNoRecord) edges.emplace_back(records_[id].parent, id);
   }
@@ -85,6 +86,69 @@ bool Trace::has_cycle(const std::vector<bool>& within) const {
     }
   }
   return left > 0;
+}
+
+std::vector<uint32_t> Trace::idle_cycles() const {
+  // What a call does is one edge over it: its own lines, and the ways back to other callers, are no way round.
+  std::vector<std::pair<RecordId, RecordId>> edges = calls_;
+  for (const Link& link : links_) {
+    if (link.branch != 1 && !records_[link.to].after_call) edges.emplace_back(link.from, link.to);
+  }
+  for (RecordId id = 0; id < records_.size(); ++id) {
+    const Record& record = records_[id];
+    if (record.parent != kNoRecord && record.branch != 1 && !record.after_call) edges.emplace_back(record.parent, id);
+  }
+  std::vector<uint32_t> first;
+  std::vector<uint32_t> next;
+  pack(edges, records_.size(), true, first, next);
+
+  // Tarjan's strongly connected components, with the recursion as a stack of (record, next edge).
+  constexpr uint32_t kNew = 0;
+  std::vector<uint32_t> order(records_.size(), kNew);
+  std::vector<uint32_t> low(records_.size());
+  std::vector<uint32_t> group(records_.size());
+  std::vector<bool> open(records_.size());
+  std::vector<RecordId> stack;
+  std::vector<std::pair<RecordId, uint32_t>> walk;
+  uint32_t count = 0;
+  uint32_t groups = 0;
+  const auto enter = [&](RecordId id) {
+    order[id] = low[id] = ++count;
+    stack.push_back(id);
+    open[id] = true;
+    walk.emplace_back(id, first[id]);
+  };
+  for (RecordId start = 0; start < records_.size(); ++start) {
+    if (order[start] != kNew) continue;
+    enter(start);
+    while (!walk.empty()) {
+      auto& [id, edge] = walk.back();
+      if (edge < first[id + 1]) {
+        const RecordId to = next[edge++];
+        if (order[to] == kNew) {
+          enter(to);
+        } else if (open[to]) {
+          low[id] = std::min(low[id], order[to]);
+        }
+        continue;
+      }
+      const RecordId done = id;
+      walk.pop_back();
+      if (!walk.empty()) low[walk.back().first] = std::min(low[walk.back().first], low[done]);
+      if (low[done] != order[done]) continue;
+      const bool self = std::find(next.begin() + first[done], next.begin() + first[done + 1], done) != next.begin() + first[done + 1];
+      const bool cycle = stack.back() != done || self;
+      if (cycle) ++groups;
+      RecordId member = kNoRecord;
+      while (member != done) {
+        member = stack.back();
+        stack.pop_back();
+        open[member] = false;
+        if (cycle) group[member] = groups;
+      }
+    }
+  }
+  return group;
 }
 
 Reach Trace::reach(StatementId statement) const {

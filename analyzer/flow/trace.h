@@ -22,6 +22,12 @@ class Trace {
     StatementId statement = kNoStatement;
     uint8_t branch = 0;     ///< of the step that led here: 1 true, 2 false
     bool executed = false;  ///< not merely passed over
+    bool after_call = false;  ///< a call has come back here; the way is closed by come_back()
+  };
+  struct Link {
+    RecordId from = kNoRecord;
+    RecordId to = kNoRecord;
+    uint8_t branch = 0;
   };
 
   RecordId add(Record record) {
@@ -29,7 +35,9 @@ class Trace {
     return static_cast<RecordId>(records_.size() - 1);
   }
   /// A state that came to a place where an equal state had been before.
-  void link(RecordId from, RecordId to) { links_.emplace_back(from, to); }
+  void link(RecordId from, RecordId to, uint8_t branch = 0) { links_.push_back({from, to, branch}); }
+  /// The call made at the record `call` has come back at `after`, a record made for that with `after_call`.
+  void come_back(RecordId call, RecordId after) { calls_.push_back({call, after}); }
   /// A run ends here; `key` tells different ends apart (0: a program end without error).
   void terminate(RecordId at, uint32_t key) { terminals_.emplace_back(at, key); }
 
@@ -42,8 +50,8 @@ class Trace {
   /// Whether every run that ends, ends with `key`.
   bool only_end(uint32_t key) const;
   Reach reach(StatementId statement) const;
-  /// Whether a run can get from one record to another.
-  bool leads(RecordId from, RecordId to) const { return backward_from({to})[from]; }
+  /// Whether some run ends at all.
+  bool ends() const { return !terminals_.empty(); }
   /// The branch outcomes on the way to `stop` without which a run does not get to an end with `key`.
   std::vector<Decision> path(RecordId stop, uint32_t key) const;
   /// Records from which no end can be reached.
@@ -56,15 +64,19 @@ class Trace {
     }
     return kNoStatement;
   }
-  /// Edges, for the search of endless loops.
-  const std::vector<std::pair<RecordId, RecordId>>& links() const { return links_; }
+  /// Edges besides those from a record's parent to it, for the search of endless loops.
+  const std::vector<Link>& links() const { return links_; }
+  /// The ways round that need no condition to be true (as the ways round of loops do), so that nothing makes them end:
+  /// by record, the number of its group of such ways, or 0.
+  std::vector<uint32_t> idle_cycles() const;
 
  private:
   bool has_cycle(const std::vector<bool>& within) const;
   std::vector<bool> backward_from(const std::vector<RecordId>& goals) const;
 
   std::vector<Record> records_;
-  std::vector<std::pair<RecordId, RecordId>> links_;
+  std::vector<Link> links_;
+  std::vector<std::pair<RecordId, RecordId>> calls_;
   std::vector<std::pair<RecordId, uint32_t>> terminals_;
   // Successors and predecessors, packed: those of record i are [first[i], first[i + 1]).
   std::vector<uint32_t> next_first_, next_, previous_first_, previous_;
