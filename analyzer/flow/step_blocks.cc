@@ -186,10 +186,10 @@ void Machine::Step::jump() {
 void Machine::Step::if_(Truth truth) {
   const State before = state;
   const Definers::Set set = m.definers_.get(entry());
-  const auto as = [&](uint32_t packed) {
+  const auto as = [&](StatementId opener) {
     state = before;
-    set_entry(packed);
-    set_count(label, -1);  // the entry is made anew at every `if`
+    set_entry(Definers::one(opener));
+    if (opener == here) set_count(label, -1);  // it makes its own entry anew each time, another one's it leaves alone
     if (truth != Truth::kFalse) {
       State in = state;
       in.executed = kYes;
@@ -203,12 +203,12 @@ void Machine::Step::if_(Truth truth) {
     }
   };
   const bool own = set.undefined || std::ranges::find(set.lines, here) != set.lines.end();
-  if (own) as(Definers::one(here));
+  if (own) as(here);
   for (const StatementId line : set.lines) {
     if (line == here) continue;
     state = before;
     if (documented(StopKind::kDuplicateIf, at_line("duplicate O-word label - already defined in line " + std::to_string(line_of(line)) + ": '" + line_text() + "'"), line)) {
-      as(Definers::one(line));
+      as(line);
     }
   }
 }

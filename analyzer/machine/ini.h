@@ -1,0 +1,57 @@
+// Reads a LinuxCNC machine INI as LinuxCNC reads it: `[SECTION]`, `KEY = value`, keys that repeat, comments on lines of
+// their own, lines continued with `\`, `#INCLUDE`. Source: LinuxCNC's `inivar` on files made for each question
+// (tests/interpreter/ini.py compares the two), and what its start script does with `#INCLUDE`.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analyzer/text/source.h"
+
+namespace owlint {
+
+class Ini {
+ public:
+  struct Entry {
+    std::string section;
+    std::string key;
+    std::string value;  ///< without blanks around it; an empty one hides later ones, and counts as none
+    std::shared_ptr<const Source> source;  ///< the INI, or a file that it includes
+    Span span;                             ///< the value's bytes there
+  };
+
+  /// Reads the file `path` and what it includes. Returns false and a message when the INI itself cannot be read.
+  bool read(const std::string& path, std::string* error);
+  /// Reads bytes; `#INCLUDE` is looked up from the folder of `source->path()`.
+  void parse(const std::shared_ptr<const Source>& source);
+
+  /// The value that LinuxCNC uses: the first of a key in the first section of that name. Null if there is none.
+  const Entry* find(std::string_view section, std::string_view key) const;
+  /// All values of a key that may repeat, in file order.
+  std::vector<const Entry*> all(std::string_view section, std::string_view key) const;
+  bool has_section(std::string_view section) const;
+
+  const std::shared_ptr<const Source>& source() const { return source_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+  /// Files that `#INCLUDE` names and that cannot be read, with the place.
+  const std::vector<Entry>& missing_includes() const { return missing_includes_; }
+
+ private:
+  void parse_file(const std::shared_ptr<const Source>& source, bool included);
+  void include(const std::shared_ptr<const Source>& source, Span name);
+  void open_section(std::string_view name);
+
+  std::shared_ptr<const Source> source_;
+  std::vector<Entry> entries_;
+  std::vector<Entry> missing_includes_;
+  std::vector<std::string> sections_;  // those seen, in order
+  std::string section_;                // the open one
+  bool counts_ = false;                // the open section is the first of its name
+};
+
+/// `~` and `~/…` with the home folder for `~`, as LinuxCNC expands them in paths of an INI; other text as it is.
+std::string expand_home(std::string_view path);
+
+}  // namespace owlint
