@@ -50,10 +50,21 @@ extern const Rule kOw313;
 extern const Rule kOw314;
 extern const Rule kOw315;
 extern const Rule kOw316;
+extern const Rule kOw401;
+extern const Rule kOw402;
+extern const Rule kOw403;
+extern const Rule kOw404;
+extern const Rule kOw405;
+extern const Rule kOw406;
+extern const Rule kOw407;
+extern const Rule kOw408;
+extern const Rule kOw409;
 extern const Rule kOw501;
 extern const Rule kOw502;
 extern const Rule kOw503;
 extern const Rule kOw504;
+extern const Rule kOw505;
+extern const Rule kOw506;
 extern const Rule kOw507;
 extern const Rule kOw508;
 extern const Rule kOw509;
@@ -126,10 +137,21 @@ const std::vector<const Rule*>& catalogue() {
       &kOw314,
       &kOw315,
       &kOw316,
+      &kOw401,
+      &kOw402,
+      &kOw403,
+      &kOw404,
+      &kOw405,
+      &kOw406,
+      &kOw407,
+      &kOw408,
+      &kOw409,
       &kOw501,
       &kOw502,
       &kOw503,
       &kOw504,
+      &kOw505,
+      &kOw506,
       &kOw507,
       &kOw508,
       &kOw509,
@@ -170,6 +192,12 @@ Finding& Reporter::add(Span span, std::string message) {
   finding.rule = rule_.name;
   finding.span = span;
   finding.message = std::move(message);
+  return finding;
+}
+
+Finding& Reporter::add(std::shared_ptr<const Source> source, Span span, std::string message) {
+  Finding& finding = add(span, std::move(message));
+  finding.source = std::move(source);
   return finding;
 }
 

@@ -37,29 +37,206 @@ bool selected(const Rule& rule, const LintOptions& options) {
   return wanted >= 0 && longest_fit(rule.code, options.ignore) < std::max(wanted, 1);
 }
 
-FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, const LintOptions& options) {
-  FileReport report;
-  report.source = source;
-  const std::unique_ptr<Program> program = build_program(source);
-  const FlowResult flow = analyze_flow(*program, profile);
-  report.statistics = flow.statistics;
+namespace {
 
+SeverityPolicy policy_of(const Profile& profile, const LintOptions& options) { return {profile.warn_only(), options.severity}; }
+
+std::vector<Suppression> suppressions_of(const Program& program) {
   std::vector<Suppression> suppressions;
-  for (const Directive& directive : program->syntax.directives) {
-    for (Suppression& s : parse_suppressions(*source, directive.span, directive.line, directive.own_line)) {
+  for (const Directive& directive : program.syntax.directives) {
+    for (Suppression& s : parse_suppressions(*program.source, directive.span, directive.line, directive.own_line)) {
       suppressions.push_back(std::move(s));
     }
   }
-  SeverityPolicy policy{profile.warn_only(), options.severity};
-  const StopIndex stops(*program, flow);
-  run_rules({*program, flow, profile, suppressions, stops, false}, options, policy, report.findings);
-  apply_suppressions(*source, suppressions, report.findings);
-  run_rules({*program, flow, profile, suppressions, stops, true}, options, policy, report.findings);
+  return suppressions;
+}
 
-  std::erase_if(report.findings, [](const Finding& f) { return f.severity == Severity::kOff; });
+auto place_of(const Finding& f) { return std::tie(f.span.begin, f.span.end, f.code); }
+
+void put_in_order(std::vector<Finding>& findings) {
+  std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
   const auto key = [](const Finding& f) { return std::tie(f.span.begin, f.span.end, f.code, f.message); };
-  std::ranges::stable_sort(report.findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+  std::ranges::stable_sort(findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+}
+
+/// One program under one version.
+class Check {
+ public:
+  Check(const Profile& profile, const LintOptions& options, Library& library) : profile_(profile), options_(options), library_(library) {}
+
+  ProgramReport run(const std::shared_ptr<const Program>& program) {
+    Linked linked(program, profile_, library_);
+    const std::vector<FlowResult> flow = analyze_flow(linked, profile_);
+    ProgramReport report;
+    report.sub_file = program->sub_file;
+    report.own = check_file(program, flow[0], linked, true);
+    report.own.statistics = flow[0].statistics;
+    for (size_t i = 1; i < linked.files().size(); ++i) {
+      const LinkedFile& file = linked.files()[i];
+      report.calls.push_back(file.program->source->path());
+      if (flow[i].stops.empty() && flow[i].hazards.empty()) continue;
+      FileReport called = check_file(file.program, flow[i], linked, false);
+      if (!called.findings.empty()) report.called.push_back(std::move(called));
+    }
+    if (profile_.may_be_python()) report.python = unknown_names(linked);
+    return report;
+  }
+
+ private:
+  FileReport check_file(const std::shared_ptr<const Program>& program, const FlowResult& flow, const Linked& linked, bool own) const {
+    FileReport report;
+    report.source = program->source;
+    std::vector<Suppression> suppressions = suppressions_of(*program);
+    const StopIndex stops(*program, flow);
+    const SeverityPolicy policy = policy_of(profile_, options_);
+    run_rules({*program, flow, profile_, linked, suppressions, stops, false}, options_, policy, report.findings);
+    if (!own) {
+      // Of a called file only what this program's calls lead to; the rest is told when the file itself is checked.
+      std::erase_if(report.findings, [](const Finding& f) {
+        return !f.stops && !f.never_ends && find_rule(f.code)->group != Group::kHazards;
+      });
+    }
+    apply_suppressions(*program->source, suppressions, report.findings);
+    if (own) run_rules({*program, flow, profile_, linked, suppressions, stops, true}, options_, policy, report.findings);
+    put_in_order(report.findings);
+    return report;
+  }
+
+  static std::vector<std::string> unknown_names(const Linked& linked) {
+    std::vector<std::string> names;
+    for (const LinkedFile& file : linked.files()) {
+      const Program& p = *file.program;
+      for (const Call& call : p.calls) {
+        if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+        if (linked.target(p.name(call.callee)).file == CallTarget::kNotFound) names.push_back(p.label_text(call.callee));
+      }
+    }
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+  }
+
+  const Profile& profile_;
+  const LintOptions& options_;
+  Library& library_;
+};
+
+/// Puts together what the versions say of one file: a finding is told once, with those in which it is worst.
+void join_versions(std::vector<Finding>& findings, std::vector<std::pair<Version, std::vector<Finding>>> by_version) {
+  std::vector<std::vector<Version>> versions;
+  for (auto& [version, found] : by_version) {
+    for (Finding& f : found) {
+      const auto same = std::ranges::find_if(findings, [&](const Finding& g) { return place_of(f) == place_of(g); });
+      if (same == findings.end()) {
+        findings.push_back(std::move(f));
+        versions.push_back({version});
+        continue;
+      }
+      auto& in = versions[static_cast<size_t>(same - findings.begin())];
+      if (f.severity > same->severity || (f.severity == same->severity && f.stops && !same->stops)) {
+        *same = std::move(f);
+        in = {version};
+      } else if (f.severity == same->severity && f.stops == same->stops) {
+        if (in.back() != version) in.push_back(version);
+      }
+    }
+  }
+  for (size_t i = 0; i < findings.size(); ++i) {
+    if (versions[i].size() == std::size(kAllVersions)) continue;
+    for (const Version version : versions[i]) findings[i].versions.emplace_back(version_text(version));
+  }
+  put_in_order(findings);
+}
+
+ProgramReport check_all_versions(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library) {
+  ProgramReport report;
+  std::vector<std::pair<Version, std::vector<Finding>>> own;
+  std::map<std::shared_ptr<const Source>, std::vector<std::pair<Version, std::vector<Finding>>>> called;
+  std::vector<std::shared_ptr<const Source>> order;
+  for (const Version version : kAllVersions) {
+    Profile one = profile;
+    one.version = version;
+    one.version_given = true;
+    ProgramReport r = Check(one, options, library).run(program);
+    own.emplace_back(version, std::move(r.own.findings));
+    for (FileReport& file : r.called) {
+      auto& list = called[file.source];
+      if (list.empty()) order.push_back(file.source);
+      list.emplace_back(version, std::move(file.findings));
+    }
+    report.own.source = r.own.source;
+    report.own.statistics.steps += r.own.statistics.steps;
+    report.own.statistics.merges += r.own.statistics.merges;
+    report.calls = std::move(r.calls);
+    report.python = std::move(r.python);
+    report.sub_file = r.sub_file;
+  }
+  join_versions(report.own.findings, std::move(own));
+  for (const auto& source : order) {
+    FileReport& file = report.called.emplace_back();
+    file.source = source;
+    join_versions(file.findings, std::move(called[source]));
+  }
   return report;
+}
+
+}  // namespace
+
+ProgramReport lint(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options,
+                   Library& library, Role role) {
+  std::shared_ptr<const Program> checked = program;
+  if (role == Role::kSubFile && !program->sub_file && defines_own_name(*program)) {
+    std::shared_ptr<Program> copy = build_program(program->source);
+    treat_as_sub_file(*copy);
+    checked = std::move(copy);
+  }
+  if (options.all_versions) return check_all_versions(checked, profile, options, library);
+  return Check(profile, options, library).run(checked);
+}
+
+FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, const LintOptions& options) {
+  Library library;
+  return lint(library.load(std::move(source)), profile, options, library).own;
+}
+
+std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& options, Library& library) {
+  std::vector<Finding> findings;
+  const SeverityPolicy policy = policy_of(profile, options);
+  for (const Rule* rule : catalogue()) {
+    if (rule->check_setup == nullptr || !selected(*rule, options)) continue;
+    const size_t first = findings.size();
+    Reporter reporter(*rule, findings);
+    rule->check_setup({*profile.setup, profile, library}, reporter);
+    for (size_t i = first; i < findings.size(); ++i) findings[i].severity = decide_severity(findings[i], rule->level, false, policy);
+  }
+  std::vector<FileReport> reports;
+  for (Finding& f : findings) {
+    auto file = std::ranges::find(reports, f.source, &FileReport::source);
+    if (file == reports.end()) file = reports.insert(reports.end(), {f.source, {}, {}});
+    file->findings.push_back(std::move(f));
+  }
+  for (FileReport& report : reports) put_in_order(report.findings);
+  return reports;
+}
+
+void merge_findings(FileReport& into, std::vector<Finding> findings) {
+  constexpr size_t kMaxCalls = 4;  // more places of calls are no help
+  for (Finding& f : findings) {
+    const auto same = std::ranges::find_if(into.findings, [&](const Finding& g) { return place_of(f) == place_of(g); });
+    if (same == into.findings.end()) {
+      into.findings.push_back(std::move(f));
+      continue;
+    }
+    if (f.severity > same->severity) std::swap(f, *same);
+    for (Related& related : f.related) {
+      if (related.source == nullptr || same->related.size() >= kMaxCalls) continue;
+      const bool known = std::ranges::any_of(same->related, [&](const Related& r) {
+        return r.source == related.source && r.span == related.span;
+      });
+      if (!known) same->related.push_back(std::move(related));
+    }
+  }
+  put_in_order(into.findings);
 }
 
 }  // namespace owlint

@@ -1,5 +1,5 @@
-// Checks one program: reads it, runs the flow analysis and every rule, decides severities, applies suppressions.
-// All front ends come through here.
+// Checks programs: joins each with the files that it calls, runs the flow analysis and every rule, decides severities,
+// applies suppressions. All front ends come through here.
 #pragma once
 
 #include <string>
@@ -16,6 +16,7 @@ struct LintOptions {
   std::vector<std::string> extend_select;  ///< added to those
   std::vector<std::string> ignore;         ///< taken away again; the longest prefix that fits decides
   std::map<std::string, Severity, std::less<>> severity;
+  bool all_versions = false;  ///< every supported LinuxCNC version, not only the profile's
 };
 
 /// The result for one file; findings are ordered by place.
@@ -25,7 +26,30 @@ struct FileReport {
   FlowStatistics statistics;
 };
 
+/// The result for one program and the files that it calls.
+struct ProgramReport {
+  FileReport own;
+  std::vector<FileReport> called;   ///< of those files, what stops or goes wrong when this program calls them
+  std::vector<std::string> calls;   ///< the paths of all of them
+  std::vector<std::string> python;  ///< called names found nowhere that may be functions of the INI's Python module
+  bool sub_file = false;            ///< checked as a file that others call
+};
+
+/// Whether a file is taken for a program or for one that others call, where its content does not decide.
+enum class Role : uint8_t { kByContent, kSubFile };
+
+ProgramReport lint(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options,
+                   Library& library, Role role = Role::kByContent);
+
+/// One file on its own, with what stands beside it.
 FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, const LintOptions& options);
+
+/// What is wrong with the machine's INI itself, by file.
+std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& options, Library& library);
+
+/// Adds findings to those of the same file: what is there already, at the same place under the same rule, only gets
+/// the other's call as one more related place.
+void merge_findings(FileReport& into, std::vector<Finding> findings);
 
 /// Whether a rule's findings are wanted.
 bool selected(const Rule& rule, const LintOptions& options);

@@ -6,23 +6,23 @@
 namespace owlint::rules {
 namespace {
 
-Finding* report(const Input& in, Reporter& out, StatementId id, StatementId first) {
-  const Program& p = in.program;
-  Finding& f = out.add(p.at(id).head_span(), "sub `" + p.label_text(p.at(first).label) + "` is already defined on line " + std::to_string(p.at(first).line));
-  relate(f, p, first, "first defined here");
+Finding* report(const Input& in, Reporter& out, StatementId id, const Elsewhere& first) {
+  const std::string label = first.program->label_text(first.program->at(first.statement).label);
+  Finding& f = out.add(in.program.at(id).head_span(), "sub `" + label + "` is already defined on " + line_words(in, first));
+  relate(in, f, first, "first defined here");
   f.help = "rename one of the two, or remove it";
   return &f;
 }
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, s.other); });
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, place_of(in, s.other, s.other_elsewhere)); });
   std::unordered_map<NameId, StatementId> first;
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
     const auto [entry, added] = first.try_emplace(region.name, region.opener);
     if (added || has_stop(in, region.opener)) continue;
-    report(in, out, region.opener, entry->second)->reach = in.flow.reach(region.opener);
+    report(in, out, region.opener, {&p, entry->second})->reach = in.flow.reach(region.opener);
   }
 }
 

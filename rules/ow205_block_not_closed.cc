@@ -19,7 +19,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   if (block.suggested_line != 0) {
     f.help = "write `" + end + "`, most likely before line " + std::to_string(block.suggested_line);
     const Span line = p.source->line(block.suggested_line);
-    f.related.push_back({line, "`" + end + "` most likely belongs before this line"});
+    f.related.push_back({line, "`" + end + "` most likely belongs before this line", nullptr});
   }
   return &f;
 }

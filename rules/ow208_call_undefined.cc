@@ -1,6 +1,6 @@
 // OW208 call-undefined: a call of a sub that is defined nowhere.
-// Rests on: an unknown sub is looked for as a file, then by reading ahead to the end of the
-// program; not found is an error there.
+// Rests on: an unknown sub is looked for as a file on the search path, then by reading ahead to the end of the
+// file that calls it; not found is an error there.
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
@@ -14,9 +14,12 @@ std::string number_only(const std::string& name) {
   return name.find_first_not_of("-0123456789") == std::string::npos ? name : std::string();
 }
 
+std::string label_of(const std::string& name) { return number_only(name).empty() ? "o<" + name + ">" : "o" + name; }
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   constexpr size_t kMaxCandidates = 2000;  // and as many misspelt names: beyond, nobody reads suggestions
+  constexpr size_t kMaxListings = 50;      // misspelt names for which all files of the search path are looked through
   std::vector<std::string> known;
   std::unordered_map<std::string, const Region*> by_name;
   for (const Region& region : p.regions) {
@@ -33,8 +36,15 @@ void check(const Input& in, Reporter& out) {
       f.help = "write `M98 P100`";
       return &f;
     }
-    const std::string label = number_only(stop.detail).empty() ? "o<" + stop.detail + ">" : "o" + stop.detail;
-    Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` in its folder");
+    const std::string label = label_of(stop.detail);
+    const bool machine = in.profile.setup != nullptr;
+    Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` " +
+                                            (machine ? "on the machine's search path" : "in its folder"));
+    if (in.linked.target(stop.detail).opaque) {
+      f.message = "no sub `" + label + "` in this program, and owlint does not follow such a name to a file";
+      f.help = "define the sub, or correct the name";
+      return &f;
+    }
     if (const auto found = by_name.find(stop.detail); found != by_name.end()) {
       const Region& region = *found->second;
       f.message = "`" + label + "` is not known here: its definition on line " + std::to_string(p.at(region.opener).line) + " was not run before";
@@ -43,13 +53,21 @@ void check(const Input& in, Reporter& out) {
       return &f;
     }
     std::string near;
-    if (number_only(stop.detail).empty() && suggestions++ < kMaxCandidates) near = nearest(stop.detail, known, 1);
+    std::string near_file;
+    if (number_only(stop.detail).empty() && suggestions++ < kMaxCandidates) {
+      near = nearest(stop.detail, known, 1);
+      if (near.empty() && suggestions < kMaxListings) near_file = nearest(stop.detail, in.linked.search_path().names(), 2);
+    }
     if (!near.empty()) {
-      const std::string meant = number_only(near).empty() ? "o<" + near + ">" : "o" + near;
-      f.help = "write `" + meant + "`";
-      relate(f, p, by_name.at(near)->opener, "`" + meant + "` is defined here");
+      f.help = "write `" + label_of(near) + "`";
+      relate(f, p, by_name.at(near)->opener, "`" + label_of(near) + "` is defined here");
+    } else if (!near_file.empty()) {
+      const auto file = in.linked.search_path().find(near_file);
+      f.help = "did you mean `" + label_of(near_file) + "`, in " + (file ? file->path : near_file + ".ngc") + "?";
+    } else if (p.sub_file && machine) {
+      f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {
-      f.help = "define the sub, or correct the name, unless a file on the machine's search path has it: owlint does not look there";
+      f.help = "define the sub, or correct the name; if a file on the machine's search path has it, say `--ini FILE`";
     } else {
       f.help = "define the sub, or correct the label";
     }
@@ -63,12 +81,37 @@ void check(const Input& in, Reporter& out) {
   // Calls that no run gets to, of subs that nobody defines.
   for (const Call& call : p.calls) {
     if (call.callee == kNoName || call.target != UINT32_MAX || has_stop(in, call.statement)) continue;
-    if (in.flow.executed[call.statement] || p.outside_subs.contains(call.callee)) continue;
+    if (in.flow.executed[call.statement] || p.sub_file || in.profile.may_be_python()) continue;
+    const CallTarget target = in.linked.target(p.name(call.callee));
+    if (target.file != CallTarget::kNotFound || target.opaque) continue;
     if (std::ranges::any_of(p.by_label[call.callee], [&](StatementId id) { return p.at(id).opens_sub(); })) continue;
-    if (number_only(p.name(call.callee)).empty() && !in.profile.ini_given) continue;
+    if (number_only(p.name(call.callee)).empty() && in.profile.setup == nullptr) continue;
     Finding& f = out.add(p.at(call.statement).head_span(), "no sub `" + p.label_text(call.callee) + "` is defined");
     f.help = "define the sub, or correct the label";
     f.reach = Reach::kNever;
+  }
+}
+
+/// Subs that the INI calls, by a remap, a button or at the start: they must be files.
+void check_setup(const SetupInput& in, Reporter& out) {
+  for (const IniCall& call : in.setup.calls) {
+    const Syntax code = scan(*Source::own("", call.code + "\n"));
+    for (const Statement& s : code.statements) {
+      if (!s.is(Keyword::kCall) || s.label == kNoName) continue;
+      const std::string& name = code.names.text(s.label);
+      if (in.setup.search_path->find(name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
+      if (in.setup.search_path->find_other_case(name)) continue;  // OW402 says so
+      const bool named = !call.name.empty();
+      Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_of(name) + "`, and no file `" + name + ".ngc` is on the machine's search path");
+      if (call.key == "REMAP") {  // measured: the interpreter does not even start
+        f.stops = true;
+        f.reach = Reach::kAlways;
+        f.interpreter = "INTERP_REMAP: NGC file not found: ngc=" + call.name;
+      }
+      const std::string near = nearest(name, in.setup.search_path->names(), 2);
+      f.help = !near.empty() ? "did you mean `" + (named ? near : label_of(near)) + "`?"
+                             : "put the file into a folder of `SUBROUTINE_PATH`, or add its folder there";
+    }
   }
 }
 
@@ -82,7 +125,9 @@ extern const Rule kOw208{
     .level = Severity::kError,
     .page = {
         .what = R"(A `call`, or `M98 P…`, whose sub is neither defined in the program nor found as a file with that
-name in the program folder or the machine's subroutine path.)",
+name on the machine's search path: the folder of the INI, `PROGRAM_PREFIX`, and the folders of
+`SUBROUTINE_PATH` in their order. Without an INI owlint knows the program's own folder only. Subs that the INI itself
+calls (`REMAP`, `NGCGUI_SUBFILE`, `MDI_COMMAND` …) are looked for as well.)",
         .why = R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`),
 then reads ahead through the rest of the program for the `sub` line, and stops at the end of the
 file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. It
@@ -107,13 +152,14 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Correct the name, or add the definition. owlint looks for a file of that name
-beside the program only; if yours is elsewhere on the machine's search path, ignore the warning with
-`(owlint: ignore OW208 -- in subs/)`.)",
+        .fix = R"(Correct the name, or add the definition. If a file on the machine's search path has the sub, tell owlint
+the machine with `--ini FILE` or `ini = "…"` in `owlint.toml`. If the INI has a `[PYTHON]` section, the name may be a
+Python function, and owlint does not report it.)",
         .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
         .options = "",
     },
     .check = check,
+    .check_setup = check_setup,
 };
 
 }  // namespace owlint::rules

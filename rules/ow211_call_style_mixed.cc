@@ -27,6 +27,11 @@ void check(const Input& in, Reporter& out) {
         message = "`" + p.head(s.statement) + "` ends a sub that `M98` called";
         help = "end a Fanuc-style sub with `M99`";
         break;
+      case StopKind::kFanucDisabled:
+        message = line.kind == LineKind::kOWord ? "`" + p.head(s.statement) + "` without a keyword is a Fanuc-style program number, which this machine's INI turns off"
+                                                : "`M98` is a Fanuc-style call, which this machine's INI turns off";
+        help = "call with `call`, define with `sub` and `endsub`, or take `DISABLE_FANUC_STYLE_SUB` out of the INI";
+        break;
       default:
         message = "`M99` ends a sub that a `call` called";
         help = "end the sub with `endsub`, leave it early with `return`";

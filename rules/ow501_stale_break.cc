@@ -10,8 +10,10 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kStaleBreak) continue;
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` makes the `do` loop that ends on line " + std::to_string(p.at(h.other == kNoStatement ? h.statement : h.other).line) + " run only once: LinuxCNC does not forget the break");
-    relate(f, p, h.other, "this loop ends early");
+    Elsewhere loop = place_of(in, h.other, h.other_elsewhere);
+    if (loop.program == nullptr) loop = {&p, h.statement};
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` makes the `do` loop that ends on " + line_words(in, loop) + " run only once: LinuxCNC does not forget the break");
+    relate(in, f, loop, "this loop ends early");
     f.help = "leave the `while` by its condition instead, or write the other loop as a `while`";
     f.reach = h.reach;
   }

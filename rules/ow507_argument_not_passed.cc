@@ -11,10 +11,10 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kArgumentNotPassed) continue;
     const Statement& call = p.at(h.statement);
+    const Elsewhere read = place_of(in, h.other, h.other_elsewhere);
     const std::string number = "`#" + std::to_string(h.number) + "`";
-    Finding& f = out.add(call.head_span(), "`" + p.head(h.statement) + "` passes " + std::to_string(call.value_count) + (call.value_count == 1 ? " argument" : " arguments") + ", but the sub reads " + number + " on line " + std::to_string(p.at(h.other).line) + ": it is 0 there");
-    const Statement& read = p.at(h.other);
-    f.related.push_back({{read.offset, read.end}, number + " is read here"});
+    Finding& f = out.add(call.head_span(), "`" + p.head(h.statement) + "` passes " + std::to_string(call.value_count) + (call.value_count == 1 ? " argument" : " arguments") + ", but the sub reads " + number + " on " + line_words(in, read) + ": it is 0 there");
+    relate(in, f, read, number + " is read here");
     f.help = "pass a " + ordinal(h.number) + " argument, or set " + number + " in the sub before it is read";
     f.reach = h.reach;
   }

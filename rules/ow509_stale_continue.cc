@@ -10,10 +10,11 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kStaleContinue) continue;
-    const StatementId shown = h.other == kNoStatement ? h.statement : h.other;
-    const std::string effect = p.at(shown).is(Keyword::kEndrepeat) ? " runs its passes twice" : " goes on after its `break`";
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` is not forgotten: the loop that ends on line " + std::to_string(p.at(shown).line) + effect);
-    relate(f, p, h.other, "this loop" + effect);
+    Elsewhere shown = place_of(in, h.other, h.other_elsewhere);
+    if (shown.program == nullptr) shown = {&p, h.statement};
+    const std::string effect = shown.program->at(shown.statement).is(Keyword::kEndrepeat) ? " runs its passes twice" : " goes on after its `break`";
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` is not forgotten: the loop that ends on " + line_words(in, shown) + effect);
+    relate(in, f, shown, "this loop" + effect);
     f.help = "skip the rest of the `do` loop with an `if` instead";
     f.reach = h.reach;
   }

@@ -38,9 +38,17 @@ struct Input {
   const Program& program;
   const FlowResult& flow;
   const Profile& profile;
+  const Linked& linked;  ///< the program with the files that it calls
   const std::vector<Suppression>& suppressions;
   const StopIndex& stops;
   bool suppressions_applied = false;  ///< the second round, for rules about suppressions themselves
+};
+
+/// What a check of the machine's INI may look at.
+struct SetupInput {
+  const MachineSetup& setup;
+  const Profile& profile;
+  Library& library;
 };
 
 /// The rule's documentation: `owlint explain`, the pages under docs/. All of it is tested: `bad` has the finding,
@@ -63,6 +71,7 @@ struct Rule {
   Severity level;  ///< for a finding that some run meets; info rules are off unless selected
   Page page;
   void (*check)(const Input&, Reporter&);
+  void (*check_setup)(const SetupInput&, Reporter&) = nullptr;  ///< for rules about the INI; their findings name its file
 };
 
 /// Takes a rule's findings. The rule fills in place, words and what the interpreter does; code and severity are
@@ -73,6 +82,8 @@ class Reporter {
 
   /// Adds a finding; the reference is valid until the next one is added.
   Finding& add(Span span, std::string message);
+  /// The same in another file than the one that is checked.
+  Finding& add(std::shared_ptr<const Source> source, Span span, std::string message);
   const Rule& rule() const { return rule_; }
 
  private:

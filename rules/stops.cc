@@ -67,7 +67,7 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kZeroForO: return "OW307";
     case StopKind::kBlockDelete: return "OW313";
     case StopKind::kBadCharacter: return s.kind == LineKind::kPercent ? "OW315" : "OW314";
-    case StopKind::kSubNested: return "OW202";
+    case StopKind::kSubNested: case StopKind::kSubNestedInCall: return "OW202";
     case StopKind::kReturnOutside: case StopKind::kNotInDefinition: return "OW101";
     case StopKind::kLabelUndefined:
       switch (s.keyword) {
@@ -85,9 +85,14 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kSubRedefined: return "OW201";
     case StopKind::kCallTooDeep: return "OW210";
     case StopKind::kSubNotFound: return "OW208";
+    case StopKind::kFileLacksSub: return "OW401";
+    case StopKind::kFileNameCase: return "OW402";
+    case StopKind::kHelperRefused: return "OW403";
+    case StopKind::kSubBeforeEntry: return "OW404";
+    case StopKind::kFilePercent: return "OW409";
     case StopKind::kFileEnd: return "OW315";
     case StopKind::kStyleNeedsM98: case StopKind::kStyleNeedsCall: case StopKind::kStyleNeedsM99:
-    case StopKind::kStyleNeedsEndsub: return "OW211";
+    case StopKind::kStyleNeedsEndsub: case StopKind::kFanucDisabled: return "OW211";
     case StopKind::kNameUndefined: return "OW603";
     case StopKind::kNameReadOnly: case StopKind::kParameterReadOnly: return "OW604";
     case StopKind::kNone: break;
@@ -121,7 +126,29 @@ void relate(Finding& finding, const Program& program, StatementId statement, std
   if (statement == kNoStatement) return;
   const Statement& s = program.at(statement);
   const Span span = s.kind == LineKind::kOWord || s.kind == LineKind::kM98 ? s.head_span() : Span{s.offset, s.end};
-  finding.related.push_back({span, std::move(message)});
+  finding.related.push_back({span, std::move(message), nullptr});
+}
+
+void relate(const Input& in, Finding& finding, const Elsewhere& place, std::string message) {
+  if (place.program == nullptr) return;
+  relate(finding, *place.program, place.statement, std::move(message));
+  if (place.program != &in.program) finding.related.back().source = place.program->source;
+}
+
+Elsewhere place_of(const Input& in, StatementId here, const Elsewhere& elsewhere) {
+  if (here == kNoStatement) return elsewhere;
+  return {&in.program, here};
+}
+
+std::string line_words(const Input& in, const Elsewhere& place) {
+  std::string words = "line " + std::to_string(place.program->at(place.statement).line);
+  if (place.program != &in.program) words += " of " + file_name(*place.program->source);
+  return words;
+}
+
+std::string file_name(const Source& source) {
+  const std::string& path = source.path();
+  return path.substr(path.rfind('/') + 1);
 }
 
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
@@ -130,12 +157,15 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.unproven = stop.unproven && !finding.help.starts_with("write `");
   finding.interpreter = stop.interpreter;
   for (const Decision& decision : stop.path) {
-    const Statement& s = in.program.at(decision.statement);
+    const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
+    const Statement& s = place.program->at(decision.statement);
     const bool repeat = s.is(Keyword::kRepeat);
     const std::string outcome = repeat ? (decision.taken ? " runs its passes" : " has no pass left")
                                        : (decision.taken ? " is true" : " is false");
-    finding.path.push_back({s.head_span(), "when `" + in.program.head(decision.statement) + "` on line " + std::to_string(s.line) + outcome});
+    finding.path.push_back({s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
+                            decision.program == nullptr ? nullptr : decision.program->source});
   }
+  relate(in, finding, stop.call_elsewhere, "called from here");
   add_consequences(in, stop.statement, finding);
 }
 
@@ -200,6 +230,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   const std::string* best = nullptr;
   size_t best_distance = std::min(limit, std::max<size_t>(1, word.size() / 3)) + 1;
   for (const std::string& candidate : candidates) {
+    const size_t longer = std::max(word.size(), candidate.size());
+    if (longer - std::min(word.size(), candidate.size()) >= best_distance) continue;
     // Optimal string alignment: a swapped pair of letters is one mistake.
     std::vector<std::vector<size_t>> d(word.size() + 1, std::vector<size_t>(candidate.size() + 1));
     for (size_t i = 0; i <= word.size(); ++i) d[i][0] = i;

@@ -34,6 +34,15 @@ void for_unmet_errors(const Input& in, Reporter& out, const std::function<void(S
 
 /// Adds "first defined here" and the like.
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message);
+/// The same for a line that may be in another file; nothing where there is none.
+void relate(const Input& in, Finding& finding, const Elsewhere& place, std::string message);
+
+/// The line that a stop or hazard speaks of, in this file or another one.
+Elsewhere place_of(const Input& in, StatementId here, const Elsewhere& elsewhere);
+/// `line 12`, or `line 12 of probe.ngc`.
+std::string line_words(const Input& in, const Elsewhere& place);
+/// The last part of a file's path.
+std::string file_name(const Source& source);
 
 /// `1st`, `2nd`... for arguments and passes.
 std::string ordinal(size_t n);

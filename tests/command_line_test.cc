@@ -160,7 +160,7 @@ TEST_CASE("one finding a line and figures at the end", "[cli]") {
   size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) CHECK(nlohmann::json::parse(line).contains("path"));
   CHECK(count == 3);
-  CHECK(contains(r.err, "      2  OW104  if-label-reused\n      1  OW304  text-after-oword\n      3  files, "));
+  CHECK(contains(r.err, "      2  OW104  if-label-reused\n      1  OW304  text-after-oword\n      3  reports, "));
 }
 
 TEST_CASE("colours only where they are wanted", "[cli]") {

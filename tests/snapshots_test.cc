@@ -7,6 +7,7 @@
 
 #include "support/files.h"
 #include "support/fixture.h"
+#include "support/bundle.h"
 #include "support/process.h"
 
 using namespace owlint::test;
@@ -14,8 +15,8 @@ using namespace owlint::test;
 namespace {
 
 /// Runs owlint in tests/programs and holds everything it prints against the snapshot `name`.
-void snapshot(const std::string& name, const std::string& arguments) {
-  const Run run = owlint::test::owlint(words(arguments), "", repository("tests/programs"));
+void snapshot(const std::string& name, const std::string& arguments, const std::string& folder = repository("tests/programs")) {
+  const Run run = owlint::test::owlint(words(arguments), "", folder);
   const std::string text = fmt::format("$ owlint {}\n{}{}[exit status {}]\n", arguments, run.out, run.err, run.status);
   const std::string path = repository("tests/snapshots/" + name + ".txt");
   if (updating()) {
@@ -42,6 +43,12 @@ TEST_CASE("the text of one fixture for each rule is as in its snapshot", "[snaps
   for (const auto& [code, fixture] : first) {
     const std::string path = code + "/" + std::filesystem::path(fixture->path).filename().string();
     const std::string options = fixture->options.empty() ? "" : fixture->options + " ";
+    if (fixture->bundle) {
+      const Scratch scratch;
+      unpack(read_file(fixture->path), scratch);
+      snapshot(code, "check --isolated --no-find-ini --color never " + options + ".", scratch.path());
+      continue;
+    }
     snapshot(code, "check --isolated --color never " + options + path);
   }
 }

@@ -6,10 +6,8 @@
 #include <iostream>
 #include <iterator>
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-
 #include "analyzer/cli/commands.h"
+#include "analyzer/cli/run.h"
 #include "analyzer/cli/walk.h"
 #include "analyzer/report/report.h"
 
@@ -55,26 +53,21 @@ int check_command(const CommandLine& line) {
     last_error = error;
   }
 
-  std::vector<FileReport> reports(found.files.size());
-  std::vector<std::string> errors(found.files.size());
-  const auto check_one = [&](size_t i) {
-    if (!usable[i]) return;
-    const auto source = read(found.files[i], line, &errors[i]);
-    if (source != nullptr) reports[i] = lint(source, settings[i].profile, settings[i].options);
-  };
-  if (line.jobs == 1 || found.files.size() < 2) {
-    for (size_t i = 0; i < found.files.size(); ++i) check_one(i);
-  } else {
-    std::optional<tbb::global_control> limit;
-    if (line.jobs > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, line.jobs);
-    tbb::parallel_for(size_t{0}, found.files.size(), check_one);
-  }
+  std::vector<const Settings*> wanted;
+  for (size_t i = 0; i < found.files.size(); ++i) wanted.push_back(usable[i] ? &settings[i] : nullptr);
+  Library library;
+  const auto load = [&line](const std::string& path, std::string* error) { return read(path, line, error); };
+  const RunResult result = run_checks(found.files, wanted, load, line.jobs, library);
+  const std::vector<FileReport>& reports = result.reports;
   for (size_t i = 0; i < found.files.size(); ++i) {
-    if (errors[i].empty()) continue;
-    complain("cannot read " + found.files[i] + ": " + errors[i]);
+    if (result.errors[i].empty()) continue;
+    complain("cannot read " + found.files[i] + ": " + result.errors[i]);
     status = kUsage;
   }
-  std::erase_if(reports, [](const FileReport& report) { return report.source == nullptr; });
+  if (!line.quiet) {
+    for (const std::string& note : configuration.notes()) complain(note);
+    for (const std::string& note : result.notes) complain(note);
+  }
 
   std::ofstream file;
   if (!line.output.empty()) {
@@ -101,7 +94,7 @@ int check_command(const CommandLine& line) {
     complain("cannot write the report");
     return kUsage;
   }
-  if (line.statistics) write_statistics(std::cerr, reports);
+  if (line.statistics) write_statistics(std::cerr, reports, library);
   const Summary summary = summarize(reports);
   if (line.format == "text" && !line.quiet && summary.files > 0) std::cerr << summary_text(summary) << '\n';
   if (status != kClean) return status;

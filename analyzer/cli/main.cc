@@ -18,8 +18,9 @@ constexpr std::array<std::string_view, 4> kCommands = {"check", "graph", "explai
 void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("PATH", line.paths, "programs, folders (searched for *.ngc *.nc *.tap *.cnc *.gcode), or - for standard input")->required();
   app.add_option("--ini", line.ini, "INI file of the machine that runs the programs")->type_name("FILE")->group("Machine");
+  app.add_flag("--find-ini,!--no-find-ini", line.find_ini, "without --ini, use the machine INI in the nearest folder above the programs, if there is just one (default)")->group("Machine");
   app.add_option("--feature", line.feature, "FEATURE mask, as 32 or 0x20; 0x20 makes OW101 to OW108 warnings")->type_name("MASK")->group("Machine");
-  app.add_option("--linuxcnc", line.linuxcnc, "LinuxCNC version: 2.7, 2.8, 2.9 (default) or 2.10")->type_name("VERSION")->group("Machine");
+  app.add_option("--linuxcnc", line.linuxcnc, "LinuxCNC version: 2.7, 2.8, 2.9 (default), 2.10, or all: what stops in any of them")->type_name("VERSION")->group("Machine");
   app.add_option("--select", line.select, "only these rules: codes or beginnings, as OW3")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
   app.add_option("--extend-select", line.extend_select, "these rules as well")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
   app.add_option("--ignore", line.ignore, "not these rules")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kKeys = {"ini", "feature", "linuxcnc", "select", "ignore", "extend-select", "severity", "overrides"};
+const std::vector<std::string> kKeys = {"ini", "find-ini", "feature", "linuxcnc", "select", "ignore", "extend-select", "severity", "overrides"};
 const std::vector<std::string> kOverrideKeys = {"files", "select", "ignore", "extend-select", "severity"};
 
 /// The part of a configuration that `[[overrides]]` may change.
@@ -103,6 +103,7 @@ void apply(const Selection& selection, LintOptions* options) {
 struct Configuration::File {
   std::string folder;
   std::optional<std::string> ini, linuxcnc;
+  bool find_ini = true;
   std::optional<uint32_t> feature;
   Selection base;
   std::vector<std::pair<std::vector<std::string>, Selection>> overrides;
@@ -128,6 +129,11 @@ const Configuration::File* Configuration::load(const std::string& path, std::str
     return value->has_value();
   };
   bool good = check_keys(table, kKeys, error) && text("ini", &file->ini) && text("linuxcnc", &file->linuxcnc) && read_selection(table, &file->base, error);
+  if (const toml::node* node = table.get("find-ini"); good && node != nullptr) {
+    good = node->is_boolean();
+    if (!good) *error = fmt::format("line {}: `find-ini` is true or false", node->source().begin.line);
+    file->find_ini = node->value_or(true);
+  }
   if (const toml::node* node = table.get("feature"); good && node != nullptr) {
     if (const auto number = node->value<int64_t>(); number && *number >= 0) {
       file->feature = static_cast<uint32_t>(*number);
@@ -158,8 +164,8 @@ const Configuration::File* Configuration::load(const std::string& path, std::str
       file->overrides.emplace_back(std::move(patterns), std::move(selection));
     }
   }
-  if (good && file->linuxcnc && !version_from_text(*file->linuxcnc)) {
-    *error = fmt::format("`linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, not `{}`", *file->linuxcnc);
+  if (good && file->linuxcnc && *file->linuxcnc != "all" && !version_from_text(*file->linuxcnc)) {
+    *error = fmt::format("`linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, all, not `{}`", *file->linuxcnc);
     good = false;
   }
   if (!good) {
@@ -191,19 +197,59 @@ const Configuration::File* Configuration::nearest(const std::string& program, st
 bool Configuration::read_machine_ini(const std::string& path, Profile* profile, std::string* error) {
   auto known = inis_.find(path);
   if (known == inis_.end()) {
-    Profile read;
-    if (!read_ini(path, &read, error)) {
+    auto setup = read_setup(path, error);
+    if (setup == nullptr) {
       *error = fmt::format("cannot read the INI {}: {}", path, *error);
       return false;
     }
-    known = inis_.emplace(path, std::move(read)).first;
+    for (const Ini::Entry& missing : setup->ini.missing_includes()) {
+      notes_.push_back(fmt::format("{}: line {}: cannot read the file of `#INCLUDE {}`", path,
+                                   missing.source->position(missing.span.begin).line, missing.value));
+    }
+    known = inis_.emplace(path, std::move(setup)).first;
   }
-  profile->ini_given = true;
-  profile->ini_path = path;
-  profile->ini_mask = known->second.ini_mask;
-  profile->ini_warnonly = known->second.ini_warnonly;
-  profile->ini_has_folders = known->second.ini_has_folders;
+  profile->setup = known->second;
   return true;
+}
+
+namespace {
+
+/// Whether a file is the INI of a LinuxCNC machine, and not another program's.
+bool is_machine_ini(const fs::path& path) {
+  std::string error;
+  Ini ini;
+  return ini.read(path.string(), &error) && (ini.has_section("RS274NGC") || ini.has_section("EMC"));
+}
+
+}  // namespace
+
+/// The one machine INI in the nearest folder above a program that has any.
+std::string Configuration::ini_above(const std::string& program) {
+  std::error_code ignored;
+  const fs::path start = fs::absolute(program, ignored).lexically_normal().parent_path();
+  std::vector<std::string> passed;
+  std::string found;
+  for (fs::path folder = start;; folder = folder.parent_path()) {
+    if (const auto known = inis_above_.find(folder.string()); known != inis_above_.end()) {
+      found = known->second;
+      break;
+    }
+    passed.push_back(folder.string());
+    std::vector<std::string> candidates;
+    for (fs::directory_iterator entry(folder, ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
+      if (entry->path().extension() == ".ini" && is_machine_ini(entry->path())) candidates.push_back(entry->path().string());
+    }
+    std::ranges::sort(candidates);
+    if (candidates.size() == 1) {
+      found = candidates[0];
+      notes_.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", fs::proximate(found, ignored).string()));
+    } else if (candidates.size() > 1) {
+      notes_.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", candidates.size(), folder.string()));
+    }
+    if (!candidates.empty() || folder == folder.parent_path()) break;
+  }
+  for (const std::string& folder : passed) inis_above_[folder] = found;
+  return found;
 }
 
 bool Configuration::settings_for(const std::string& path, Settings* settings, std::string* error) {
@@ -233,10 +279,12 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
       }
     }
   }
-  if (version) {
+  if (version && *version == "all") {
+    options.all_versions = true;
+  } else if (version) {
     const auto parsed = version_from_text(*version);
     if (!parsed) {
-      *error = fmt::format("unknown LinuxCNC version `{}`: one of 2.7, 2.8, 2.9, 2.10", *version);
+      *error = fmt::format("unknown LinuxCNC version `{}`: one of 2.7, 2.8, 2.9, 2.10, all", *version);
       return false;
     }
     profile.version = *parsed;
@@ -248,6 +296,11 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
       *error = fmt::format("`--feature {}` is not a number, as 32 or 0x20", *line_.feature);
       return false;
     }
+  }
+  if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
+    // Relative, so that the paths of called files are as short as those of the programs.
+    std::error_code ignored;
+    if (const std::string above = ini_above(path); !above.empty()) ini = fs::proximate(above, ignored).string();
   }
   if (ini && !read_machine_ini(*ini, &profile, error)) return false;
 

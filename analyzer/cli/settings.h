@@ -27,6 +27,7 @@ struct CommandLine {
   bool isolated = false;
   bool statistics = false;
   bool quiet = false;
+  bool find_ini = true;  ///< look for a machine INI above the programs
 };
 
 struct Settings {
@@ -34,7 +35,7 @@ struct Settings {
   LintOptions options;
 };
 
-/// Finds and reads configuration files, each once. Not for several threads at a time.
+/// Finds and reads configuration files and machine INIs, each once. Not for several threads at a time.
 class Configuration {
  public:
   explicit Configuration(const CommandLine& line) : line_(line) {}
@@ -42,16 +43,22 @@ class Configuration {
   /// The settings for a file; false and a message when a configuration, INI or option is wrong.
   bool settings_for(const std::string& path, Settings* settings, std::string* error);
 
+  /// What users should know of the settings that were found, each told once.
+  const std::vector<std::string>& notes() const { return notes_; }
+
  private:
   struct File;
   const File* load(const std::string& path, std::string* error);
   const File* nearest(const std::string& program, std::string* error);
   bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
+  std::string ini_above(const std::string& program);
 
   const CommandLine& line_;
   std::map<std::string, std::shared_ptr<File>> files_;
   std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
-  std::map<std::string, Profile> inis_;
+  std::map<std::string, std::shared_ptr<const MachineSetup>> inis_;
+  std::map<std::string, std::string> inis_above_;  // folder -> INI, "" for none
+  std::vector<std::string> notes_;
 };
 
 }  // namespace owlint::cli

@@ -32,7 +32,7 @@ void walk_folder(const std::string& folder, Walk* out) {
     if (at->is_directory(unreadable)) {
       if (hidden) at.disable_recursion_pending();
     } else if (!hidden && is_program(path) && at->is_regular_file(unreadable)) {
-      found.push_back(path.string());
+      found.push_back(path.lexically_normal().string());
     }
     const fs::path current = path;
     at.increment(problem);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,7 @@ std::string_view reach_text(Reach reach);
 struct Related {
   Span span;
   std::string message;
+  std::shared_ptr<const Source> source;  ///< the file it is in; null: the finding's own
 };
 
 struct Edit {
@@ -50,6 +52,7 @@ struct Finding {
   std::string_view rule;
   Severity severity = Severity::kWarning;
   Span span;                 ///< bytes of the file
+  std::shared_ptr<const Source> source;  ///< the file, where it is another one than the report's
   std::string message;       ///< what was seen; lower case, no full stop
   std::string help;          ///< how to mend it; may be empty
   std::string interpreter;   ///< the message that LinuxCNC prints; may be empty
@@ -61,6 +64,7 @@ struct Finding {
   std::vector<Related> path;  ///< the branch outcomes that lead here; shown behind `related`
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
+  std::vector<std::string> versions;  ///< the LinuxCNC versions that it is about, where not all that were asked for
 };
 
 }  // namespace owlint

@@ -114,7 +114,7 @@ void Analysis::execute_joined(uint32_t index) {
 }
 
 void Analysis::execute(State state, Group& group, uint64_t hash) {
-  const bool at_file_end = state.position >= program_.size();
+  const bool at_file_end = linked_.at_end(state.position);
   bool executed = !at_file_end;
   if (state.skip != kNoLabel && !at_file_end) executed = machine_.is_target(state, frames_[state.context].info);
   const RecordId record = trace_->add({state.record, at_file_end ? kNoStatement : state.position, state.branch, executed, false});
@@ -239,15 +239,28 @@ void Analysis::leave(const State& at) {
   }
 }
 
-}  // namespace owlint::flow
+std::vector<std::string> Analysis::computed_calls() const {
+  std::vector<std::string> names;
+  for (const NameId id : machine_.computed_calls()) names.push_back(machine_.name(id));
+  std::ranges::sort(names);
+  return names;
+}
 
+}  // namespace owlint::flow
 
 namespace owlint {
 
-Reach FlowResult::reach(StatementId statement) const { return trace->reach(statement); }
+Reach FlowResult::reach(StatementId statement) const { return trace->reach(first + statement); }
 
-FlowResult analyze_flow(Program& program, const Profile& profile) {
-  return flow::Analysis(program, profile).run();
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile) {
+  constexpr int kRounds = 8;  // each knows names that the one before has computed
+  for (int round = 1;; ++round) {
+    flow::Analysis analysis(linked, profile);
+    FlowResult result = analysis.run();
+    bool grown = false;
+    for (const std::string& name : analysis.computed_calls()) grown |= linked.add(name);
+    if (!grown || round == kRounds) return flow::by_file(linked, std::move(result));
+  }
 }
 
 }  // namespace owlint

@@ -31,13 +31,15 @@ inline constexpr uint32_t kNormalEnd = 0;
 
 class Analysis final : public Listener {
  public:
-  Analysis(Program& program, const Profile& profile)
-      : program_(program), machine_(program, profile, pool_), heads_(program.size() + 1, UINT32_MAX),
+  Analysis(const Linked& linked, const Profile& profile)
+      : linked_(linked), program_(linked.program()), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
         trace_(std::make_shared<Trace>()) {
-    result_.executed.resize(program.size());
+    result_.executed.resize(program_.size());
   }
 
   FlowResult run();
+  /// Names of called subs that were computed on the way.
+  std::vector<std::string> computed_calls() const;
 
   void successor(State state) override;
   void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) override;
@@ -92,6 +94,7 @@ class Analysis final : public Listener {
     StatementId statement;
     StopKind kind;
     std::string detail;
+    uint32_t file;  // tells stops without a statement apart
     auto operator<=>(const StopKey&) const = default;
   };
   struct StopInfo {
@@ -111,11 +114,16 @@ class Analysis final : public Listener {
   void resume_one(const Caller& caller, const State& exit, Frame& frame);
   ContextId context_for(const Context& callee, const State& entry, bool* merged);
   void finish();
+  void blame_calls();
+  void not_found(const Frame& frame, const Caller& caller);
+  StatementId call_of(ContextId context, StatementId at) const;
+  StopKind why_not_found(NameId sub, StatementId call) const;
   void endless_loops();
   void idle_loops();
   Group& group_at(const State& state);
 
-  Program& program_;
+  const Linked& linked_;
+  const Program& program_;
   PersistentMap::Pool pool_;
   Machine machine_;
   std::vector<uint32_t> heads_;
@@ -139,5 +147,8 @@ class Analysis final : public Listener {
   uint32_t next_key_ = 1;
   FlowResult result_;
 };
+
+/// Cuts the result for a joined program into those of its files.
+std::vector<FlowResult> by_file(const Linked& linked, FlowResult result);
 
 }  // namespace owlint::flow

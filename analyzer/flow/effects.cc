@@ -59,7 +59,6 @@ const Effects& EffectsOfSubs::of(NameId sub) {
       const Region& region = program_.regions[r];
       for (StatementId id = region.opener; id < region.last; ++id) add_line(program_, program_.at(id), effects);
       for (const StatementId call : calls_[r]) {
-        if (program_.outside_subs.contains(program_.at(call).label)) effects.everything = true;
         todo.push_back(program_.at(call).label);
       }
     }

@@ -9,15 +9,22 @@
 #include <vector>
 
 #include "analyzer/machine/profile.h"
-#include "analyzer/program/program.h"
+#include "analyzer/program/linker.h"
 #include "analyzer/text/reach.h"
 
 namespace owlint {
+
+/// A line of another file than the one that a result is about.
+struct Elsewhere {
+  const Program* program = nullptr;  ///< null: there is none
+  StatementId statement = kNoStatement;
+};
 
 /// One branch outcome on the way to a stop.
 struct Decision {
   StatementId statement = kNoStatement;
   bool taken = false;  ///< the condition was true (a `repeat` had a pass left)
+  const Program* program = nullptr;  ///< where, if in another file
 };
 
 /// The interpreter stops at `statement` on some run.
@@ -26,8 +33,12 @@ struct FlowStop {
   StopKind kind = StopKind::kNone;
   Reach reach = Reach::kMaybe;
   bool unproven = false;  ///< depends on what owlint cannot know: files elsewhere, how deep a guarded recursion goes
+  StatementId end_of = kNoStatement;     ///< for ends of file: the place of that end
   StatementId other = kNoStatement;   ///< the line that the message speaks of (first definition, opener)
   StatementId call = kNoStatement;    ///< the call in which it happens, if in a sub
+  Elsewhere other_elsewhere;          ///< instead of `other`, in another file
+  Elsewhere call_elsewhere;           ///< instead of `call`, in another file
+  const Program* file = nullptr;      ///< the file that was called and lacks the sub
   std::string interpreter;            ///< the interpreter's message
   std::string detail;                 ///< a name that the message is about
   std::vector<Decision> path;         ///< branch outcomes without which it does not happen; empty when always
@@ -36,7 +47,7 @@ struct FlowStop {
 /// Something that runs, but not as written.
 enum class HazardKind : uint8_t {
   kStaleBreak, kStaleRepeatCount, kArgumentNotPassed, kEndlessLoop, kStaleContinue, kContinueMeetsBreak,
-  kValueAtDefinition, kNestedDo, kCrash, kHang, kWarned,
+  kValueAtDefinition, kNestedDo, kCrash, kLookupCrash, kHang, kWarned,
 };
 
 struct Hazard {
@@ -47,6 +58,7 @@ struct Hazard {
   Reach reach = Reach::kMaybe;
   StopKind warned = StopKind::kNone;     ///< under FEATURE 0x20: the error that became a message
   std::string interpreter;
+  Elsewhere other_elsewhere;             ///< instead of `other`, in another file
 };
 
 struct FlowStatistics {
@@ -65,12 +77,14 @@ struct FlowResult {
   bool ends = false;              ///< some run comes to a program end without an error
   FlowStatistics statistics;
   std::shared_ptr<const flow::Trace> trace;
+  StatementId first = 0;          ///< number of this file's first statement in the trace
 
   /// Whether runs get to a statement and execute it: never, on some runs, on every run.
   Reach reach(StatementId statement) const;
 };
 
-/// Runs the machine. `program` is not changed except that computed labels may add names.
-FlowResult analyze_flow(Program& program, const Profile& profile);
+/// Runs the machine through all files of `linked`, which grows by files whose names only the run knows. One result
+/// for each file, in the order of `linked.files()`; statement numbers in it are those of the file's own program.
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile);
 
 }  // namespace owlint

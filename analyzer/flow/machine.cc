@@ -87,13 +87,14 @@ uint32_t Definers::without_undefined(uint32_t packed) {
   return pack(std::move(set));
 }
 
-Machine::Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool)
-    : program_(program), profile_(profile), pool_(pool), evaluator_(program.syntax, constants_, pool),
+Machine::Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool)
+    : linked_(linked), program_(linked.program()), profile_(profile), pool_(pool), evaluator_(program_.syntax, constants_, pool),
+      no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
-      reads_break_(profile.warn_only()), effects_(program) {
+      reads_break_(profile.warn_only()), effects_(program_) {
   labels_.emplace_back(kNoName, kNoName);
-  depth_matters_ = !shallow_calls(program);
-  structured_ = structured_blocks(program);
+  depth_matters_ = !shallow_calls(program_);
+  structured_ = structured_blocks(program_);
   index();
 }
 
@@ -106,6 +107,11 @@ void Machine::index() {
     if (s.is(Keyword::kDo)) reads_break_ = true;
     if (s.opens_sub()) definitions_.push_back(id);
     if (s.kind == LineKind::kPercent) percents_.push_back(id);
+    if (s.kind == LineKind::kFileEnd) file_ends_.push_back(id);
+    if (refuses_fanuc(s)) {
+      always_errors_.push_back(id);
+      continue;
+    }
     if (error == nullptr) continue;
     if (error->kind < StopKind::kKeywordUnknown) always_errors_.push_back(id);
     if (error->kind == StopKind::kKeywordUnknown) unknown_keywords_.push_back(id);
@@ -137,6 +143,7 @@ StatementId Machine::next_stop(const State& state, StatementId from) const {
   look(computed_);
   look(always_errors_);
   look(percents_);
+  look(file_ends_);
   if (state.defining != kNoName) {
     look(definitions_);
   } else {
@@ -147,8 +154,8 @@ StatementId Machine::next_stop(const State& state, StatementId from) const {
 
 std::string Machine::full_text(FullLabel label) const {
   const auto& [scope, name] = labels_[label];
-  if (scope == kGlobalScope) return program_.name(name);
-  return (scope == kNoName ? std::string() : program_.name(scope)) + "#" + program_.name(name);
+  if (scope == kGlobalScope) return this->name(name);
+  return (scope == kNoName ? std::string() : this->name(scope)) + "#" + this->name(name);
 }
 
 bool Machine::is_target(const State& state, const Context& context) const {
@@ -160,11 +167,25 @@ bool Machine::is_target(const State& state, const Context& context) const {
 }
 
 bool Machine::may_be_elsewhere(NameId sub) const {
-  if (profile_.ini_given && !profile_.ini_has_folders) return false;
-  const std::string& name = program_.name(sub);
-  if (name.find_first_not_of("-0123456789") == std::string::npos) return false;
-  if (sub >= program_.by_label.size()) return true;
-  return std::ranges::none_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
+  const std::string& text = name(sub);
+  if (profile_.may_be_python() || target(sub).opaque || program_.sub_file) return true;
+  if (sub < program_.by_label.size()) {
+    const bool defined = std::ranges::any_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
+    if (defined) return false;
+  }
+  if (profile_.setup != nullptr) return false;
+  return text.find_first_not_of("-0123456789") != std::string::npos;
+}
+
+NameId Machine::intern(const std::string& text) {
+  const NameId known = program_.syntax.names.find(text);
+  if (known != kNoName) return known;
+  return static_cast<NameId>(program_.syntax.names.size() + computed_names_.intern(text));
+}
+
+const std::string& Machine::name(NameId id) const {
+  const size_t own = program_.syntax.names.size();
+  return id < own ? program_.name(id) : computed_names_.text(static_cast<NameId>(id - own));
 }
 
 FullLabel Machine::full_label(NameId scope, NameId label) {

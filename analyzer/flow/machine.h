@@ -5,12 +5,14 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "analyzer/flow/effects.h"
 #include "analyzer/flow/flow.h"
 #include "analyzer/flow/structured.h"
 #include "analyzer/flow/values.h"
+#include "analyzer/program/linker.h"
 
 namespace owlint::flow {
 
@@ -95,7 +97,7 @@ class Listener {
 
 class Machine {
  public:
-  Machine(Program& program, const Profile& profile, PersistentMap::Pool& pool);
+  Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool);
 
   /// Executes or passes over the line at `state.position`.
   void step(State state, const Context& context, Listener& out);
@@ -114,14 +116,26 @@ class Machine {
   /// Whether the line at which a skipping state stands is the one that it skips to.
   bool is_target(const State& state, const Context& context) const;
 
-  /// Whether a sub that is not defined in the program may be in a file that owlint does not know of.
+  /// Whether a sub that is nowhere to be found may be in a file, a module or a calling program that owlint does not know.
   bool may_be_elsewhere(NameId sub) const;
+  /// Where LinuxCNC looks for a called sub that the label table does not have.
+  CallTarget target(NameId sub) const { return linked_.target(name(sub)); }
+
+  /// Whether the machine's INI turns this Fanuc-style line off.
+  bool refuses_fanuc(const Statement& s) const { return no_fanuc_ && (s.is(Keyword::kBare) || s.kind == LineKind::kM98); }
+
+  /// Names, those of the program and those that were computed on the way.
+  NameId intern(const std::string& text);
+  const std::string& name(NameId id) const;
+  /// Computed names of subs that were called.
+  const std::unordered_set<NameId>& computed_calls() const { return computed_calls_; }
 
   FullLabel full_label(NameId scope, NameId label);
   /// A label as the interpreter names it: `100`, or `100#110` for a block's label in sub 100.
   std::string full_text(FullLabel label) const;
   NameId label_of(FullLabel label) const { return labels_[label].second; }
   Definers& definers() { return definers_; }
+  Version version() const { return profile_.version; }
   Evaluator& evaluator() { return evaluator_; }
 
  private:
@@ -130,12 +144,14 @@ class Machine {
 
   void index();
 
-  Program& program_;
+  const Linked& linked_;
+  const Program& program_;
   const Profile& profile_;
   PersistentMap::Pool& pool_;
   Constants constants_;
   Evaluator evaluator_;
   Definers definers_;
+  bool no_fanuc_;                 // DISABLE_FANUC_STYLE_SUB
   bool reads_break_;              // only a `do` loop looks at the flag that `break` leaves behind
   bool depth_matters_ = true;     // some chain of calls may be too deep
   std::vector<bool> structured_;  // by block, see structured.h
@@ -143,7 +159,9 @@ class Machine {
   std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
   std::unordered_map<uint64_t, FullLabel> label_ids_;
   // Positions at which a skip may be interrupted, each sorted.
-  std::vector<StatementId> computed_, always_errors_, unknown_keywords_, definitions_, percents_;
+  std::vector<StatementId> computed_, always_errors_, unknown_keywords_, definitions_, percents_, file_ends_;
+  Names computed_names_;  // numbered behind the program's own
+  std::unordered_set<NameId> computed_calls_;
 };
 
 }  // namespace owlint::flow

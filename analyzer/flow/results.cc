@@ -10,6 +10,8 @@ void Analysis::end_of_file(const State& state) {
   if (state.seek) return;  // reported for each call when all are known: see finish()
   FlowStop stop;
   stop.kind = StopKind::kFileEnd;
+  stop.end_of = state.position;
+  stop.call = call_of(state.context, state.position);
   const bool percent = program_.syntax.percent || program_.syntax.blank;
   stop.interpreter = percent ? "File ended with no percent sign" : "File ended with no percent sign or program end";
   const auto blame = [&](FullLabel label) {
@@ -32,7 +34,9 @@ void Analysis::end_of_file(const State& state) {
 }
 
 void Analysis::add_stop(RecordId record, FlowStop stop) {
-  const StopKey key{stop.statement, stop.kind, stop.detail};
+  // A stop without a line to blame is told at the end of its file.
+  const uint32_t file = stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
+  const StopKey key{stop.statement, stop.kind, stop.detail, file};
   auto found = stops_.find(key);
   if (found == stops_.end()) found = stops_.emplace(key, StopInfo{next_key_++, record, std::move(stop)}).first;
   trace_->terminate(record, found->second.key);
@@ -48,17 +52,21 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   if (kind == StopKind::kFileEnd) {  // `%` while lines are skipped: blame what is being skipped
     const Definers::Set set = machine_.definers().get(machine_.entry(at, at.skip));
     stop.statement = kNoStatement;
+    stop.end_of = at.position;
     if (!set.lines.empty()) stop.statement = set.lines.front();
     if (at.seek) return;  // the seeking call: see finish()
   }
-  const Frame& frame = frames_[at.context];
-  if (!frame.callers.empty()) stop.call = frame.callers.front().state.position;
+  stop.call = call_of(at.context, at.position);
+  if (kind == StopKind::kSubNotFound) {
+    stop.kind = why_not_found(machine_.intern(stop.detail), at.position);
+    stop.unproven = machine_.may_be_elsewhere(machine_.intern(stop.detail));
+  }
   if (kind == StopKind::kCallTooDeep) deepest_.emplace_back(at.context, at.position);
   add_stop(at.record, std::move(stop));
 }
 
 void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) {
-  Hazard hazard{kind, at.position, kNoStatement, number, Reach::kMaybe, warned, std::move(message)};
+  Hazard hazard{kind, at.position, kNoStatement, number, Reach::kMaybe, warned, std::move(message), {}};
   const auto executed = [&](Keyword keyword, Keyword loop) {
     return [this, keyword, loop](StatementId id) {
       if (!program_.at(id).is(keyword)) return false;
@@ -83,6 +91,7 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
     case HazardKind::kStaleRepeatCount: begins_at(trace_->nearest(at.record, executed(Keyword::kReturn, Keyword::kUnknown))); break;
     case HazardKind::kArgumentNotPassed: not_passed_.emplace_back(at.context, number, at.position); return;
     case HazardKind::kWarned: warned_.insert(at.record); break;
+    case HazardKind::kLookupCrash: trace_->terminate(at.record, next_key_++); return;
     case HazardKind::kCrash: trace_->terminate(at.record, next_key_++); break;
     default: break;
   }
@@ -106,7 +115,7 @@ void Analysis::endless_loops() {
   std::ranges::sort(loops);
   loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
   for (const StatementId loop : loops) {
-    Hazard hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, ""};
+    Hazard hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}};
     hazards_.emplace(std::make_tuple(hazard.kind, loop, kNoStatement, 0U), std::move(hazard));
   }
 }
@@ -136,44 +145,88 @@ void Analysis::idle_loops() {
     }
     if (loop.warned == kNoStatement) continue;
     hazards_.emplace(std::make_tuple(HazardKind::kHang, loop.warned, kNoStatement, 0U),
-                     Hazard{HazardKind::kHang, loop.warned, loop.first, 0, Reach::kMaybe, StopKind::kNone, ""});
+                     Hazard{HazardKind::kHang, loop.warned, loop.first, 0, Reach::kMaybe, StopKind::kNone, "", {}});
+  }
+}
+
+/// The call that led to a line: into its file if it stands in a called one, else into its sub.
+StatementId Analysis::call_of(ContextId context, StatementId at) const {
+  StatementId call = kNoStatement;
+  const uint32_t file = linked_.file_of(at);
+  for (int depth = 0; depth <= kMaxCallDepth && !frames_[context].callers.empty(); ++depth) {
+    const State& caller = frames_[context].callers.front().state;
+    call = caller.position;
+    if (file == 0 || linked_.file_of(call) != file) break;
+    context = caller.context;
+  }
+  return call;
+}
+
+/// Why a search for a sub from `call` on fails.
+StopKind Analysis::why_not_found(NameId sub, StatementId call) const {
+  const LinkedFile& file = linked_.files()[linked_.file_of(call)];
+  const bool called_file = file.first != 0 || program_.sub_file;
+  if (called_file && sub < program_.by_label.size()) {
+    for (const StatementId id : program_.by_label[sub]) {
+      if (!program_.at(id).opens_sub() || id < file.first || id >= file.last) continue;
+      return id < call ? StopKind::kSubBeforeEntry : StopKind::kHelperRefused;
+    }
+  }
+  return linked_.search_path().find_other_case(machine_.name(sub)) ? StopKind::kFileNameCase : StopKind::kSubNotFound;
+}
+
+/// A call that seeks its sub to the end of a file: if it does, the call is to blame.
+void Analysis::not_found(const Frame& frame, const Caller& caller) {
+  const NameId sub = frame.info.sub;
+  const StatementId call = caller.state.position;
+  const CallTarget target = machine_.target(sub);
+  const bool has_file = target.file != CallTarget::kNotFound;
+  const LinkedFile& file = linked_.files()[has_file ? target.file : linked_.file_of(call)];
+  const auto sought_to = [&](StatementId at) {
+    for (uint32_t i = heads_[at]; i != UINT32_MAX; i = groups_[i].next) {
+      if (groups_[i].seek && &frames_[groups_[i].context] == &frame) return true;
+    }
+    return false;
+  };
+  bool at_end = sought_to(file.last);
+  bool percent = false;
+  for (StatementId id = std::max(file.first, 1U); program_.syntax.percent && !at_end && id < file.last; ++id) {
+    if (program_.at(id).kind == LineKind::kPercent) at_end = percent = sought_to(id);
+    if (percent) break;
+  }
+  if (!at_end) return;
+  FlowStop stop;
+  stop.statement = call;
+  stop.call = call_of(caller.state.context, call);
+  stop.detail = machine_.name(sub);
+  const uint32_t from = has_file ? 0 : program_.at(call).line;
+  const std::string sought(called_label(stop.detail, machine_.version()));
+  stop.interpreter = percent ? "Failed to find sub 'O" + sought + "' before EOF"
+                             : "EOF in file:" + file.program->source->path() + " seeking o-word: o<" + sought +
+                                   "> from line: " + std::to_string(from);
+  if (has_file) {
+    stop.kind = percent ? StopKind::kFilePercent : StopKind::kFileLacksSub;
+    stop.file = file.program.get();
+  } else {
+    stop.kind = why_not_found(sub, call);
+    stop.unproven = machine_.may_be_elsewhere(sub);
+  }
+  add_stop(caller.state.record, stop);
+  const uint32_t key = stops_.at({stop.statement, stop.kind, stop.detail, 0}).key;
+  for (const Group& group : groups_) {
+    if (!group.seek || &frames_[group.context] != &frame) continue;
+    for (const auto& [hash, record] : group.seen) trace_->terminate(record, key);
+  }
+}
+
+void Analysis::blame_calls() {
+  for (const Frame& frame : frames_) {
+    for (const Caller& caller : frame.callers) not_found(frame, caller);
   }
 }
 
 void Analysis::finish() {
-  // A call that seeks its sub to the end of the file: blame every call that began that search.
-  for (Frame& frame : frames_) {
-    if (frame.callers.empty()) continue;
-    for (const Caller& caller : frame.callers) {
-      const auto at_end = [&](uint32_t head) {
-        for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) {
-          if (groups_[i].seek && &frames_[groups_[i].context] == &frame) return true;
-        }
-        return false;
-      };
-      bool sought = at_end(heads_[program_.size()]);
-      bool percent = false;
-      for (StatementId id = 1; program_.syntax.percent && !sought && id < program_.size(); ++id) {
-        if (program_.at(id).kind == LineKind::kPercent) sought = percent = at_end(heads_[id]);
-        if (percent) break;
-      }
-      if (!sought) continue;
-      FlowStop stop;
-      stop.statement = caller.state.position;
-      stop.kind = StopKind::kSubNotFound;
-      stop.detail = program_.name(frame.info.sub);
-      stop.unproven = machine_.may_be_elsewhere(frame.info.sub);
-      stop.interpreter = percent ? "Failed to find sub 'O" + stop.detail + "' before EOF"
-                                 : "EOF in file:" + program_.source->path() + " seeking o-word: o<" + stop.detail +
-                                       "> from line: " + std::to_string(program_.at(stop.statement).line);
-      add_stop(caller.state.record, stop);
-      const uint32_t key = stops_.at({stop.statement, stop.kind, stop.detail}).key;
-      for (const Group& group : groups_) {
-        if (!group.seek || &frames_[group.context] != &frame) continue;
-        for (const auto& [hash, record] : group.seen) trace_->terminate(record, key);
-      }
-    }
-  }
+  blame_calls();
   trace_->finish();
   idle_loops();
   const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
@@ -183,7 +236,7 @@ void Analysis::finish() {
       const StatementId call = caller.state.position;
       if (program_.at(call).value_count >= number) continue;
       hazards_.emplace(std::make_tuple(HazardKind::kArgumentNotPassed, call, read, number),
-                       Hazard{HazardKind::kArgumentNotPassed, call, read, number, Reach::kMaybe, StopKind::kNone, ""});
+                       Hazard{HazardKind::kArgumentNotPassed, call, read, number, Reach::kMaybe, StopKind::kNone, "", {}});
     }
   }
   for (const auto& [context, call] : deepest_) {
@@ -210,6 +263,47 @@ void Analysis::finish() {
     if (hazard.kind == HazardKind::kHang && trace_->ends()) hazard.reach = Reach::kMaybe;
     result_.hazards.push_back(std::move(hazard));
   }
+}
+
+std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
+  const auto& files = linked.files();
+  std::vector<FlowResult> out(files.size());
+  for (size_t i = 0; i < files.size(); ++i) {
+    const LinkedFile& file = files[i];
+    out[i].first = file.first;
+    out[i].trace = result.trace;
+    out[i].ends = result.ends;
+    out[i].executed.assign(result.executed.begin() + file.first, result.executed.begin() + file.last);
+  }
+  out[0].statistics = result.statistics;
+  // Moves a statement number into its file, or out of it if that is another file than `home`.
+  const auto localize = [&](uint32_t home, StatementId* id, Elsewhere* elsewhere) {
+    if (*id == kNoStatement) return;
+    const uint32_t file = linked.file_of(*id);
+    const StatementId local = *id - files[file].first;
+    *id = file == home ? local : kNoStatement;
+    if (file != home) *elsewhere = {files[file].program.get(), local};
+  };
+  for (FlowStop& stop : result.stops) {
+    const StatementId place = stop.statement != kNoStatement ? stop.statement : stop.end_of;
+    const uint32_t home = place == kNoStatement ? 0 : linked.file_of(place);
+    if (stop.statement != kNoStatement) stop.statement -= files[home].first;
+    localize(home, &stop.other, &stop.other_elsewhere);
+    localize(home, &stop.call, &stop.call_elsewhere);
+    for (Decision& decision : stop.path) {
+      const uint32_t file = linked.file_of(decision.statement);
+      decision.statement -= files[file].first;
+      if (file != home) decision.program = files[file].program.get();
+    }
+    out[home].stops.push_back(std::move(stop));
+  }
+  for (Hazard& hazard : result.hazards) {
+    const uint32_t home = linked.file_of(hazard.statement);
+    hazard.statement -= files[home].first;
+    localize(home, &hazard.other, &hazard.other_elsewhere);
+    out[home].hazards.push_back(std::move(hazard));
+  }
+  return out;
 }
 
 }  // namespace owlint::flow

@@ -70,7 +70,7 @@ struct Machine::Step {
       std::string message = e.message != nullptr ? e.message : "";
       std::string detail;
       if (e.name != kNoName) {
-        detail = m.program_.name(e.name);
+        detail = m.name(e.name);
         message = kind == StopKind::kNameReadOnly ? "Cannot assign to read-only parameter #<" + detail + ">"
                                                   : "Named parameter #<" + detail + "> not defined";
       }
@@ -133,7 +133,7 @@ struct Machine::Step {
   Keyword kind_of(StatementId line) const { return m.program_.at(line).keyword; }
   uint32_t line_of(StatementId id) const { return m.program_.at(id).line; }
   std::string line_text() const {
-    const std::string_view text = m.program_.source->slice({s.offset, s.end});
+    const std::string_view text = m.linked_.source_of(here).slice({s.offset, s.end});
     const size_t first = text.find_first_not_of(" \t\r");
     const size_t last = text.find_last_not_of(" \t\r");
     return first == std::string_view::npos ? std::string() : std::string(text.substr(first, last - first + 1));

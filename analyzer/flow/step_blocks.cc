@@ -255,7 +255,7 @@ void Machine::Step::endif() {
     state = before;
     set_entry(Definers::one(line));
     if (kind_of(line) != Keyword::kIf) {
-      if (!documented(StopKind::kNotAnIf, at_line("no matching label: '" + std::string("#") + m.program_.name(m.label_of(label)) + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + "): '" + line_text() + "'"), line)) continue;
+      if (!documented(StopKind::kNotAnIf, at_line("no matching label: '" + std::string("#") + m.name(m.label_of(label)) + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + "): '" + line_text() + "'"), line)) continue;
     }
     state.skip = kNoLabel;
     state.executed = kYes;

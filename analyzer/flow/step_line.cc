@@ -14,6 +14,12 @@ void Machine::step(State state, const Context& context, Listener& out) {
 void Machine::Step::run() {
   const LineError* e = error();
   if (e != nullptr && e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) return stop_error();
+  // Measured: `O…` and M98 stop where they are read, also where lines are skipped; M99 only where it would return.
+  if (m.refuses_fanuc(s) || (m.no_fanuc_ && s.kind == LineKind::kM99 && called() && !skipping)) {
+    return stop(StopKind::kFanucDisabled, s.kind == LineKind::kOWord ? "DISABLE_FANUC_STYLE_SUB disabled in INI file, but found bare O-word"
+                                          : s.kind == LineKind::kM98 ? "DISABLE_FANUC_STYLE_SUB set in INI file, but found m98"
+                                                                     : "DISABLE_FANUC_STYLE_SUB set in INI file, but found m99");
+  }
   if (s.kind == LineKind::kOWord) return o_word();
   plain();
 }
@@ -74,7 +80,8 @@ bool Machine::Step::resolve_label() {
       stop(StopKind::kLabelNotInteger, "Non integer value for integer");
       return false;
     }
-    name = m.program_.syntax.names.intern(text);
+    name = m.intern(text);
+    if (s.is(Keyword::kCall) || s.kind == LineKind::kM98) m.computed_calls_.insert(name);
   }
   const bool global = s.kind == LineKind::kM98 || global_label(s.keyword);
   const NameId scope = global ? kGlobalScope : called() ? context.sub : state.defining;

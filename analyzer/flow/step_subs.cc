@@ -6,14 +6,13 @@ namespace owlint::flow {
 /// Enters the sub's label in the table; false when it is there on every path.
 bool Machine::Step::enter_sub() {
   const Definers::Set set = m.definers_.get(entry());
-  const std::string& path = m.program_.source->path();
-  const std::string where = "File:" + path + " line:" + std::to_string(s.line);
-  const std::string& name = m.program_.name(s.label_expr == kNoExpr ? s.label : m.label_of(label));
+  const std::string where = "File:" + m.linked_.source_of(here).path() + " line:" + std::to_string(s.line);
+  const std::string& name = m.name(s.label_expr == kNoExpr ? s.label : m.label_of(label));
   for (const StatementId line : set.lines) {
     if (line == here) {
       stop(StopKind::kSubIllegalLocation, where + " sub: o|" + name + "| found in illegal location", line);
     } else {
-      stop(StopKind::kSubRedefined, where + " redefining sub: o|" + name + "| already defined in file:" + path, line);
+      stop(StopKind::kSubRedefined, where + " redefining sub: o|" + name + "| already defined in file:" + m.linked_.source_of(line).path(), line);
     }
   }
   if (!set.undefined) return false;
@@ -30,7 +29,13 @@ void Machine::Step::sub() {
     state.skip = kNoLabel;
     state.seek = false;
   }
-  if (called()) return next_line();
+  if (called()) {
+    if (m.profile_.version >= Version::k2_10 && m.label_of(label) != context.sub) {
+      return stop(StopKind::kSubNestedInCall, "Nested subroutine definition: 'O" + m.name(m.label_of(label)) +
+                                                  " sub' found inside called subroutine 'O" + m.name(context.sub) + "'");
+    }
+    return next_line();
+  }
   if (!enter_sub()) return;
   state.skip = label;
   state.defining = m.label_of(label);
@@ -109,6 +114,10 @@ void Machine::Step::call(int repeats, bool fanuc) {
       const bool passed = n <= static_cast<long>(arguments.size());
       m.evaluator_.set_number(enter.parameters, n, passed ? arguments[n - 1] : kNotPassed);
     }
+    const NameId count = m.program_.syntax.names.find("n_args");
+    if (count != kNoName && m.profile_.setup != nullptr && m.profile_.setup->counts_arguments) {
+      m.evaluator_.set_name(enter.parameters, count, m.constants_.intern(static_cast<double>(arguments.size())));
+    }
   }
   if (repeats == 0 || repeats == kUnknownRepeats) {
     // Measured: with L0 the call is made and simply goes on with the next line, inside; M99 comes back to that line.
@@ -117,32 +126,40 @@ void Machine::Step::call(int repeats, bool fanuc) {
     out.call(state, std::move(inside), callee, 1);
     if (repeats == 0) return;
   }
-  const Definers::Set set = m.definers_.get(entry());
+  // A name with a path stands for its last part in the label table, but is the called sub's name for its own labels.
+  const NameId plain = m.intern(std::string(called_label(m.name(callee.sub), m.profile_.version)));
+  const FullLabel defined = plain == callee.sub ? label : m.full_label(kGlobalScope, plain);
+  const Definers::Set set = m.definers_.get(state.table.get(defined));
   for (const StatementId line : set.lines) {
     State known = enter;
-    known.table.set(m.pool_, label, Definers::one(line));
+    known.table.set(m.pool_, defined, Definers::one(line));
     known.position = line;  // the definition's line is read again (measured: text behind it stops there)
     out.call(state, std::move(known), callee, repeats);
   }
   if (!set.undefined) return;
-  if (m.program_.outside_subs.contains(callee.sub)) {
-    // Found in another file: it is taken to come back.
-    Evaluator::call_outside(state.parameters);
-    state.returned = kYes;
-    return next_line();
+  enter.table.set(m.pool_, defined, 0);
+  enter.skip = defined;
+  enter.seek = true;
+  const CallTarget target = m.target(callee.sub);
+  if (target.file != CallTarget::kNotFound) {
+    enter.position = m.linked_.files()[target.file].first;
+    return out.call(state, std::move(enter), callee, repeats);
+  }
+  if (m.profile_.version >= Version::k2_9 && breaks_expansion(m.name(callee.sub))) {
+    return out.hazard(state, HazardKind::kLookupCrash, 0, StopKind::kNone, "");
   }
   if (m.may_be_elsewhere(callee.sub)) {
-    // A named sub that the file does not define, and no INI that says where else to look: it stops, or a file on the
-    // machine's search path has it and it comes back.
+    // It stops, or something that owlint does not know has the sub, and it comes back.
     State back = state;
     Evaluator::call_outside(back.parameters);
     back.returned = kYes;
     go(std::move(back), here + 1);
+    if (m.profile_.may_be_python()) return;
   }
-  enter.table.set(m.pool_, label, 0);
+  if (m.profile_.version >= Version::k2_10 && called() && m.linked_.file_of(here) != 0) {
+    return stop(StopKind::kSubNotFound, "Subroutine 'O" + m.name(callee.sub) + "' not found -- not in offset table and no file found", kNoStatement, m.name(callee.sub));
+  }
   enter.position = here + 1;
-  enter.skip = label;
-  enter.seek = true;
   out.call(state, std::move(enter), callee, repeats);
 }
 

@@ -8,13 +8,14 @@ namespace {
 
 bool part_of_block(const Statement& s) { return s.kind == LineKind::kOWord && !global_label(s.keyword); }
 
-uint64_t key_of(RegionId region, NameId label) { return static_cast<uint64_t>(region) << 32 | label; }
+uint64_t key_of(NameId scope, NameId label) { return static_cast<uint64_t>(scope) << 32 | label; }
 
 }  // namespace
 
 bool is_regular(const Program& program) {
   for (RegionId r = 1; r < program.regions.size(); ++r) {
     const Region& region = program.regions[r];
+    if (region.opener == kNoStatement) continue;  // the main part of a called file
     if (region.end == kNoStatement || region.early_end != kNoStatement) return false;
     if (!program.at(region.opener).is(Keyword::kSub)) return false;
   }
@@ -99,7 +100,7 @@ std::vector<bool> structured_blocks(const Program& program) {
       computed = computed || s.label_expr != kNoExpr;
       continue;
     }
-    const uint64_t key = key_of(regular ? program.region_of[id] : 0, s.label);
+    const uint64_t key = key_of(regular ? program.regions[program.region_of[id]].name : kNoName, s.label);
     const BlockId block = program.block_of[id];
     const auto [entry, added] = owner.try_emplace(key, block);
     if (!added && entry->second != block) {
@@ -113,7 +114,7 @@ std::vector<bool> structured_blocks(const Program& program) {
     const Block& block = program.blocks[id];
     const bool closed = block.end != kNoStatement && block.crossed == kNoBlock && !computed;
     if (!closed || subs_before[block.end] != subs_before[block.opener]) good[id] = false;
-    const auto found = owner.find(key_of(regular ? block.region : 0, block.label));
+    const auto found = owner.find(key_of(regular ? program.regions[block.region].name : kNoName, block.label));
     if (found == owner.end() || found->second != id) good[id] = false;
     // Inner blocks come after their parents: by now all of them have been looked at.
     if (!good[id] && block.parent != kNoBlock) good[block.parent] = false;

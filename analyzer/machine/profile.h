@@ -1,15 +1,19 @@
-// What surrounds a program: the LinuxCNC version and the settings of the machine's INI that change what O-words do.
+// What surrounds a program: the LinuxCNC version, FEATURE 0x20, and the machine that an INI describes.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <string_view>
+
+#include "analyzer/machine/setup.h"
 
 namespace owlint {
 
 /// A supported LinuxCNC version; ordered by age.
 enum class Version : uint8_t { k2_7, k2_8, k2_9, k2_10 };
+inline constexpr Version kAllVersions[] = {Version::k2_7, Version::k2_8, Version::k2_9, Version::k2_10};
 
 std::optional<Version> version_from_text(std::string_view text);
 std::string_view version_text(Version version);
@@ -17,21 +21,15 @@ std::string_view version_text(Version version);
 struct Profile {
   Version version = Version::k2_9;
   bool version_given = false;
-  bool ini_given = false;
-  std::optional<uint32_t> feature;      ///< from --feature or the configuration
-  std::optional<uint32_t> ini_mask;     ///< FEATURE or FEATURES of the INI
-  bool ini_warnonly = false;            ///< OWORD_WARNONLY of the INI
-  bool ini_has_folders = false;         ///< the INI names folders with subs, which are not searched yet
-  std::string ini_path;
+  std::optional<uint32_t> feature;         ///< from --feature or the configuration
+  std::shared_ptr<const MachineSetup> setup;  ///< what the INI says; null without one
 
   /// FEATURE 0x20 as interface.md defines it: the documented abort list only warns.
   bool warn_only() const;
+  /// Whether LinuxCNC still reads the mask from the INI.
+  bool mask_counts() const { return !version_given || version < Version::k2_8; }
+  /// Whether a called sub that is nowhere to be found may be a function of the machine's Python module.
+  bool may_be_python() const { return setup != nullptr && setup->has_python; }
 };
-
-/// Reads the settings above from a machine INI. Returns false and a message when it can't be read.
-bool read_ini(const std::string& path, Profile* profile, std::string* error);
-
-/// A FEATURE mask in decimal or 0x hexadecimal.
-std::optional<uint32_t> parse_mask(std::string_view text);
 
 }  // namespace owlint

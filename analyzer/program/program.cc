@@ -1,7 +1,5 @@
 #include "analyzer/program/program.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <unordered_map>
@@ -12,14 +10,6 @@ namespace {
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
-}
-
-void index_labels(Program& program) {
-  program.by_label.resize(program.syntax.names.size());
-  for (StatementId id = 0; id < program.size(); ++id) {
-    const Statement& s = program.at(id);
-    if (s.kind == LineKind::kOWord && s.label != kNoName) program.by_label[s.label].push_back(id);
-  }
 }
 
 void collect_calls(Program& program) {
@@ -34,43 +24,31 @@ void collect_calls(Program& program) {
   }
 }
 
-/// A file that defines the sub it is named after and does nothing else is called, not run.
-void decide_entry(Program& program) {
-  const std::string stem = lower(std::filesystem::path(program.source->path()).stem().string());
-  const NameId name = program.syntax.names.find(stem);
-  if (name == kNoName || program.syntax.first_plain_line != 0) return;
-  bool defined = false;
+NameId own_name(const Program& program) {
+  const NameId name = program.syntax.names.find(lower(std::filesystem::path(program.source->path()).stem().string()));
+  if (name == kNoName) return kNoName;
   for (const Region& region : program.regions) {
     if (region.opener == kNoStatement) continue;
-    if (region.name == name && program.at(region.opener).is(Keyword::kSub)) defined = true;
+    if (region.name == name && program.at(region.opener).is(Keyword::kSub)) return name;
   }
-  if (!defined) return;
+  return kNoName;
+}
+
+/// Whether nothing is executed when the file is run as a program.
+bool does_nothing(const Program& program) {
+  if (program.syntax.first_plain_line != 0) return false;
   for (StatementId id = 0; id < program.size(); ++id) {
     if (program.region_of[id] != kMainRegion) {
       // Plain code behind an `endsub` is counted with the statement before it.
       const Region& region = program.regions[program.region_of[id]];
-      if (id == region.end && program.at(id).plain_code_follows) return;
+      if (id == region.end && program.at(id).plain_code_follows) return false;
       continue;
     }
     const Statement& s = program.at(id);
     const bool ends = s.kind == LineKind::kProgramEnd || s.kind == LineKind::kPercent;
-    if (!ends) return;
-    if (s.kind == LineKind::kPercent && s.plain_code_follows) return;
+    if (!ends || (s.kind == LineKind::kPercent && s.plain_code_follows)) return false;
   }
-  program.sub_file = true;
-  program.entry = name;
-}
-
-/// Called names that are not defined here, but by a file in the program's own folder: LinuxCNC looks there first.
-void find_outside_subs(Program& program) {
-  const auto folder = std::filesystem::path(program.source->path()).parent_path();
-  for (const Call& call : program.calls) {
-    if (call.callee == kNoName || call.target != UINT32_MAX) continue;
-    const std::string& name = program.name(call.callee);
-    if (name.empty() || name.find_first_of("/$`~") != std::string::npos) continue;
-    struct stat info {};
-    if (::stat((folder / (name + ".ngc")).c_str(), &info) == 0 && S_ISREG(info.st_mode)) program.outside_subs.insert(call.callee);
-  }
+  return true;
 }
 
 }  // namespace
@@ -88,6 +66,21 @@ std::string Program::head(StatementId id) const {
   return text;
 }
 
+void index_labels(Program& program) {
+  program.by_label.resize(program.syntax.names.size());
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    if (s.kind == LineKind::kOWord && s.label != kNoName) program.by_label[s.label].push_back(id);
+  }
+}
+
+bool defines_own_name(const Program& program) { return own_name(program) != kNoName; }
+
+void treat_as_sub_file(Program& program) {
+  program.entry = own_name(program);
+  program.sub_file = program.entry != kNoName;
+}
+
 std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source) {
   auto program = std::make_unique<Program>();
   program->syntax = scan(*source);
@@ -96,8 +89,7 @@ std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source) {
   find_regions(*program);
   match_blocks(*program);
   collect_calls(*program);
-  decide_entry(*program);
-  find_outside_subs(*program);
+  if (defines_own_name(*program) && does_nothing(*program)) treat_as_sub_file(*program);
   return program;
 }
 

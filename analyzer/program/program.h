@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <unordered_set>
 #include <vector>
 
 #include "analyzer/syntax/statement.h"
@@ -66,7 +65,6 @@ struct Program {
   /// The file is called from elsewhere: it defines the sub it is named after, and does nothing else.
   bool sub_file = false;
   NameId entry = kNoName;  ///< that sub
-  std::unordered_set<NameId> outside_subs;  ///< called names that a file beside the program defines
 
   const Statement& at(StatementId id) const { return syntax.statements[id]; }
   const std::string& name(NameId id) const { return syntax.names.text(id); }
@@ -82,8 +80,14 @@ struct Program {
 /// Builds everything above from the bytes of one file.
 std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source);
 
-// The two passes of build_program, each in its own file.
+/// Whether a file defines the sub that a call of the file's name looks for.
+bool defines_own_name(const Program& program);
+/// Takes a file for one that others call, whatever else stands in it; it must define its own name.
+void treat_as_sub_file(Program& program);
+
+// Passes of build_program, each in its own file, and of joining programs (linker.h).
 void find_regions(Program& program);
 void match_blocks(Program& program);
+void index_labels(Program& program);
 
 }  // namespace owlint

@@ -13,10 +13,11 @@ Json position(const Source& source, uint64_t offset) {
 }
 
 Json finding_json(const Source& source, const Finding& f) {
-  const auto place = [&](Json& json, Span span) {
-    json["start"] = position(source, span.begin);
-    json["end"] = position(source, span.end);
+  const auto place_in = [](Json& json, const Source& file, Span span) {
+    json["start"] = position(file, span.begin);
+    json["end"] = position(file, span.end);
   };
+  const auto place = [&](Json& json, Span span) { place_in(json, source, span); };
   Json json;
   json["code"] = f.code;
   json["rule"] = f.rule;
@@ -31,8 +32,9 @@ Json finding_json(const Source& source, const Finding& f) {
   std::vector<Related> places = f.related;
   places.insert(places.end(), f.path.begin(), f.path.end());
   for (const Related& related : places) {
-    Json entry{{"path", printable(source.path())}, {"message", printable(related.message)}};
-    place(entry, related.span);
+    const Source& file = related.source == nullptr ? source : *related.source;
+    Json entry{{"path", printable(file.path())}, {"message", printable(related.message)}};
+    place_in(entry, file, related.span);
     json["related"].push_back(std::move(entry));
   }
   json["fixes"] = Json::array();
@@ -54,6 +56,7 @@ Json finding_json(const Source& source, const Finding& f) {
       json["consequences"].push_back(std::move(entry));
     }
   }
+  if (!f.versions.empty()) json["versions"] = f.versions;
   return json;
 }
 

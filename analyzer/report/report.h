@@ -33,8 +33,8 @@ void write_json(std::ostream& out, const std::vector<FileReport>& files);
 /// One finding an object, one object a line, with its `path`.
 void write_jsonl(std::ostream& out, const FileReport& file);
 
-/// How often each rule was found, most often first.
-void write_statistics(std::ostream& out, const std::vector<FileReport>& files);
+/// How often each rule was found, most often first; how many files were parsed, and how often called.
+void write_statistics(std::ostream& out, const std::vector<FileReport>& files, const Library& library);
 
 /// Bytes for terminals and JSON: invalid UTF-8 is taken for Latin-1, control characters become visible.
 std::string printable(std::string_view bytes);

@@ -118,12 +118,17 @@ void write_text(std::ostream& out, const FileReport& file, bool color) {
                        c.reset, tint, severity_text(f.severity), c.reset, c.bold, printable(f.message), c.reset, c.dim,
                        f.code, f.rule, c.reset);
     write_snippet(out, source, f.span, '^', "", tint, c);
-    for (const Related& related : f.related) write_snippet(out, source, related.span, '-', printable(related.message), c.blue, c);
+    for (const Related& related : f.related) {
+      const Source& place = related.source == nullptr ? source : *related.source;
+      if (&place != &source) out << fmt::format("{}  in {}:{}\n", c.dim, printable(place.path()), c.reset);
+      write_snippet(out, place, related.span, '-', printable(related.message), c.blue, c);
+    }
     const auto line = [&](std::string_view label, std::string_view words) {
       if (!words.empty()) out << fmt::format("      {}= {}:{} {}\n", c.cyan, label, c.reset, printable(words));
     };
     line("happens", path_text(f));
     line("LinuxCNC says", f.interpreter);
+    if (!f.versions.empty()) line("versions", fmt::format("in LinuxCNC {} only", fmt::join(f.versions, ", ")));
     for (const Consequence& consequence : f.consequences) {
       line("on other runs", fmt::format("it stops on account of line {} instead: {}", source.position(consequence.span.begin).line, consequence.interpreter));
     }
@@ -147,7 +152,7 @@ std::string summary_text(const Summary& summary) {
   return text + " in " + files;
 }
 
-void write_statistics(std::ostream& out, const std::vector<FileReport>& files) {
+void write_statistics(std::ostream& out, const std::vector<FileReport>& files, const Library& library) {
   std::map<std::string_view, std::pair<size_t, std::string_view>> counts;
   FlowStatistics flow;
   for (const FileReport& file : files) {
@@ -161,7 +166,9 @@ void write_statistics(std::ostream& out, const std::vector<FileReport>& files) {
   std::vector<std::pair<std::string_view, std::pair<size_t, std::string_view>>> sorted(counts.begin(), counts.end());
   std::ranges::stable_sort(sorted, [](const auto& a, const auto& b) { return a.second.first > b.second.first; });
   for (const auto& [code, entry] : sorted) out << fmt::format("{:>7}  {}  {}\n", entry.first, code, entry.second);
-  out << fmt::format("{:>7}  files, {} flow steps, {} merges\n", files.size(), flow.steps, flow.merges);
+  out << fmt::format("{:>7}  reports, {} flow steps, {} merges\n", files.size(), flow.steps, flow.merges);
+  out << fmt::format("{:>7}  files parsed", library.parsed());
+  out << (library.called() == 0 ? "\n" : fmt::format(", {} of them for {} calls from other files\n", library.called(), library.uses()));
 }
 
 }  // namespace owlint

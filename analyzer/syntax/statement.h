@@ -21,6 +21,7 @@ enum class LineKind : uint8_t {
   kProgramEnd,  // M2 or M30, with whatever else is on the line
   kPercent,     // `%` alone on its line
   kWords,       // any other line that is kept
+  kFileEnd,     // no line: where one file ends in a program joined from several
 };
 
 /// One value on a line of words, in reading order: a word's value (`X[#1]`) or an assignment (`#<a>=3`).

@@ -34,6 +34,7 @@ enum class StopKind : uint8_t {
   kM98Number,
   // Found while a line is executed.
   kSubNested,
+  kSubNestedInCall,  // LinuxCNC 2.10: a definition within a called sub
   kReturnOutside,
   kNotInDefinition,
   kLabelUndefined,
@@ -45,12 +46,18 @@ enum class StopKind : uint8_t {
   kSubIllegalLocation,
   kSubRedefined,
   kCallTooDeep,
-  kSubNotFound,  // end of file while a call seeks its sub
+  kSubNotFound,     // end of file while a call seeks its sub
+  kFileNameCase,    // the same, and a file has the name in other letters
+  kFileLacksSub,    // the same in the called file
+  kFilePercent,     // the same at a `%` there
+  kSubBeforeEntry,  // the same for a sub that stands before the called one in its file
+  kHelperRefused,   // LinuxCNC 2.10: a call of another sub in a called file
   kFileEnd,      // end of file with nothing sought, or while lines are skipped
   kStyleNeedsM98,
   kStyleNeedsCall,
   kStyleNeedsM99,
   kStyleNeedsEndsub,
+  kFanucDisabled,  // DISABLE_FANUC_STYLE_SUB
   kNameUndefined,
   kNameReadOnly,
   kParameterReadOnly,

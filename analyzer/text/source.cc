@@ -75,7 +75,10 @@ Source::~Source() {
 }
 
 void Source::index() const {
-  if (!marks_.empty()) return;
+  std::call_once(indexed_, [this] { find_marks(); });  // files that many programs call are asked from many threads
+}
+
+void Source::find_marks() const {
   marks_.push_back(0);
   const char* const begin = bytes_.data();
   const char* const end = begin + bytes_.size();

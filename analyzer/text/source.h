@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,7 @@ class Source {
  private:
   explicit Source(std::string path) : path_(std::move(path)) {}
   void index() const;
+  void find_marks() const;
 
   std::string path_;
   std::string owned_;
@@ -63,6 +65,7 @@ class Source {
   void* mapping_ = nullptr;
   size_t mapping_size_ = 0;
   // Offsets of every 256th line only, built at the first question: a gigabyte of motion costs a few megabytes.
+  mutable std::once_flag indexed_;
   mutable std::vector<uint64_t> marks_;
   mutable uint32_t line_count_ = 0;
 };

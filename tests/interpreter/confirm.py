@@ -13,6 +13,7 @@ import hashlib
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -26,7 +27,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 RECORDED = os.path.join(HERE, "recorded.tsv")
 MESSAGE_KEPT = 400          # characters of many warnings
-CRASH = "OW503"
+CRASHES = frozenset({"OW503", "OW505"})
+FILE_MARK = re.compile(r"(?m)^; file: (.*)\n")
 ENDLESS = frozenset({"OW504", "OW508", "OW510"})
 
 
@@ -39,7 +41,19 @@ class Program:
     page: str = ""
 
     @property
+    def files(self):
+        """name -> text: the program itself is `program.ngc` where it brings other files (tests/support/bundle.h)"""
+        parts = FILE_MARK.split(self.text)
+        if len(parts) == 1:
+            return {"program": self.text}       # no .ngc: no call finds it as a file
+        return {"program.ngc": parts[0], **dict(zip(parts[1::2], parts[2::2]))}
+
+    @property
     def mode(self):
+        if "machine.ini" in self.files:
+            return "machine"
+        if len(self.files) > 1:
+            return "files"
         return "warnonly" if "--feature 0x20" in self.options else "default"
 
     @property
@@ -60,8 +74,8 @@ class Claims:
 
     def __init__(self, findings):
         met = [f for f in findings if f["reach"] != "never"]
-        self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | {CRASH}]
-        self.crashes = [f for f in met if f["code"] == CRASH]
+        self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
+        self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
         self.endless = [f for f in met if f["code"] in ENDLESS]
         self.always = [f for f in self.stops + self.crashes if f["reach"] == "always" and f["severity"] == "error"]
 
@@ -167,21 +181,42 @@ def measure(programs):
     """Run them all: -> {Program: Outcome}"""
     outcomes = {}
     with tempfile.TemporaryDirectory(prefix="owlint-confirm-") as folder:
-        path = os.path.join(folder, "program")      # no .ngc: no call finds it as a file
-        for program in programs:
-            with open(path, "w", encoding="latin-1", newline="") as f:
-                f.write(program.text)
-            outcome = rs274.run(path, program.mode)
-            message = re.sub(r"[\t\r\n\0]", " ", outcome.message)
+        for number, program in enumerate(programs):
+            own = os.path.join(folder, str(number))
+            write_files(own, program.files)
+            outcome = rs274.run(os.path.join(own, next(iter(program.files))), program.mode)
+            shutil.rmtree(own)
+            message = re.sub(r"[\t\r\n\0]", " ", outcome.message.replace(own + "/", ""))
             outcomes[program] = Outcome(outcome.kind, outcome.line, message[:MESSAGE_KEPT], outcome.x)
     return outcomes
+
+
+def write_files(folder, files):
+    for name, text in files.items():
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="latin-1", newline="") as f:
+            f.write(text)
+
+
+def lint_files(owlint, program, folder):
+    """The findings of a program that brings other files, in all of them."""
+    write_files(folder, program.files)
+    # The interpreter is asked for the version that is installed.
+    options = re.sub(r"--linuxcnc \S+", "", program.options).split()
+    done = subprocess.run([owlint, "check", "--isolated", "--no-find-ini", "--format", "json", "program.ngc", *options],
+                          capture_output=True, cwd=folder)
+    return [f for file in json.loads(done.stdout)["files"] for f in file["findings"]]
 
 
 def lint(owlint, programs, folder):
     """-> {name: findings}; programs with equal options in one run"""
     findings, by_options = {}, {}
-    for program in programs:
-        by_options.setdefault(program.options, []).append(program)
+    for number, program in enumerate(programs):
+        if len(program.files) > 1:
+            findings[program.name] = lint_files(owlint, program, os.path.join(folder, "files%d" % number))
+        else:
+            by_options.setdefault(re.sub(r"--linuxcnc \S+", "", program.options), []).append(program)
     for options, members in by_options.items():
         linter = Linter(owlint, machine=os.path.join(folder, "machine.ini"), arguments=options.split())
         names = {"%05d.ngc" % number: program for number, program in enumerate(members)}

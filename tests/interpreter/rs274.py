@@ -59,7 +59,11 @@ def _run(path, mode):
     """-> (exit status, what it printed on standard error, the X of its last rapid move)"""
     with tempfile.TemporaryDirectory(prefix="owlint-rs274-") as folder:
         argv = ["rs274", "-g"]
-        if MODES[mode]:
+        where = folder
+        if mode in ("machine", "files"):    # the program's own folder has the INI, or the files that it calls
+            where = os.path.dirname(path)
+            argv += ["-i", "machine.ini"] if mode == "machine" else []
+        elif MODES[mode]:
             parameters = os.path.join(folder, "p.var")
             open(parameters, "w").close()
             ini = os.path.join(folder, "machine.ini")
@@ -67,7 +71,7 @@ def _run(path, mode):
                 f.write("[RS274NGC]\nPARAMETER_FILE = %s\n%s" % (parameters, MODES[mode]))
             argv += ["-i", ini]
         with open(os.path.join(folder, "out"), "w+b") as out, open(os.path.join(folder, "err"), "w+b") as err:
-            process = subprocess.Popen(argv + [path], stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=folder)
+            process = subprocess.Popen(argv + [path], stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=where)
             resource.prlimit(process.pid, resource.RLIMIT_CPU, (CPU_LIMIT_S, CPU_LIMIT_S + 1))
             resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
             try:

@@ -1,5 +1,7 @@
 #include "support/fixture.h"
 
+#include "support/bundle.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -46,6 +48,7 @@ Fixture read_fixture(const std::string& path) {
   const std::string beside = fs::path(path).replace_extension(".expect").string();
   fixture.lines_in = fs::exists(beside) ? beside : path;
   const std::string prefix = prefix_of(fixture);
+  fixture.bundle = is_bundle(read_file(path));
   for (const std::string& line : split(read_file(fixture.lines_in))) {
     std::string value;
     if (value_of(line, prefix, "asks", &value)) fixture.asks = value;
@@ -71,7 +74,8 @@ std::vector<std::string> expectations(const nlohmann::json& findings) {
     const auto place = [&](const char* end) {
       return fmt::format("{}:{}", f[end]["line"].get<int>(), f[end]["column"].get<int>());
     };
-    out.push_back(fmt::format("{} {}-{} {} {} {}", f["code"].get<std::string>(), place("start"), place("end"), f["severity"].get<std::string>(),
+    const std::string file = f.contains("file") ? f["file"].get<std::string>() + " " : "";
+    out.push_back(fmt::format("{}{} {}-{} {} {} {}", file, f["code"].get<std::string>(), place("start"), place("end"), f["severity"].get<std::string>(),
                               f["reach"].get<std::string>(), f["stops"].get<bool>() ? "stops" : "runs"));
   }
   if (out.empty()) out.emplace_back("nothing");
@@ -114,8 +118,14 @@ void rewrite(const Fixture& fixture, const std::vector<std::string>& found) {
 
 std::vector<nlohmann::json> check_fixtures(const std::vector<Fixture>& fixtures) {
   std::map<std::string, std::vector<size_t>> by_options;
-  for (size_t i = 0; i < fixtures.size(); ++i) by_options[fixtures[i].options].push_back(i);
   std::vector<nlohmann::json> out(fixtures.size());
+  for (size_t i = 0; i < fixtures.size(); ++i) {
+    if (fixtures[i].bundle) {
+      out[i] = findings_of_bundle(read_file(fixtures[i].path), fixtures[i].options);
+    } else {
+      by_options[fixtures[i].options].push_back(i);
+    }
+  }
   for (const auto& [options, members] : by_options) {
     std::vector<std::string> paths;
     for (const size_t i : members) paths.push_back(fixtures[i].path);

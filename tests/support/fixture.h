@@ -6,7 +6,8 @@
 //   ; expect: nothing
 //
 // The lines stand anywhere in the program, or, where they would change it, in `<program>.expect` without the `; `.
-// An expectation is a finding's code, place, severity, reach, and whether the interpreter stops there or runs on.
+// An expectation is a finding's code, place, severity, reach, and whether the interpreter stops there or runs on; in a
+// bundle (bundle.h) the file comes first where it is not the program.
 #pragma once
 
 #include <string>
@@ -23,6 +24,7 @@ struct Fixture {
   std::string options;
   std::vector<std::string> expected;  ///< sorted as owlint sorts
   std::string lines_in;               ///< the file that holds these lines
+  bool bundle = false;                ///< several files in one, see bundle.h
 };
 
 /// All fixtures, sorted by path.

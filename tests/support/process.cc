@@ -1,5 +1,7 @@
 #include "support/process.h"
 
+#include "support/bundle.h"
+
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -67,6 +69,7 @@ nlohmann::json report_of(std::vector<std::string> arguments, const std::string& 
 }  // namespace
 
 nlohmann::json findings_of(const std::string& program, const std::string& options) {
+  if (is_bundle(program)) return findings_of_bundle(program, options);
   return report_of({"-"}, options, program)["files"][0]["findings"];
 }
 

@@ -12,7 +12,8 @@ Profile from_ini(const std::string& text) {
   const test::Scratch scratch;
   Profile profile;
   std::string error;
-  REQUIRE(read_ini(scratch.write("machine.ini", text), &profile, &error));
+  profile.setup = read_setup(scratch.write("machine.ini", text), &error);
+  REQUIRE(profile.setup != nullptr);
   return profile;
 }
 
@@ -50,7 +51,7 @@ TEST_CASE("when FEATURE 0x20 is in effect", "[profile]") {
   CHECK_FALSE(warns(kMask, "2.8"));
   CHECK_FALSE(warns(kMask, "2.10"));
   CHECK(warns(kMask, "2.9", "0x20"));
-  CHECK(warns(kMask + "OWORD_WARNONLY = yes\n", "2.9"));
+  CHECK_FALSE(warns("[RS274NGC]\nOWORD_WARNONLY = yes\n", "2.9"));  // measured: only the number 1 is
   CHECK(warns("[RS274NGC]\nFEATURE = 32\n"));
 }
 
@@ -72,22 +73,52 @@ TEST_CASE("versions are those that are supported", "[profile]") {
   for (const char* wrong : {"", "2", "2.1", "2.11", "3.0", "2.9.1"}) CHECK_FALSE(version_from_text(wrong).has_value());
 }
 
-TEST_CASE("an INI is read as LinuxCNC reads it", "[profile]") {
+TEST_CASE("the settings of a machine are those of its RS274NGC section", "[profile]") {
   const Profile p = from_ini("# FEATURES = 1\r\n[EMC]\r\nFEATURES = 1\r\n[RS274NGC]\r\n  FEATURES=0x20 \r\nFEATURES = 0x40\r\n; OWORD_WARNONLY = 1\r\n[TRAJ]\r\nOWORD_WARNONLY = 1\r\n");
-  CHECK(p.ini_given);
-  CHECK(p.ini_mask == 0x20);
-  CHECK_FALSE(p.ini_warnonly);
-  CHECK_FALSE(from_ini("[RS274NGC]\nOWORD_WARNONLY = 0\n").ini_warnonly);
-  CHECK_FALSE(from_ini("[RS274NGC]\nOWORD_WARNONLY = no\n").ini_warnonly);
-  CHECK(from_ini("[RS274NGC]\nOWORD_WARNONLY = TRUE\n").ini_warnonly);
-  CHECK_FALSE(from_ini("").ini_mask.has_value());
-  CHECK_FALSE(from_ini("[RS274NGC]\nFEATURES = many\n").ini_mask.has_value());
-  CHECK(from_ini("[RS274NGC]\nFEATURE = 0x20").ini_mask == 0x20);
+  REQUIRE(p.setup != nullptr);
+  CHECK(p.setup->mask == 0x20);
+  CHECK_FALSE(p.setup->warnonly);
+  // Measured: an integer 1, however it is written, and nothing else.
+  for (const char* yes : {"1", "01"}) CHECK(from_ini(std::string("[RS274NGC]\nOWORD_WARNONLY = ") + yes + "\n").setup->warnonly);
+  for (const char* no : {"0", "no", "TRUE", "yes", "on", "2", "-1", "0x1", "1 # x"}) {
+    INFO(no);
+    CHECK_FALSE(from_ini(std::string("[RS274NGC]\nOWORD_WARNONLY = ") + no + "\n").setup->warnonly);
+  }
+  CHECK_FALSE(from_ini("").setup->mask.has_value());
+  CHECK_FALSE(from_ini("[RS274NGC]\nFEATURES = many\n").setup->mask.has_value());
+  CHECK(from_ini("[RS274NGC]\nFEATURE = 0x20").setup->mask == 0x20);
 }
 
 TEST_CASE("an INI that cannot be read says why", "[profile]") {
-  Profile profile;
   std::string error;
-  CHECK_FALSE(read_ini("/no/such.ini", &profile, &error));
+  CHECK(read_setup("/no/such.ini", &error) == nullptr);
   CHECK(error == "No such file or directory");
+}
+
+TEST_CASE("called files are looked for where LinuxCNC looks for them", "[profile]") {
+  const test::Scratch scratch;
+  const std::string ini = scratch.write("m/machine.ini",
+                                        "[DISPLAY]\nPROGRAM_PREFIX = ../prefix\n[RS274NGC]\nSUBROUTINE_PATH = ../s1:../none:../s2: ../s3\n[WIZARD]\nWIZARD_ROOT = ../wiz\n");
+  for (const char* name : {"m/a.ngc", "prefix/a.ngc", "prefix/b.ngc", "s1/b.ngc", "s2/c.ngc", "s3/d.ngc", "wiz/deep/e.ngc", "s1/Up.ngc", "s2/x.ngc/y"}) scratch.write(name, "");
+  std::string error;
+  const auto setup = read_setup(ini, &error);
+  REQUIRE(setup != nullptr);
+  const SearchPath& search = *setup->search_path;
+  const auto found = [&](const std::string& name) {
+    const auto file = search.find(name);
+    return file ? file->path.substr(scratch.path().size() + 1) : "";
+  };
+  CHECK(found("a") == "m/a.ngc");
+  CHECK(found("b") == "prefix/b.ngc");
+  CHECK(found("c") == "s2/c.ngc");
+  CHECK(found("d").empty());  // the blank before `../s3` is a part of the name
+  CHECK(found("e") == "wiz/deep/e.ngc");
+  CHECK(found("deep/e").empty());
+  CHECK(found("up").empty());
+  CHECK(search.find_other_case("up").value_or("").ends_with("s1/Up.ngc"));
+  CHECK(found("x") == "s2/x.ngc");  // a folder: LinuxCNC opens it, and finds nothing
+  CHECK_FALSE(search.find("x")->regular);
+  for (const char* outside : {"../m/a", "/etc/passwd", "~/a", "a/../../m/a", "$HOME", "`a`", ""}) CHECK_FALSE(search.find(outside));
+  CHECK(search.names() == std::vector<std::string>{"a", "b", "c", "e", "x"});
+  CHECK(std::ranges::count(setup->folders, false, &IniFolder::exists) == 2);
 }

@@ -49,7 +49,7 @@ TEST_CASE("a configuration is read", "[settings]") {
                 "ini = \"machine.ini\"\nfeature = \"0x10\"\nlinuxcnc = \"2.8\"\nselect = [\"OW1\"]\nignore = [\"OW104\"]\n"
                 "extend-select = [\"OW310\"]\n[severity]\nOW2 = \"warning\"\n");
   const Settings s = settings(scratch, "p.ngc");
-  CHECK(s.profile.ini_warnonly);
+  CHECK(s.profile.setup->warnonly);
   CHECK(s.profile.feature == 0x10);
   CHECK(s.profile.version == Version::k2_8);
   CHECK(s.profile.version_given);
@@ -126,7 +126,7 @@ TEST_CASE("values that cannot be meant are errors", "[settings]") {
   CHECK(error_of("feature = \"many\"\n") == "line 1: `feature` is a number, as 32 or 0x20");
   CHECK(error_of("feature = -1\n") == "line 1: `feature` is a number, as 32 or 0x20");
   CHECK(error_of("ini = 5\n") == "line 1: `ini` is a text in quotes");
-  CHECK(error_of("linuxcnc = \"2.6\"\n") == "`linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, not `2.6`");
+  CHECK(error_of("linuxcnc = \"2.6\"\n") == "`linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, all, not `2.6`");
   CHECK(error_of("[[overrides]]\nselect = [\"OW1\"]\n") == "line 1: an override needs `files`, a list of patterns");
   CHECK(error_of("overrides = 1\n") == "line 1: `overrides` is a list of tables, written `[[overrides]]`");
   CHECK(error_of("select = [\n").starts_with("line "));

@@ -27,7 +27,7 @@ struct Read {
         case LineKind::kM99: out += "M99"; break;
         case LineKind::kProgramEnd: out += "end"; break;
         case LineKind::kPercent: out += "%"; break;
-        case LineKind::kWords: out += "words"; break;
+        case LineKind::kWords: case LineKind::kFileEnd: out += "words"; break;
       }
       if (const LineError* error = syntax.error(s)) out += " (" + error->message + ")";
     }

@@ -1,0 +1,132 @@
+#include "analyzer/cli/run.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+namespace owlint::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string key_of(const std::string& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).lexically_normal().string();
+}
+
+void in_parallel(size_t count, unsigned jobs, const std::function<void(size_t)>& each) {
+  if (jobs == 1 || count < 2) {
+    for (size_t i = 0; i < count; ++i) each(i);
+    return;
+  }
+  std::optional<tbb::global_control> limit;
+  if (jobs > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, jobs);
+  tbb::parallel_for(size_t{0}, count, each);
+}
+
+/// The files that machines call without any program: remaps, ngcgui, buttons, the start.
+std::set<std::string> called_by_machines(const std::vector<const Settings*>& settings) {
+  std::set<const MachineSetup*> machines;
+  for (const Settings* s : settings) {
+    if (s != nullptr && s->profile.setup != nullptr) machines.insert(s->profile.setup.get());
+  }
+  std::set<std::string> files;
+  for (const MachineSetup* machine : machines) {
+    for (const IniCall& call : machine->calls) {
+      const Syntax code = scan(*Source::own("", call.code + "\n"));
+      for (const Statement& s : code.statements) {
+        if (!s.is(Keyword::kCall) || s.label == kNoName) continue;
+        if (const auto file = machine->search_path->find(code.names.text(s.label))) files.insert(key_of(file->path));
+      }
+    }
+  }
+  return files;
+}
+
+/// Of a file that some program of the run calls, what depends on the caller is known from there.
+void drop_guesses(FileReport& report) {
+  std::erase_if(report.findings, [](const Finding& f) { return f.unproven; });
+}
+
+/// What is true of a program only: a file that is called, and lacks its sub, is none either.
+void drop_ends(FileReport& report) {
+  std::erase_if(report.findings, [](const Finding& f) { return f.code == "OW315" || f.code == "OW316"; });
+}
+
+}  // namespace
+
+RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
+                     const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
+                     unsigned jobs, Library& library) {
+  RunResult result;
+  result.errors.resize(files.size());
+  const std::set<std::string> by_machines = called_by_machines(settings);
+  std::vector<ProgramReport> programs(files.size());
+  const auto check = [&](size_t i, Role role) {
+    const auto source = read(files[i], &result.errors[i]);
+    if (source == nullptr) return;
+    programs[i] = lint(library.load(source), settings[i]->profile, settings[i]->options, library, role);
+  };
+  in_parallel(files.size(), jobs, [&](size_t i) {
+    if (settings[i] != nullptr) check(i, by_machines.contains(key_of(files[i])) ? Role::kSubFile : Role::kByContent);
+  });
+
+  // Files that others turned out to call are no programs, whatever else stands in them.
+  std::set<std::string> called;
+  for (size_t i = 0; i < files.size(); ++i) {
+    for (const std::string& path : programs[i].calls) {
+      if (key_of(path) != key_of(files[i])) called.insert(key_of(path));
+    }
+  }
+  std::vector<size_t> again;
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (programs[i].own.source == nullptr || !called.contains(key_of(files[i]))) continue;
+    if (programs[i].sub_file) {
+      drop_guesses(programs[i].own);
+    } else {
+      again.push_back(i);
+    }
+  }
+  in_parallel(again.size(), jobs, [&](size_t i) {
+    check(again[i], Role::kSubFile);
+    ProgramReport& program = programs[again[i]];
+    program.sub_file ? drop_guesses(program.own) : drop_ends(program.own);
+  });
+
+  std::map<std::string, size_t> place;  // of a file's report
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (programs[i].own.source == nullptr) continue;
+    place.emplace(key_of(files[i]), result.reports.size());
+    result.reports.push_back(std::move(programs[i].own));
+  }
+  std::map<std::string, FileReport> others;
+  const auto add = [&](FileReport report) {
+    const std::string key = key_of(report.source->path());
+    const auto known = place.find(key);
+    FileReport& into = known != place.end() ? result.reports[known->second] : others[key];
+    if (into.source == nullptr) into.source = report.source;
+    merge_findings(into, std::move(report.findings));
+  };
+  std::set<std::string> python;
+  for (ProgramReport& program : programs) {
+    for (FileReport& report : program.called) add(std::move(report));
+    python.insert(program.python.begin(), program.python.end());
+  }
+  std::set<const MachineSetup*> machines;
+  for (const Settings* s : settings) {
+    if (s == nullptr || s->profile.setup == nullptr || !machines.insert(s->profile.setup.get()).second) continue;
+    for (FileReport& report : lint_setup(s->profile, s->options, library)) add(std::move(report));
+  }
+  for (auto& [key, report] : others) result.reports.push_back(std::move(report));
+  if (!python.empty()) {
+    result.notes.push_back(fmt::format("not found as subs or files, and taken for functions of the INI's [PYTHON] module: {}", fmt::join(python, ", ")));
+  }
+  return result;
+}
+
+}  // namespace owlint::cli

@@ -1,0 +1,55 @@
+// Where LinuxCNC looks for the file of a called sub: the current folder, PROGRAM_PREFIX, the folders of
+// SUBROUTINE_PATH in their order, and below WIZARD_ROOT; `name.ngc`, the first one found. Measured with `rs274 -i`.
+// Nothing is expanded, and no name leads out of these folders, whatever LinuxCNC would do with it.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace owlint {
+
+/// A file as a call finds it.
+struct FoundFile {
+  std::string path;
+  bool regular = true;  ///< LinuxCNC opens folders and devices too, and finds no sub in them
+  size_t folder = 0;    ///< its place in the search path
+};
+
+class SearchPath {
+ public:
+  /// `folders` in the order of the search; `tree`, if not empty, is searched with all folders below it.
+  explicit SearchPath(std::vector<std::string> folders, std::string tree = {});
+
+  /// The file that a call of `name` reads.
+  std::optional<FoundFile> find(std::string_view name) const;
+  /// All files with that name on the search path, the one that is read first.
+  std::vector<FoundFile> find_all(std::string_view name) const;
+  /// A file that is called `name.ngc` but for the case of its letters, and that no call therefore finds.
+  std::optional<std::string> find_other_case(std::string_view name) const;
+  /// The names of all subs that could be called, sorted; read once, the first time that they are asked for.
+  std::vector<std::string> names() const;
+
+  const std::vector<std::string>& folders() const { return folders_; }
+
+ private:
+  /// File names ending in `.ngc` (in any case), by folder.
+  const std::vector<std::vector<std::string>>& listing() const;
+  const std::map<std::string, std::string, std::less<>>& tree() const;
+
+  std::vector<std::string> folders_;
+  std::string tree_root_;
+  mutable std::once_flag listed_, walked_;
+  mutable std::vector<std::vector<std::string>> listing_;
+  mutable std::map<std::string, std::string, std::less<>> tree_;  // file name -> path, below tree_root_
+};
+
+/// Whether LinuxCNC's lookup of a file for this name could do more than open `name.ngc` in its folders.
+bool expands(std::string_view name);         ///< a shell would replace parts of it, or run a command
+bool breaks_expansion(std::string_view name);  ///< expansion fails, and LinuxCNC crashes
+bool leaves_folders(std::string_view name);  ///< absolute, `~`, or with `..`
+
+}  // namespace owlint

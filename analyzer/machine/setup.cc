@@ -1,0 +1,160 @@
+#include "analyzer/machine/setup.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace owlint {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMaxSubroutineFolders = 10;  // measured: of those that exist, the eleventh is not searched
+
+std::string_view trim(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Measured: the integer 1 and nothing else; `yes`, `true` and 2 are no.
+bool is_one(const Ini::Entry* entry) {
+  if (entry == nullptr) return false;
+  const std::string& text = entry->value;
+  int number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return problem == std::errc{} && end == text.data() + text.size() && number == 1;
+}
+
+class Reader {
+ public:
+  Reader(MachineSetup& setup, const std::string& path) : m_(setup), folder_(fs::path(path).parent_path()) {
+    if (folder_.empty()) folder_ = ".";
+  }
+
+  void run() {
+    const auto rs274 = [&](std::string_view key) { return m_.ini.find("RS274NGC", key); };
+    for (const char* key : {"FEATURE", "FEATURES"}) {
+      const Ini::Entry* entry = rs274(key);
+      if (entry == nullptr || m_.mask) continue;
+      m_.mask = parse_mask(entry->value);
+      m_.mask_entry = entry;
+    }
+    m_.warnonly = is_one(rs274("OWORD_WARNONLY"));
+    m_.counts_arguments = is_one(rs274("OWORD_NARGS"));
+    m_.no_fanuc = is_one(rs274("DISABLE_FANUC_STYLE_SUB"));
+    m_.has_python = m_.ini.has_section("PYTHON");
+    read_folders();
+    read_calls();
+  }
+
+ private:
+  IniFolder& add_folder(std::string_view key, const Ini::Entry& entry, size_t from, size_t size) {
+    IniFolder folder;
+    folder.text = entry.value.substr(from, size);
+    folder.key = key;
+    fs::path path = expand_home(folder.text);
+    if (path.is_relative()) path = folder_ / path;  // LinuxCNC works in the INI's folder
+    folder.path = path.lexically_normal().string();
+    if (folder.path.size() > 1 && folder.path.ends_with('/')) folder.path.pop_back();
+    folder.source = entry.source;
+    // A continued value has no single place for its parts.
+    const bool whole = entry.span.end - entry.span.begin != entry.value.size();
+    folder.span = whole ? entry.span : Span{entry.span.begin + from, entry.span.begin + from + size};
+    std::error_code ignored;
+    folder.exists = fs::is_directory(path, ignored);
+    return m_.folders.emplace_back(std::move(folder));
+  }
+
+  void add_list(std::string_view key, const Ini::Entry* entry) {
+    if (entry == nullptr) return;
+    const std::string& text = entry->value;
+    for (size_t at = 0; at <= text.size();) {
+      const size_t colon = std::min(text.find(':', at), text.size());
+      if (colon > at) add_folder(key, *entry, at, colon - at);
+      at = colon + 1;
+    }
+  }
+
+  void read_folders() {
+    std::vector<std::string> search{folder_.lexically_normal().string()};
+    const auto add = [&](const std::string& path) {
+      if (std::ranges::find(search, path) == search.end()) search.push_back(path);
+    };
+    if (const Ini::Entry* prefix = m_.ini.find("DISPLAY", "PROGRAM_PREFIX")) {
+      const IniFolder& folder = add_folder("PROGRAM_PREFIX", *prefix, 0, prefix->value.size());
+      if (folder.exists) add(folder.path);
+    }
+    const size_t first = m_.folders.size();
+    add_list("SUBROUTINE_PATH", m_.ini.find("RS274NGC", "SUBROUTINE_PATH"));
+    size_t used = 0;
+    for (size_t i = first; i < m_.folders.size(); ++i) {
+      if (m_.folders[i].exists && used++ < kMaxSubroutineFolders) add(m_.folders[i].path);
+    }
+    add_list("NGCGUI_SUBFILE_PATH", m_.ini.find("DISPLAY", "NGCGUI_SUBFILE_PATH"));
+    add_list("USER_M_PATH", m_.ini.find("RS274NGC", "USER_M_PATH"));
+    std::string tree;
+    if (const Ini::Entry* root = m_.ini.find("WIZARD", "WIZARD_ROOT")) {
+      const fs::path path = expand_home(root->value);
+      tree = (path.is_relative() ? folder_ / path : path).lexically_normal().string();
+    }
+    m_.search_path = std::make_shared<SearchPath>(std::move(search), std::move(tree));
+  }
+
+  void add_call(std::string_view key, const Ini::Entry& entry, std::string name, size_t from, size_t size) {
+    const std::string code = "o<" + name + "> call";
+    const bool whole = entry.span.end - entry.span.begin != entry.value.size();
+    m_.calls.push_back({key, code, std::move(name), entry.source, whole ? entry.span : Span{entry.span.begin + from, entry.span.begin + from + size}});
+  }
+
+  void read_calls() {
+    for (const Ini::Entry* remap : m_.ini.all("RS274NGC", "REMAP")) {
+      constexpr std::string_view kNgc = "ngc=";
+      const size_t at = remap->value.find(kNgc);
+      if (at == std::string::npos) continue;
+      const size_t from = at + kNgc.size();
+      const size_t size = std::min(remap->value.find_first_of(" \t", from), remap->value.size()) - from;
+      add_call("REMAP", *remap, remap->value.substr(from, size), from, size);
+    }
+    for (const Ini::Entry* file : m_.ini.all("DISPLAY", "NGCGUI_SUBFILE")) {
+      const fs::path path = file->value;
+      if (path.extension() == ".ngc") add_call("NGCGUI_SUBFILE", *file, path.stem().string(), 0, file->value.size());
+    }
+    const auto add_code = [&](std::string_view section, std::string_view key) {
+      for (const Ini::Entry* entry : m_.ini.all(section, key)) {
+        m_.calls.push_back({key, std::string(trim(entry->value)), "", entry->source, entry->span});
+      }
+    };
+    add_code("RS274NGC", "RS274NGC_STARTUP_CODE");
+    add_code("RS274NGC", "ON_ABORT_COMMAND");
+    add_code("HALUI", "MDI_COMMAND");
+  }
+
+  MachineSetup& m_;
+  fs::path folder_;
+};
+
+}  // namespace
+
+std::optional<uint32_t> parse_mask(std::string_view text) {
+  text = trim(text);
+  int base = 10;
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    text.remove_prefix(2);
+    base = 16;
+  }
+  uint32_t mask = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), mask, base);
+  if (problem != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return mask;
+}
+
+std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error) {
+  auto setup = std::make_shared<MachineSetup>();
+  setup->path = path;
+  if (!setup->ini.read(path, error)) return nullptr;
+  Reader(*setup, path).run();
+  return setup;
+}
+
+}  // namespace owlint

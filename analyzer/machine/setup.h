@@ -1,0 +1,55 @@
+// A machine as its INI describes it: the settings that change what O-words do, where called files are looked for, and
+// which subs are called from outside any program. Measured with `rs274 -i` (see docs/interpreter.md).
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analyzer/machine/ini.h"
+#include "analyzer/machine/search_path.h"
+
+namespace owlint {
+
+/// A folder that the INI names, or a part of a list of them.
+struct IniFolder {
+  std::string text;  ///< as the INI has it
+  std::string path;  ///< resolved
+  std::string_view key;
+  std::shared_ptr<const Source> source;
+  Span span;
+  bool exists = false;
+};
+
+/// O-word code or the name of a sub in the INI.
+struct IniCall {
+  std::string_view key;   ///< `REMAP`, `NGCGUI_SUBFILE`, `MDI_COMMAND`, `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`
+  std::string code;       ///< a line of G-code; for subs that are named only, a call of them
+  std::string name;       ///< the sub, where the INI names it
+  std::shared_ptr<const Source> source;
+  Span span;
+};
+
+struct MachineSetup {
+  std::string path;                ///< of the INI
+  std::optional<uint32_t> mask;    ///< FEATURE or FEATURES
+  const Ini::Entry* mask_entry = nullptr;
+  bool warnonly = false;           ///< OWORD_WARNONLY
+  bool counts_arguments = false;   ///< OWORD_NARGS: subs have `#<n_args>`
+  bool no_fanuc = false;           ///< DISABLE_FANUC_STYLE_SUB
+  bool has_python = false;         ///< a called sub may be a Python function
+  std::vector<IniFolder> folders;  ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
+  std::vector<IniCall> calls;      ///< subs called by something that is no program
+  std::shared_ptr<const SearchPath> search_path;
+  Ini ini;
+};
+
+/// Reads a machine's INI. Null and a message when it cannot be read.
+std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error);
+
+/// A FEATURE mask in decimal or 0x hexadecimal.
+std::optional<uint32_t> parse_mask(std::string_view text);
+
+}  // namespace owlint

@@ -1,0 +1,47 @@
+// The called files of a run, each read and parsed once, however many programs call it and from however many threads.
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "analyzer/machine/search_path.h"
+#include "analyzer/program/program.h"
+
+namespace owlint {
+
+class Library {
+ public:
+  /// The program in the file that a call found; an empty one, named `path`, where there is nothing that LinuxCNC could
+  /// read (a folder, a device, a file that has vanished). Never null.
+  std::shared_ptr<const Program> load_called(const std::string& path);
+  /// The program in a file that is checked itself. It is kept if others may call it, which they can when it defines
+  /// the sub that it is named after.
+  std::shared_ptr<const Program> load(std::shared_ptr<const Source> source);
+
+  /// The search path without an INI: the program's own folder.
+  std::shared_ptr<const SearchPath> beside(const std::string& folder);
+
+  /// How many files were parsed, how many of them for calls, and how many calls lead to one.
+  size_t parsed() const { return parsed_; }
+  size_t called() const { return called_; }
+  size_t uses() const { return uses_; }
+
+ private:
+  struct Slot {
+    std::once_flag once;
+    std::shared_ptr<const Program> program;
+    bool called = false;
+  };
+  std::shared_ptr<Slot> slot(const std::string& path, bool for_call);
+  std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<Slot>> slots_;
+  std::map<std::string, std::shared_ptr<const SearchPath>> folders_;
+  std::atomic<size_t> parsed_ = 0;
+  std::atomic<size_t> called_ = 0;
+  std::atomic<size_t> uses_ = 0;
+};
+
+}  // namespace owlint

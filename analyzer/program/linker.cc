@@ -1,0 +1,203 @@
+#include "analyzer/program/linker.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace owlint {
+namespace {
+
+// A call in a file is at most nine levels deep, so that a file which is further away is never reached.
+constexpr int kMaxDistance = 10;
+constexpr size_t kMaxFiles = 4096;
+
+/// Copies one file's syntax and structure behind those that are joined already.
+class Joiner {
+ public:
+  explicit Joiner(Program& out) : out_(out) {}
+
+  void append(const Program& in, bool last) {
+    names(in);
+    statement0_ = static_cast<uint32_t>(out_.syntax.statements.size());
+    value0_ = static_cast<uint32_t>(out_.syntax.values.size());
+    item0_ = static_cast<uint32_t>(out_.syntax.items.size());
+    error0_ = static_cast<uint32_t>(out_.syntax.errors.size());
+    expr0_ = static_cast<uint32_t>(out_.syntax.exprs.size());
+    region0_ = static_cast<uint32_t>(out_.regions.size());
+    block0_ = static_cast<uint32_t>(out_.blocks.size());
+    syntax(in.syntax);
+    structure(in);
+    if (last) return;
+    Statement end;
+    end.kind = LineKind::kFileEnd;
+    out_.syntax.statements.push_back(end);
+    out_.region_of.push_back(region0_);
+    out_.block_of.push_back(kNoBlock);
+  }
+
+ private:
+  static uint32_t moved(uint32_t id, uint32_t by) { return id == UINT32_MAX ? id : id + by; }
+  NameId name(NameId id) const { return id == kNoName ? id : names_[id]; }
+  StatementId statement(StatementId id) const { return moved(id, statement0_); }
+  ExprId expr(ExprId id) const { return moved(id, expr0_); }
+  BlockId block(BlockId id) const { return moved(id, block0_); }
+
+  void names(const Program& in) {
+    names_.clear();
+    for (NameId id = 0; id < in.syntax.names.size(); ++id) names_.push_back(out_.syntax.names.intern(in.name(id)));
+  }
+
+  void syntax(const Syntax& in) {
+    Syntax& out = out_.syntax;
+    for (Statement s : in.statements) {
+      s.label = name(s.label);
+      s.label_expr = expr(s.label_expr);
+      s.first_value += value0_;
+      s.first_item += item0_;
+      s.error = moved(s.error, error0_);
+      out.statements.push_back(s);
+    }
+    for (const ExprId value : in.values) out.values.push_back(expr(value));
+    for (Item item : in.items) {
+      item.value = expr(item.value);
+      item.target = expr(item.target);
+      item.target_name = name(item.target_name);
+      out.items.push_back(item);
+    }
+    out.errors.insert(out.errors.end(), in.errors.begin(), in.errors.end());
+    for (Expr e : in.exprs) {
+      e.left = expr(e.left);
+      e.right = expr(e.right);
+      e.name = name(e.name);
+      out.exprs.push_back(e);
+    }
+  }
+
+  void structure(const Program& in) {
+    for (Region r : in.regions) {
+      r.name = name(r.name);
+      r.opener = statement(r.opener);
+      r.end = statement(r.end);
+      r.early_end = statement(r.early_end);
+      r.likely_end = statement(r.likely_end);
+      r.enclosing = block(r.enclosing);
+      r.last += statement0_;
+      out_.regions.push_back(r);
+    }
+    for (const RegionId r : in.region_of) out_.region_of.push_back(r + region0_);
+    for (Block b : in.blocks) {
+      b.label = name(b.label);
+      b.region += region0_;
+      b.opener = statement(b.opener);
+      for (StatementId& part : b.parts) part = statement(part);
+      b.end = statement(b.end);
+      b.parent = block(b.parent);
+      b.crossed = block(b.crossed);
+      b.mistaken_end = statement(b.mistaken_end);
+      out_.blocks.push_back(std::move(b));
+    }
+    for (const BlockId b : in.block_of) out_.block_of.push_back(block(b));
+    for (Call call : in.calls) {
+      call.statement = statement(call.statement);
+      call.caller += region0_;
+      call.callee = name(call.callee);
+      call.target = moved(call.target, region0_);
+      out_.calls.push_back(call);
+    }
+  }
+
+  Program& out_;
+  std::vector<NameId> names_;
+  uint32_t statement0_ = 0, value0_ = 0, item0_ = 0, error0_ = 0, expr0_ = 0, region0_ = 0, block0_ = 0;
+};
+
+}  // namespace
+
+std::string_view called_label(std::string_view name, Version version) {
+  if (version < Version::k2_9) return name;
+  return name.substr(name.rfind('/') + 1);  // all of it where there is none
+}
+
+Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library) : library_(library) {
+  const std::string path = program->source->path();
+  if (profile.setup != nullptr) {
+    search_path_ = profile.setup->search_path;
+  } else {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    search_path_ = library.beside(folder.empty() ? "." : folder);
+  }
+  by_path_.emplace(std::filesystem::path(path).lexically_normal().string(), 0);
+  files_.push_back({std::move(program), 0, 0, true});
+  follow(0);
+  join();
+}
+
+uint32_t Linked::add_file(const FoundFile& found) {
+  const auto [entry, added] = by_path_.try_emplace(std::filesystem::path(found.path).lexically_normal().string(), static_cast<uint32_t>(files_.size()));
+  if (added) files_.push_back({library_.load_called(found.path), 0, 0, found.regular});
+  return entry->second;
+}
+
+CallTarget Linked::target(const std::string& name) const {
+  const auto known = targets_.find(name);
+  return known == targets_.end() ? CallTarget{CallTarget::kNotFound, leaves_folders(name) || expands(name)} : known->second;
+}
+
+/// Looks up what the files from index `from` on call, level by level.
+void Linked::follow(size_t from) {
+  for (int distance = 0; distance < kMaxDistance && from < files_.size(); ++distance) {
+    const size_t level_end = files_.size();
+    for (; from < level_end; ++from) {
+      const auto program = files_[from].program;
+      for (const Call& call : program->calls) {
+        if (call.callee == kNoName) continue;
+        const std::string& name = program->name(call.callee);
+        if (targets_.contains(name) || files_.size() >= kMaxFiles) continue;
+        CallTarget target{CallTarget::kNotFound, leaves_folders(name) || expands(name)};
+        if (const auto found = search_path_->find(name)) target.file = add_file(*found);
+        targets_.emplace(name, target);
+      }
+    }
+  }
+}
+
+bool Linked::add(const std::string& name) {
+  if (targets_.contains(name)) return false;
+  const auto found = search_path_->find(name);
+  targets_.emplace(name, CallTarget{CallTarget::kNotFound, leaves_folders(name) || expands(name)});
+  if (!found) return false;
+  const size_t before = files_.size();
+  targets_[name].file = add_file(*found);
+  follow(before);
+  join();
+  return true;
+}
+
+void Linked::join() {
+  StatementId first = 0;
+  for (size_t i = 0; i < files_.size(); ++i) {
+    LinkedFile& file = files_[i];
+    file.first = first;
+    file.last = first + static_cast<StatementId>(file.program->size());
+    first = file.last + 1;
+  }
+  joined_.reset();
+  if (files_.size() == 1) return;
+  auto joined = std::make_shared<Program>();
+  const Program& main = *files_[0].program;
+  joined->source = main.source;
+  Joiner joiner(*joined);
+  for (size_t i = 0; i < files_.size(); ++i) joiner.append(*files_[i].program, i + 1 == files_.size());
+  joined->syntax.percent = main.syntax.percent;
+  joined->syntax.blank = main.syntax.blank;
+  joined->sub_file = main.sub_file;
+  joined->entry = main.entry == kNoName ? kNoName : joined->syntax.names.find(main.name(main.entry));
+  index_labels(*joined);
+  joined_ = std::move(joined);
+}
+
+uint32_t Linked::file_of(StatementId id) const {
+  const auto after = std::ranges::upper_bound(files_, id, {}, &LinkedFile::first);
+  return static_cast<uint32_t>(after - files_.begin()) - 1;
+}
+
+}  // namespace owlint

@@ -1,0 +1,63 @@
+// Joins a program with the files that it calls, and those that they call, as the interpreter would find them. What
+// comes out is one Program for the flow room: the statements of all files, one after the other, each file closed by a
+// kFileEnd; and the way back from its statements to the files.
+#pragma once
+
+#include <unordered_map>
+
+#include "analyzer/machine/profile.h"
+#include "analyzer/program/library.h"
+
+namespace owlint {
+
+/// One file of a joined program: statements [first, last), `last` being the place of its end.
+struct LinkedFile {
+  std::shared_ptr<const Program> program;
+  StatementId first = 0;
+  StatementId last = 0;
+  bool regular = true;  ///< false: a folder or device in the place of a file
+};
+
+/// Where a call of a name that the label table does not have leads.
+struct CallTarget {
+  static constexpr uint32_t kNotFound = UINT32_MAX;
+  uint32_t file = kNotFound;
+  bool opaque = false;  ///< the name leaves the search path, or a shell would expand it: owlint does not look
+};
+
+class Linked {
+ public:
+  /// `program` with everything that its calls lead to.
+  Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library);
+
+  /// All files as one program; the statements of the first file have the same numbers there.
+  const Program& program() const { return joined_ == nullptr ? *files_[0].program : *joined_; }
+  const std::vector<LinkedFile>& files() const { return files_; }
+  /// Index of the file that a statement (or a file's end) belongs to.
+  uint32_t file_of(StatementId id) const;
+  bool at_end(StatementId id) const { return id >= program().size() || program().at(id).kind == LineKind::kFileEnd; }
+  const Source& source_of(StatementId id) const { return *files_[file_of(id)].program->source; }
+
+  /// Where LinuxCNC would look for a called name that is not in the label table.
+  CallTarget target(const std::string& name) const;
+  /// Adds a file for a name that only the flow analysis knows. False if there is none, or it is there already.
+  bool add(const std::string& name);
+  const SearchPath& search_path() const { return *search_path_; }
+
+ private:
+  uint32_t add_file(const FoundFile& found);
+  void follow(size_t from);
+  void join();
+
+  std::vector<LinkedFile> files_;
+  std::unordered_map<std::string, uint32_t> by_path_;
+  std::unordered_map<std::string, CallTarget> targets_;
+  std::shared_ptr<const SearchPath> search_path_;
+  std::shared_ptr<const Program> joined_;
+  Library& library_;
+};
+
+/// The name that a call's label stands for in the label table: from LinuxCNC 2.9 on, what follows the last `/`.
+std::string_view called_label(std::string_view name, Version version);
+
+}  // namespace owlint

@@ -1,0 +1,66 @@
+// OW401 file-lacks-sub: a called file that does not define the sub it is named after.
+// Rests on: LinuxCNC opens `name.ngc` and reads it for `o<name> sub`; the end of that file is an error.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const Program& p = in.program;
+    const Program& file = *stop.file;
+    const std::string& path = file.source->path();
+    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` reads " + path + ", which does not define that sub");
+    const Region* only = nullptr;
+    for (const Region& region : file.regions) {
+      if (region.opener != kNoStatement && only == nullptr) only = &region;
+    }
+    if (only != nullptr) {
+      relate(in, f, {&file, only->opener}, "this is the sub that the file defines");
+      f.help = "name the sub in the file and the file alike, and call it by that name";
+    } else {
+      f.help = file.size() == 0 && file.source->bytes().empty() ? "put the sub into the file: LinuxCNC finds nothing to read there"
+                                                                : "put `o<" + stop.detail + "> sub` and its `endsub` around the lines of the file";
+    }
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw401{
+    .code = "OW401",
+    .name = "file-lacks-sub",
+    .summary = "the called file exists but does not define the sub",
+    .group = Group::kFiles,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A call finds a file of that name on the search path, but no `sub` line with the name is in it.)",
+        .why = R"(LinuxCNC reads the file from its beginning for `o<name> sub` and stops at its end. It does not look further down the
+search path, so that an empty or forgotten file of the same name hides the right one.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o<bore> call [12]
+M2
+; file: bore.ngc
+o<bore_d> sub
+  G2 X0 Y0 I[#1/2]
+o<bore_d> endsub
+)",
+        .good = R"(G21 G90
+o<bore> call [12]
+M2
+; file: bore.ngc
+o<bore> sub
+  G2 X0 Y0 I[#1/2] F200
+o<bore> endsub
+)",
+        .fix = R"(Give the sub the name of its file. A copied file usually still has the old name inside.)",
+        .interpreter = "EOF in file:FILE seeking o-word: o<bore> from line: 0",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

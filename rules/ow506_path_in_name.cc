@@ -1,0 +1,54 @@
+// OW506 path-in-name: a called name that leads out of the search path.
+// Rests on: the name of an unknown sub is put behind each folder of the search path, and opened.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Call& call : p.calls) {
+    if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+    const std::string& name = p.name(call.callee);
+    if (!leaves_folders(name)) continue;
+    Finding& f = out.add(p.at(call.statement).head_span(), "the called name `" + name + "` leads out of the machine's search path");
+    f.help = "put the file into a folder of `SUBROUTINE_PATH`, and call it by its name alone";
+    f.reach = in.flow.reach(call.statement);
+    f.never_ends = true;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw506{
+    .code = "OW506",
+    .name = "path-in-name",
+    .summary = "a called name that leaves the search path: absolute, `..`, `~` (security)",
+    .group = Group::kHazards,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `call` with a name that is an absolute path, begins with `~`, or has `..` in it.)",
+        .why = R"(LinuxCNC 2.9 opens the file where the path leads, and runs the sub of that name in it. A program from outside can so run
+what somebody has put anywhere on the controller, a memory stick included, and the shop's search path, which is there to say
+which subs are meant, has no part in it. Other versions stop at the call.
+
+owlint does not follow such names: what the called file does is not checked.)",
+        .bad = R"(G21 G90
+o<../incoming/drill> call
+M2
+)",
+        .good = R"(G21 G90
+o<drill> sub
+  G81 X0 Y0 Z-5 R2 F80
+o<drill> endsub
+o<drill> call
+M2
+)",
+        .fix = R"(Move the file into the search path. Until then the program depends on where it lies.)",
+        .interpreter = "",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules
