@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <unordered_set>
 
 namespace owlint {
 namespace {
@@ -10,24 +11,17 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 constexpr std::string_view kInclude = "#INCLUDE";
 
+bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
+
 std::string_view trim(std::string_view text) {
   const size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-// Measured: what stands behind this many bytes counts as a line of its own.
+// Measured: what stands behind this many bytes counts as a line of its own, and a line can be continued so often.
 constexpr size_t kLongestLine = 255;
-
-/// The bytes of the line at `from`, without its end; moves `from` behind it.
-std::string_view next_line(std::string_view bytes, size_t* from) {
-  std::string_view line = bytes.substr(*from, kLongestLine);
-  const size_t feed = line.find('\n');
-  line = line.substr(0, feed);
-  *from += line.size() + (feed == std::string_view::npos ? 0 : 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
+constexpr size_t kMaxContinued = 20;
 
 }  // namespace
 
@@ -44,72 +38,90 @@ bool Ini::read(const std::string& path, std::string* error) {
   return true;
 }
 
-void Ini::parse(const std::shared_ptr<const Source>& source) {
-  source_ = source;
-  parse_file(source, false);
-}
-
-void Ini::open_section(std::string_view name) {
-  section_ = name;
-  // LinuxCNC looks no further than the end of the first section of a name; a line `[` without `]` ends one too.
-  counts_ = !name.empty() && std::ranges::find(sections_, name) == sections_.end();
-  if (counts_) sections_.emplace_back(name);
-}
-
-/// Measured: the start script puts the file's text in the place of the line; an `#INCLUDE` in it is a comment.
-void Ini::include(const std::shared_ptr<const Source>& source, Span name) {
-  std::filesystem::path file = expand_home(source->slice(name));
-  if (file.is_relative()) file = std::filesystem::path(source->path()).parent_path() / file;
-  std::string error;
-  if (const auto included = Source::map(file.string(), &error); included != nullptr) {
-    parse_file(included, true);
-  } else {
-    missing_includes_.push_back({"", std::string(kInclude), std::string(source->slice(name)), source, name});
+/// Splits a file into lines, with those of the files that it includes in their places: measured, the start script puts
+/// the text there, and an `#INCLUDE` in it is a comment.
+void Ini::read_lines(const std::shared_ptr<const Source>& source, bool included, std::vector<Line>& lines) {
+  const std::string_view bytes = source->bytes();
+  for (size_t at = 0; at < bytes.size();) {
+    std::string_view text = bytes.substr(at, kLongestLine);
+    const size_t feed = text.find('\n');
+    text = text.substr(0, feed);
+    at += text.size() + (feed == std::string_view::npos ? 0 : 1);
+    const std::string_view name = text.starts_with(kInclude) && !included ? trim(text.substr(kInclude.size())) : std::string_view{};
+    if (name.empty()) {
+      lines.push_back({text, source, feed != std::string_view::npos});
+      continue;
+    }
+    std::filesystem::path file = expand_home(name);
+    if (file.is_relative()) file = std::filesystem::path(source->path()).parent_path() / file;
+    std::string error;
+    if (const auto found = Source::map(file.string(), &error); found != nullptr) {
+      read_lines(found, true, lines);
+    } else {
+      const auto begin = static_cast<uint64_t>(name.data() - bytes.data());
+      missing_includes_.push_back({"", std::string(kInclude), std::string(name), source, {begin, begin + name.size()}});
+    }
   }
 }
 
-void Ini::parse_file(const std::shared_ptr<const Source>& source, bool included) {
-  const std::string_view bytes = source->bytes();
-  const auto span_of = [&](std::string_view piece) {
-    const auto begin = static_cast<uint64_t>(piece.data() - bytes.data());
-    return Span{begin, begin + piece.size()};
-  };
+void Ini::parse(const std::shared_ptr<const Source>& source) {
+  source_ = source;
+  std::vector<Line> lines;
+  read_lines(source, false, lines);
+  // LinuxCNC looks for the line of a section first, where a continued line is no different from others, and reads on
+  // from there; it knows only the first section of a name.
+  std::unordered_set<std::string_view> seen;
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view text = trim(lines[i].text);
+    const size_t close = text.find(']');
+    if (!text.starts_with('[') || close == std::string_view::npos) continue;
+    const std::string_view name = text.substr(1, close - 1);
+    if (!seen.insert(name).second) continue;
+    sections_.emplace_back(name);
+    read_section(lines, i + 1);
+  }
+}
+
+/// The entries of one section, up to the next line that begins with a bracket.
+void Ini::read_section(const std::vector<Line>& lines, size_t at) {
   std::string joined;  // of a continued line
-  for (size_t at = 0; at < bytes.size();) {
-    const std::string_view raw = next_line(bytes, &at);
-    if (raw.starts_with(kInclude) && !included) {
-      const std::string_view name = trim(raw.substr(kInclude.size()));
-      if (!name.empty()) include(source, span_of(name));
-      continue;
-    }
-    std::string_view line = trim(raw);
-    std::string_view last = raw;
-    if (raw.ends_with('\\') && at < bytes.size()) {
+  while (at < lines.size()) {
+    const Line& first = lines[at];
+    std::string_view text = trim(first.text);
+    if (text.starts_with('[')) return;
+    const size_t at_first = at;
+    size_t last = at;
+    if (first.text.ends_with('\\') && (first.ended || at + 1 < lines.size())) {
       joined.clear();
-      while (last.ends_with('\\') && at < bytes.size()) {
-        joined += last.substr(0, last.size() - 1);
-        last = next_line(bytes, &at);
+      for (last = at; last < lines.size() && lines[last].text.ends_with('\\'); ++last) {
+        joined += lines[last].text.substr(0, lines[last].text.size() - 1);
+        if (last - at > kMaxContinued - 1) return;  // an error, after which LinuxCNC knows nothing more of the section
+        if (last + 1 == lines.size()) break;
       }
-      joined += last;
-      line = trim(joined);
+      if (lines[last].text.ends_with('\\')) {
+        if (lines[last].ended) return;  // continued by nothing: not there
+      } else {
+        // Measured: of a last line without line feed the last character is lost.
+        const std::string_view piece = lines[last].text;
+        joined += lines[last].ended ? piece : piece.substr(0, piece.empty() ? 0 : piece.size() - 1);
+      }
+      text = trim(joined);
     }
-    if (line.empty() || line[0] == '#' || line[0] == ';') continue;
-    if (line[0] == '[') {
-      const size_t close = line.find(']');
-      open_section(close == std::string_view::npos ? std::string_view{} : line.substr(1, close - 1));
-      continue;
+    at = last + 1;
+    if (text.empty() || text[0] == '#' || text[0] == ';') continue;
+    const size_t equals = text.find('=');  // a key without it, but with a blank behind it, is one without a value
+    if (equals == std::string_view::npos && text.find_first_of(" \t") == std::string_view::npos && (last != at_first || !is_blank(first.text.back()))) continue;
+    const std::string_view value = equals == std::string_view::npos ? std::string_view{} : trim(text.substr(equals + 1));
+    const auto end_of = [](const Line& line) {
+      const std::string_view piece = trim(line.text);
+      return static_cast<uint64_t>(piece.data() - line.source->bytes().data()) + piece.size();
+    };
+    Span span{end_of(first) - value.size(), end_of(first)};
+    if (&lines[last] != &first) {
+      span.begin = end_of(first) - trim(first.text).size();
+      span.end = lines[last].source == first.source ? std::max(span.begin, end_of(lines[last])) : end_of(first);
     }
-    const size_t equals = line.find('=');
-    if (equals == std::string_view::npos || !counts_) continue;
-    const std::string_view key = line.substr(0, line.find_first_of(" \t="));
-    const std::string_view value = trim(line.substr(equals + 1));
-    Span span = span_of(trim(raw));
-    if (last.data() == raw.data()) {
-      span = {span.end - value.size(), span.end};
-    } else {
-      span.end = span_of(trim(last)).end;
-    }
-    entries_.push_back({section_, std::string(key), std::string(value), source, span});
+    entries_.push_back({sections_.back(), std::string(text.substr(0, text.find_first_of(" \t="))), std::string(value), first.source, span});
   }
 }
 

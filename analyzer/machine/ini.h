@@ -39,16 +39,18 @@ class Ini {
   const std::vector<Entry>& missing_includes() const { return missing_includes_; }
 
  private:
-  void parse_file(const std::shared_ptr<const Source>& source, bool included);
-  void include(const std::shared_ptr<const Source>& source, Span name);
-  void open_section(std::string_view name);
+  struct Line {
+    std::string_view text;
+    std::shared_ptr<const Source> source;
+    bool ended;  ///< by a line feed
+  };
+  void read_lines(const std::shared_ptr<const Source>& source, bool included, std::vector<Line>& lines);
+  void read_section(const std::vector<Line>& lines, size_t at);
 
   std::shared_ptr<const Source> source_;
   std::vector<Entry> entries_;
   std::vector<Entry> missing_includes_;
-  std::vector<std::string> sections_;  // those seen, in order
-  std::string section_;                // the open one
-  bool counts_ = false;                // the open section is the first of its name
+  std::vector<std::string> sections_;
 };
 
 /// `~` and `~/…` with the home folder for `~`, as LinuxCNC expands them in paths of an INI; other text as it is.

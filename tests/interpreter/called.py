@@ -1,23 +1,28 @@
 #!/usr/bin/python3
 """Does owlint say of programs that call files what each LinuxCNC version does with them?
 
-usage: called.py --owlint build/test/owlint
+usage: called.py --owlint build/test/owlint [--random N] [--seed S]
 
 called/ holds programs that call subs in other files, with a machine's INI; called/outcomes.tsv what four versions of
 LinuxCNC's interpreter did with each.  A run that stops must be claimed by a finding that stops and quotes the
 interpreter's message; a run that ends must not be claimed to stop.  Where rs274 is installed, the outcomes are measured
-again for its version.
+again for its version.  With --random, N programs of two to four files (generate.py) with their choices made beforehand
+are run by `rs274 -i` and held against owlint in the same way.
 """
 import argparse
 import json
 import os
+import random
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
+import bundle
 import rs274
+from generate import generate_files
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FOLDER = os.path.join(HERE, "called")
@@ -48,7 +53,7 @@ def judge(outcome, message, found):
     """What owlint says wrongly of this outcome, or None."""
     stops = [f for f in found if f["stops"] and f["reach"] != "never"]
     if outcome == "ok":
-        sure = [f for f in stops if f["severity"] == "error"]
+        sure = [f for f in stops if f["severity"] == "error" and f["reach"] == "always"]
         return "it runs, owlint says %s" % [f["message"] for f in sure] if sure else None
     if not any(plain(f.get("interpreter", "")) == plain(message) for f in stops):
         return "it stops (%s), owlint says %s" % (message, [f.get("interpreter") for f in stops])
@@ -63,11 +68,50 @@ def measured(folder, program):
     return ("ok" if done.returncode == 0 else "error"), said
 
 
+def choose(text, rng):
+    """The program with every unknown value replaced by a number."""
+    text = re.sub(r"#\[[12]\d\d\d\+#99\]", lambda _: str(rng.randint(0, 1)), text)
+    return re.sub(r"#\[[34]\d\d\d\+#99\]", lambda _: str(rng.randint(0, 2)), text)
+
+
+def random_programs(owlint, count, seed):
+    """-> (problems, how often each outcome was)"""
+    from oracle import scratch      # only here: it needs the interpreter's Python module
+    problems, seen = [], {}
+    for number in range(count):
+        rng = random.Random("choices/%d/%d" % (seed, number))
+        text = choose(generate_files("%d/%d" % (seed, number)), rng)
+        with tempfile.TemporaryDirectory(prefix="owlint-called-", dir=scratch()) as folder:
+            bundle.write(folder, bundle.split(text))
+            with open(os.path.join(folder, "machine.ini"), "w", encoding="ascii") as f:
+                f.write("[RS274NGC]\nSUBROUTINE_PATH = subs\n")
+            outcome = rs274.run(os.path.join(folder, bundle.MAIN), "machine")
+            found = findings(owlint, folder, bundle.MAIN, "2.9")
+            message = outcome.message.split("\n")[0].replace("PROGRAM", bundle.MAIN).replace(folder + "/", "")
+        seen[outcome.kind] = seen.get(outcome.kind, 0) + 1
+        if outcome.kind == "hang":
+            wrong = None if any(f["code"] in ("OW508", "OW510") for f in found) else "it never ends, owlint does not say so"
+        else:
+            wrong = judge(outcome.kind, message, found)
+        if wrong:
+            problems.append("random program %d/%d: %s\n%s" % (seed, number, wrong, text))
+    return problems, seen
+
+
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--owlint", required=True)
+    parser.add_argument("--random", type=int, metavar="N", help="compare N random programs instead")
+    parser.add_argument("--seed", type=int, default=int(time.time()))
     options = parser.parse_args(argv)
     owlint = os.path.abspath(options.owlint)
+    if options.random:
+        print("seed %d" % options.seed, flush=True)
+        problems, seen = random_programs(owlint, options.random, options.seed)
+        print("\n".join(problems[:5]))
+        print("%d programs run with rs274 -i (%s), %d not as owlint says" % (
+            options.random, ", ".join("%s %d" % kind for kind in sorted(seen.items())), len(problems)))
+        return 1 if problems else 0
     problems, count = [], 0
     with tempfile.TemporaryDirectory(prefix="owlint-called-") as scratch:
         folder = os.path.join(scratch, "called")

@@ -19,6 +19,7 @@ import sys
 import tempfile
 from dataclasses import dataclass
 
+import bundle
 import rs274
 from linter import Linter
 from rs274 import Outcome
@@ -28,7 +29,6 @@ ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 RECORDED = os.path.join(HERE, "recorded.tsv")
 MESSAGE_KEPT = 400          # characters of many warnings
 CRASHES = frozenset({"OW503", "OW505"})
-FILE_MARK = re.compile(r"(?m)^; file: (.*)\n")
 ENDLESS = frozenset({"OW504", "OW508", "OW510"})
 
 
@@ -43,10 +43,9 @@ class Program:
     @property
     def files(self):
         """name -> text: the program itself is `program.ngc` where it brings other files (tests/support/bundle.h)"""
-        parts = FILE_MARK.split(self.text)
-        if len(parts) == 1:
-            return {"program": self.text}       # no .ngc: no call finds it as a file
-        return {"program.ngc": parts[0], **dict(zip(parts[1::2], parts[2::2]))}
+        if not bundle.is_bundle(self.text):
+            return {"program": (0, self.text)}      # no .ngc: no call finds it as a file
+        return bundle.split(self.text)
 
     @property
     def mode(self):
@@ -183,7 +182,7 @@ def measure(programs):
     with tempfile.TemporaryDirectory(prefix="owlint-confirm-") as folder:
         for number, program in enumerate(programs):
             own = os.path.join(folder, str(number))
-            write_files(own, program.files)
+            bundle.write(own, program.files)
             outcome = rs274.run(os.path.join(own, next(iter(program.files))), program.mode)
             shutil.rmtree(own)
             message = re.sub(r"[\t\r\n\0]", " ", outcome.message.replace(own + "/", ""))
@@ -191,17 +190,9 @@ def measure(programs):
     return outcomes
 
 
-def write_files(folder, files):
-    for name, text in files.items():
-        path = os.path.join(folder, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="latin-1", newline="") as f:
-            f.write(text)
-
-
 def lint_files(owlint, program, folder):
     """The findings of a program that brings other files, in all of them."""
-    write_files(folder, program.files)
+    bundle.write(folder, program.files)
     # The interpreter is asked for the version that is installed.
     options = re.sub(r"--linuxcnc \S+", "", program.options).split()
     done = subprocess.run([owlint, "check", "--isolated", "--no-find-ini", "--format", "json", "program.ngc", *options],

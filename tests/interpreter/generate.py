@@ -28,7 +28,7 @@ MISSPELT = ("endiff", "els", "esleif", "wend", "endloop", "then", "brake", "unti
 @dataclass(frozen=True)
 class Line:
     """An O-word line (`label` set) or a plain one."""
-    label: int = None
+    label: object = None     # a number, or the name of a file
     keyword: str = ""       # '' on a line with a label: a bare O-number
     argument: str = ""      # conditions, arguments, values: with their brackets
     plain: str = ""
@@ -244,7 +244,7 @@ def mutate(lines, maker, rng):
     elif kind == "move":
         lines.insert(rng.randrange(len(lines)), lines.pop(at))
     elif kind == "label":
-        lines[at] = replace(lines[at], label=max(line.label for line in lines if line.is_oword) + 1)
+        lines[at] = replace(lines[at], label=max([line.label for line in lines if isinstance(line.label, int)] or [0]) + 1)
     elif kind == "other label":
         lines[at] = replace(lines[at], label=lines[rng.choice(owords)].label)
     elif kind == "keyword":
@@ -315,6 +315,57 @@ def generate(seed):
         if 5 <= len(lines) <= 40:
             break
     return spell(lines, rng)
+
+
+def generate_files(seed):
+    """A bundle (bundle.py) of a program and one to three files that it calls, with this seed."""
+    rng = random.Random("files/%s" % seed)
+    names = rng.sample(("drill", "probe_z", "300", "301", "face"), rng.randint(1, 3))
+    texts = {}
+    for name in (None, *names):
+        for _ in range(100):
+            maker = Maker(rng)
+            lines = maker.sound() if name or rng.random() < 0.8 else maker.soup()
+            for _ in range(rng.choice((0, 0, 1, 1, 2))):
+                lines = mutate(lines, maker, rng)
+            if len(lines) <= 28:
+                break
+        lines = [line for line in lines if not (name and line.plain == "%" and rng.random() < 0.7)]
+        if name:
+            lines = called_file(lines, name, maker, rng)
+        # Calls of the other files, now and then of one that is not there.
+        for _ in range(rng.choice((1, 1, 2)) if not name else rng.choice((0, 0, 1))):
+            target = rng.choice([n for n in names if n != name] or ["nowhere"]) if rng.random() < 0.96 else "nowhere"
+            lines.insert(rng.randrange(len(lines) + 1), maker.oword(target, "call"))
+        if not name and rng.random() < 0.15:        # a sub of the program with the name of a file
+            lines[0:0] = maker.definition(rng.choice(names), 3)
+        if rng.random() < 0.08:
+            lines = misspell(lines, maker, rng)
+        texts[name] = spell(lines, rng)
+    text = texts.pop(None)
+    newline = "\r\n" if "\r\n" in text else "\n"
+    for name, part in texts.items():
+        folder = "subs/" if rng.random() < 0.6 else ""
+        text += ("" if text.endswith("\n") else newline) + "; file: %s%s.ngc\n" % (folder, name) + part
+    return text
+
+
+def called_file(lines, name, maker, rng):
+    """The lines of a file that is called `name`: mostly the sub of that name, with helpers behind or before it."""
+    body = [line for line in lines if line.plain not in ("M2", "M30", "%")] if rng.random() < 0.8 else lines
+    if rng.random() < 0.5:      # what the lines define stays, as helpers
+        cut = rng.randrange(len(lines) + 1)
+        own = [maker.oword(name, "sub")] + maker.block(6, 1, [], name) + [maker.oword(name, "endsub")]
+        lines = lines[:cut] + own + lines[cut:] if rng.random() < 0.3 else own + lines
+    elif not any(line.keyword in ("sub", "endsub") for line in body):
+        lines = [maker.oword(name, "sub")] + body + [maker.oword(name, "endsub")]
+    else:
+        lines = [maker.oword(name, "sub")] + maker.block(10, 1, [], name) + [maker.oword(name, "endsub")] + lines
+    if rng.random() < 0.06:
+        lines = [replace(line, label=rng.choice((name, 77))) if line.label == name else line for line in lines]
+    if rng.random() < 0.06:
+        del lines[rng.randrange(len(lines))]
+    return lines
 
 
 def main(argv):

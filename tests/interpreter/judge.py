@@ -9,7 +9,7 @@ A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNO
 """
 from dataclasses import dataclass
 
-from messages import EOF, EOF_CODES, UNKNOWN, codes_of
+from messages import EOF, EOF_CODES, FILE_LACKS_SUB, UNKNOWN, codes_of
 
 CRASH = "OW503"
 HANGS = frozenset({"OW504", "OW508", "OW510"})
@@ -75,6 +75,8 @@ def _agrees(claim, end):
     outcome, codes, line = end
     if outcome != "error":
         return False
+    if FILE_LACKS_SUB in codes:
+        return claim.code == FILE_LACKS_SUB
     if EOF in codes:
         return claim.code in EOF_CODES or claim.code in codes or claim.at_file_end
     return claim.line == line and (claim.code in codes or UNKNOWN in codes)

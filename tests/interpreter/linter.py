@@ -1,7 +1,10 @@
 """Runs owlint over programs and gives its findings by file name."""
 import json
 import os
+import shutil
 import subprocess
+
+import bundle
 
 
 class LinterFailed(Exception):
@@ -23,20 +26,50 @@ class Linter:
     def check(self, folder, programs):
         """Write `programs` (name -> text) into `folder`, lint them all at once: name -> its findings."""
         os.makedirs(folder, exist_ok=True)
+        if any(bundle.is_bundle(text) for text in programs.values()):
+            return self._check_bundles(folder, programs)
         for name, text in programs.items():
             with open(os.path.join(folder, name), "w", encoding="latin-1", newline="") as f:
                 f.write(text)
+        report = self._run(self.command + [folder], folder)
+        findings = {name: [] for name in programs}
+        for file in report["files"]:
+            findings[os.path.basename(file["path"])] = file["findings"]
+        for name in programs:
+            os.remove(os.path.join(folder, name))
+        return findings
+
+    def _run(self, command, folder):
         try:
-            done = subprocess.run(self.command + [folder], capture_output=True, timeout=300, cwd=folder)
+            done = subprocess.run(command, capture_output=True, timeout=300, cwd=folder)
             report = json.loads(done.stdout) if done.returncode in (0, 1) else None
         except (OSError, subprocess.TimeoutExpired, ValueError) as error:
             raise LinterFailed("%s: %s" % (" ".join(self.command), error)) from error
         if report is None:
             raise LinterFailed("exit status %d of %s\n%s" % (done.returncode, " ".join(self.command),
                                                             done.stderr.decode("utf-8", "replace")[-2000:]))
+        return report
+
+    def _check_bundles(self, folder, programs):
+        """Each in a folder of its own, with an INI there; lines are those of the bundle."""
+        parts = {name: bundle.split(text) for name, text in programs.items()}
+        for name, files in parts.items():
+            bundle.write(os.path.join(folder, name), files)
+            with open(os.path.join(folder, name, "machine.ini"), "w", encoding="ascii") as f:
+                f.write("[RS274NGC]\nSUBROUTINE_PATH = subs\n")
+        at = self.command.index("--ini") if "--ini" in self.command else len(self.command)
+        command = self.command[:at] + self.command[at + 2:]     # each has its own INI instead
+        report = self._run(command + [os.path.join(name, bundle.MAIN) for name in programs], folder)
         findings = {name: [] for name in programs}
         for file in report["files"]:
-            findings[os.path.basename(file["path"])] = file["findings"]
+            name, _, path = file["path"].partition("/")
+            first = parts[name].get(path, (0, ""))[0]
+            for finding in file["findings"]:
+                for place in [finding] + finding.get("consequences", []):
+                    for end in ("start", "end"):
+                        place[end]["line"] += first
+                if path in parts[name]:
+                    findings[name].append(finding)
         for name in programs:
-            os.remove(os.path.join(folder, name))
+            shutil.rmtree(os.path.join(folder, name))
         return findings

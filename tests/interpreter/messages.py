@@ -6,6 +6,7 @@ import re
 
 EOF = "EOF"                                             # the file ended before the program did
 EOF_CODES = frozenset({"OW315", "OW204", "OW205"})      # how owlint reports it: at its cause, so on any line
+FILE_LACKS_SUB = "OW401"                                # its message does not say where the call is
 UNKNOWN = "unknown message"                             # no rule is named for it; any claim on that line will do
 
 _BY_KEYWORD = {
@@ -26,9 +27,10 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"Nested subroutine definition", "OW202"),
     (r"redefining sub", "OW201"),
     (r"found in illegal location", "OW203 OW207"),
-    (r"EOF in file.*seeking", "OW208"),
+    (r"EOF in file.*seeking o-word: .* from line: 0$", FILE_LACKS_SUB),
+    (r"EOF in file.*seeking", "OW208 OW404"),
     (r"File ended", EOF),
-    (r"Failed to find sub", EOF + " OW208"),        # the closing %: an unclosed block and an unknown call look alike
+    (r"Failed to find sub", EOF + " OW208 OW409"),  # the closing %: an unclosed block and an unknown call look alike
     (r"Too many subroutine parameters", "OW209"),
     (r"Too many subroutine levels", "OW210"),
     (r"Fanuc 'O|'O\.\.\.\. ", "OW211"),

@@ -35,13 +35,18 @@ except ImportError as error:
     print("%s: needs LinuxCNC's Python module (Debian package linuxcnc-uspace, /usr/bin/python3)" % error, file=sys.stderr)
     sys.exit(2)
 
-from messages import EOF, call_line, codes_of, moved_up, warned_lines
+import bundle
+from messages import EOF, FILE_LACKS_SUB, call_line, codes_of, moved_up, warned_lines
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CPU_LIMIT_S = 0.03          # of processor time, so that a busy machine does not make a hang; 100 usual runs
 RUNS_PER_CHILD = 3000       # gcode.parse loses about 5 kB a run
 MAX_NOTES = 64
 PADDING = 99                # lines put before a program when warnings are read: all its lines have three digits then
+# The interpreter does not say in which file it stopped: each called file begins behind so many lines and bytes more than
+# the one before, so that the place tells.
+FILE_LINES = 100
+FILE_PAD = (";" + "-" * 98 + "\n") * FILE_LINES
 WARNINGS_READ = 30_000      # from the start and the end of what an endless loop has printed
 
 _TOKEN = re.compile(r"#\[([1-4])\d\d\d\+#99\]")
@@ -84,7 +89,7 @@ def write_ini(folder, warnonly):
     path = os.path.join(folder, "warnonly.ini" if warnonly else "default.ini")
     plugin = os.path.join(HERE, "plugin")
     with open(path, "w") as f:
-        f.write("[RS274NGC]\nPARAMETER_FILE = %s/absent/p.var\n%s[PYTHON]\nTOPLEVEL = %s/toplevel.py\n"
+        f.write("[RS274NGC]\nSUBROUTINE_PATH = subs\nPARAMETER_FILE = %s/absent/p.var\n%s[PYTHON]\nTOPLEVEL = %s/toplevel.py\n"
                 "PATH_PREPEND = %s\n" % (folder, "OWORD_WARNONLY = 1\n" if warnonly else "", plugin, plugin))
     return path
 
@@ -122,6 +127,8 @@ class Interpreter:
         atexit.register(self._remove, os.getpid())
         self.ini = write_ini(self.folder, warnonly)
         self.program = os.path.join(self.folder, "program")     # no .ngc: no call can find it as a file
+        self.called = {}        # files that the program calls, as they lie in the folder
+        self.firsts = [0]       # by file: the line of the bundle before its first
         self.notes = mmap.mmap(-1, 4 * (MAX_NOTES + 1))
         self.messages = open(os.path.join(self.folder, "stderr"), "w+b", buffering=0)
         self.child = 0
@@ -135,7 +142,8 @@ class Interpreter:
             self._start()
         self.left -= 1
         self.runs += 1
-        text = for_interpreter(pad(text) if self.warnonly else text)
+        files = self._lay_out(text)
+        text = for_interpreter(pad(text) if self.warnonly else files[bundle.MAIN][1])
         data = text.encode("latin-1", "replace")
         self.pipe.send((data, bytes(choices)))
         try:
@@ -150,8 +158,24 @@ class Interpreter:
         if self.warnonly:
             message = moved_up(message, PADDING)
         codes = codes_of(message)
-        line = 0 if EOF in codes else call_line(message) or self._line(data.count(b"\n", 0, offset) + 1)
+        call = call_line(message)
+        line = 0 if EOF in codes or FILE_LACKS_SUB in codes else self._line(call) if call and self.called else \
+            call or self._line_at(data, offset)
         return Run("error", line, codes, message, self._trace(), warned)
+
+    def _lay_out(self, text):
+        """Put the files that the program calls where it finds them: -> its parts as in bundle.split"""
+        files = bundle.split(text) if bundle.is_bundle(text) else {bundle.MAIN: (0, text)}
+        called = {name: part for name, part in files.items() if name != bundle.MAIN}
+        called = {name: (first, FILE_PAD * number + for_interpreter(part))
+                  for number, (name, (first, part)) in enumerate(called.items(), 1)}
+        if called != self.called:
+            for name in self.called:
+                os.remove(os.path.join(self.folder, name))
+            bundle.write(self.folder, called)
+            self.called = called
+        self.firsts = [first for first, _ in files.values()]
+        return {bundle.MAIN: files[bundle.MAIN], **called}
 
     def close(self):
         self._stop()
@@ -173,7 +197,15 @@ class Interpreter:
 
     def _line(self, number):
         """A line as the interpreter counts it -> as the program does (a `%` is never the line meant)."""
+        if self.called:
+            return self.firsts[number // FILE_LINES] + number % FILE_LINES
         return number - PADDING if self.warnonly else number
+
+    def _line_at(self, data, offset):
+        """The line that begins `offset` bytes into the file that was read last."""
+        file = offset // len(FILE_PAD) if self.called else 0
+        read = list(self.called.values())[file - 1][1].encode("latin-1", "replace") if file else data
+        return self._line(read.count(b"\n", 0, offset) + 1)
 
     def _warnings(self):
         """-> (the lines warned about, the last one last, each once; the codes of the last one)"""

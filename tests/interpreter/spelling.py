@@ -23,12 +23,15 @@ class Style:
         self.names = {}
         if chance(0.25):
             words = rng.sample(("probe", "Pocket_1", "my sub", "face-mill", "a", "loop", "x10"), 7)
-            for label in sorted({line.label for line in lines if line.is_oword}):
+            for label in sorted({line.label for line in lines if isinstance(line.label, int)}):
                 if words and chance(0.6):
                     self.names[label] = words.pop()
 
     def spell_label(self, label):
         rng = self.rng
+        if isinstance(label, str):      # the name of a file
+            name = label if label.isdigit() and rng.random() < 0.7 else "<%s>" % label
+            return name.upper() if self.mixed and rng.random() < 0.5 else name
         if label in self.names:
             name = self.names[label]
             return "<%s>" % (name.upper() if self.mixed and rng.random() < 0.5 else name)
