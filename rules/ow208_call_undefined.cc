@@ -94,6 +94,10 @@ void check(const Input& in, Reporter& out) {
 
 /// Subs that the INI calls, by a remap, a button or at the start: they must be files.
 void check_setup(const SetupInput& in, Reporter& out) {
+  const bool whole = std::ranges::all_of(in.setup.folders, [](const IniFolder& folder) {
+    return folder.exists || (folder.key != "PROGRAM_PREFIX" && folder.key != "SUBROUTINE_PATH");
+  });
+  if (!whole) return;  // a folder is missing, which OW407 says: the files may be meant to be there
   for (const IniCall& call : in.setup.calls) {
     const Syntax code = scan(*Source::own("", call.code + "\n"));
     for (const Statement& s : code.statements) {

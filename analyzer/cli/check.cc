@@ -65,7 +65,10 @@ int check_command(const CommandLine& line) {
     status = kUsage;
   }
   if (!line.quiet) {
-    for (const std::string& note : configuration.notes()) complain(note);
+    constexpr size_t kMaxNotes = 4;
+    const std::vector<std::string>& notes = configuration.notes();
+    for (size_t i = 0; i < std::min(notes.size(), kMaxNotes); ++i) complain(notes[i]);
+    if (notes.size() > kMaxNotes) complain(std::to_string(notes.size() - kMaxNotes) + " more notes like these");
     for (const std::string& note : result.notes) complain(note);
   }
 

@@ -10,7 +10,7 @@ namespace owlint::cli {
 enum ExitStatus : int { kClean = 0, kFindings = 1, kUsage = 2, kInternal = 3 };
 
 int check_command(const CommandLine& line);
-int graph_command(const std::string& path, const std::string& format);
+int graph_command(const CommandLine& line, const std::string& format);
 int explain_command(const std::string& code_or_name);
 int rules_command(const std::string& format);
 

@@ -77,20 +77,33 @@ int rules_command(const std::string& format) {
   return kClean;
 }
 
-int graph_command(const std::string& path, const std::string& format) {
+int graph_command(const CommandLine& line, const std::string& format) {
+  const std::string& path = line.paths.front();
   std::string error;
+  Configuration configuration(line);
+  Settings settings;
+  if (!configuration.settings_for(path, &settings, &error)) {
+    complain(error);
+    return kUsage;
+  }
   const auto source = Source::map(path, &error);
   if (source == nullptr) {
     complain("cannot read " + path + ": " + error);
     return kUsage;
   }
-  const auto program = build_program(source);
+  Library library;
+  const Linked linked(library.load(source), settings.profile, library);
   if (format == "json") {
-    write_graph_json(std::cout, *program);
+    write_graph_json(std::cout, linked);
   } else if (format == "mermaid") {
-    write_graph_mermaid(std::cout, *program);
+    write_graph_mermaid(std::cout, linked);
+  } else if (format == "svg") {
+    if (const std::string problem = write_graph_svg(linked); !problem.empty()) {
+      complain(problem);
+      return kUsage;
+    }
   } else {
-    write_graph_dot(std::cout, *program);
+    write_graph_dot(std::cout, linked);
   }
   return kClean;
 }

@@ -49,11 +49,15 @@ int run(std::vector<std::string> arguments) {
   add_check_options(*check, line);
   check->footer("Silence a finding with a comment on the line before it: (owlint: ignore OW304 -- reason)");
 
-  std::string graph_path;
+  CommandLine graph_line;
+  graph_line.paths.resize(1);
   std::string graph_format = "dot";
-  CLI::App* graph = app.add_subcommand("graph", "print the block graph and the call graph of a program");
-  graph->add_option("FILE", graph_path, "the program")->required();
-  graph->add_option("--format", graph_format, "dot, mermaid or json")->check(CLI::IsMember({"dot", "mermaid", "json"}))->capture_default_str();
+  CLI::App* graph = app.add_subcommand("graph", "print the block graph of a program, and the call graph of it and the files that it calls");
+  graph->add_option("FILE", graph_line.paths[0], "the program")->required();
+  graph->add_option("--format", graph_format, "dot, mermaid, json or svg")->check(CLI::IsMember({"dot", "mermaid", "json", "svg"}))->capture_default_str();
+  graph->add_option("--ini", graph_line.ini, "INI file of the machine, which says where called files are")->type_name("FILE");
+  graph->add_flag("--find-ini,!--no-find-ini", graph_line.find_ini, "without --ini, use the one machine INI in the nearest folder above (default)");
+  graph->add_flag("--isolated", graph_line.isolated, "use no owlint.toml");
 
   std::string code;
   CLI::App* explain = app.add_subcommand("explain", "what a rule finds, why, an example, and how to mend it");
@@ -80,7 +84,7 @@ int run(std::vector<std::string> arguments) {
     return status == 0 ? owlint::cli::kClean : owlint::cli::kUsage;
   }
   if (check->parsed()) return owlint::cli::check_command(line);
-  if (graph->parsed()) return owlint::cli::graph_command(graph_path, graph_format);
+  if (graph->parsed()) return owlint::cli::graph_command(graph_line, graph_format);
   if (explain->parsed()) return owlint::cli::explain_command(code);
   return owlint::cli::rules_command(rules_format);
 }

@@ -44,7 +44,8 @@ uint64_t State::hash() const {
   h = combine(h, defining);
   h = combine(h, static_cast<uint64_t>(executed) | breaking << 4 | continuing << 8 | returned << 12 |
                      static_cast<uint64_t>(seek) << 16 | static_cast<uint64_t>(looped) << 17 |
-                     static_cast<uint64_t>(parameters.outside) << 18);
+                     static_cast<uint64_t>(parameters.outside) << 18 | static_cast<uint64_t>(joined) << 19 |
+                     static_cast<uint64_t>(mixed) << 20);
   h = combine(h, table.hash());
   h = combine(h, parameters.locals.hash());
   h = combine(h, parameters.globals.hash());
@@ -202,6 +203,8 @@ State Machine::join(const State& a, const State& b) {
   out.continuing |= b.continuing;
   out.returned |= b.returned;
   out.looped = a.looped && b.looped;
+  out.joined = true;
+  out.mixed = a.mixed && b.mixed;
   out.table = PersistentMap::merge(pool_, a.table, b.table, [this](uint32_t, uint32_t x, uint32_t y) { return definers_.join(x, y); });
   if (a.counts != b.counts) out.counts = join_counts(a.counts, b.counts);
   const auto join = [](uint32_t, uint32_t x, uint32_t y) { return join_values(x, y); };
@@ -233,6 +236,8 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
     }
     if (!effects.tests) out.executed = caller.executed;
   }
+  out.joined = exit.joined || caller.joined;
+  out.mixed = exit.mixed || caller.mixed || (merged && effects.everything);
   out.position = caller.position + 1;
   out.context = caller.context;
   out.defining = kNoName;

@@ -44,6 +44,8 @@ struct State {
   NameId defining = kNoName;
   bool seek = false;
   bool looped = false;          ///< arrived by the way back of a loop
+  bool joined = false;          ///< stands for several states whose differences are not known apart any more
+  bool mixed = false;           ///< such a state was taken apart again: it may be one that no run is in
   uint8_t executed = kNo;       ///< "a branch has been taken"
   uint8_t breaking = kNo;
   uint8_t continuing = kNo;

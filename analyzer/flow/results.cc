@@ -12,6 +12,7 @@ void Analysis::end_of_file(const State& state) {
   stop.kind = StopKind::kFileEnd;
   stop.end_of = state.position;
   stop.call = call_of(state.context, state.position);
+  stop.unproven = state.mixed;
   const bool percent = program_.syntax.percent || program_.syntax.blank;
   stop.interpreter = percent ? "File ended with no percent sign" : "File ended with no percent sign or program end";
   const auto blame = [&](FullLabel label) {
@@ -38,7 +39,12 @@ void Analysis::add_stop(RecordId record, FlowStop stop) {
   const uint32_t file = stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
   const StopKey key{stop.statement, stop.kind, stop.detail, file};
   auto found = stops_.find(key);
-  if (found == stops_.end()) found = stops_.emplace(key, StopInfo{next_key_++, record, std::move(stop)}).first;
+  if (found == stops_.end()) {
+    found = stops_.emplace(key, StopInfo{next_key_++, record, std::move(stop)}).first;
+  } else if (found->second.stop.unproven && !stop.unproven) {
+    found->second.stop.unproven = false;
+    found->second.record = record;
+  }
   trace_->terminate(record, found->second.key);
 }
 
@@ -57,9 +63,10 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
     if (at.seek) return;  // the seeking call: see finish()
   }
   stop.call = call_of(at.context, at.position);
+  stop.unproven = at.mixed;
   if (kind == StopKind::kSubNotFound) {
     stop.kind = why_not_found(machine_.intern(stop.detail), at.position);
-    stop.unproven = machine_.may_be_elsewhere(machine_.intern(stop.detail));
+    stop.unproven = stop.unproven || machine_.may_be_elsewhere(machine_.intern(stop.detail));
   }
   if (kind == StopKind::kCallTooDeep) deepest_.emplace_back(at.context, at.position);
   add_stop(at.record, std::move(stop));
@@ -211,6 +218,7 @@ void Analysis::not_found(const Frame& frame, const Caller& caller) {
     stop.kind = why_not_found(sub, call);
     stop.unproven = machine_.may_be_elsewhere(sub);
   }
+  stop.unproven = stop.unproven || caller.state.mixed;
   add_stop(caller.state.record, stop);
   const uint32_t key = stops_.at({stop.statement, stop.kind, stop.detail, 0}).key;
   for (const Group& group : groups_) {

@@ -116,6 +116,15 @@ struct Machine::Step {
 
   // --- the table ---
 
+  /// Following the members of a set one by one: in a joined state some of them may not go with the rest of it.
+  /// `own`: this line, which counts as one with "undefined".
+  void take_apart(const Definers::Set& set, StatementId own = kNoStatement) {
+    if (!state.joined) return;
+    size_t outcomes = set.undefined ? 1 : 0;
+    for (const StatementId line : set.lines) outcomes += line == own && set.undefined ? 0 : 1;
+    if (outcomes > 1) state.mixed = true;
+  }
+
   /// Structured blocks are in the table from their opener on, without being written there.
   bool structured() const {
     const BlockId block = m.program_.block_of[here];

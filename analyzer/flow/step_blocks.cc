@@ -9,6 +9,7 @@ namespace owlint::flow {
 
 void Machine::Step::repeat(Truth truth, double number) {
   const Definers::Set set = m.definers_.get(entry());
+  take_apart(set, here);
   const State before = state;
   bool own = set.undefined;
   for (const StatementId line : set.lines) {
@@ -82,8 +83,9 @@ void Machine::Step::count_passes(Truth truth, double number) {
 }
 
 void Machine::Step::while_(Truth truth) {
-  const State before = state;
   const Definers::Set set = m.definers_.get(entry());
+  take_apart(set, here);
+  const State before = state;
   const auto as = [&](uint32_t packed, StatementId opener) {
     state = before;
     set_entry(packed);
@@ -184,8 +186,9 @@ void Machine::Step::jump() {
 // --- if ---
 
 void Machine::Step::if_(Truth truth) {
-  const State before = state;
   const Definers::Set set = m.definers_.get(entry());
+  take_apart(set, here);
+  const State before = state;
   const auto as = [&](StatementId opener) {
     state = before;
     set_entry(Definers::one(opener));
@@ -255,7 +258,7 @@ void Machine::Step::endif() {
     state = before;
     set_entry(Definers::one(line));
     if (kind_of(line) != Keyword::kIf) {
-      if (!documented(StopKind::kNotAnIf, at_line("no matching label: '" + std::string("#") + m.name(m.label_of(label)) + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + "): '" + line_text() + "'"), line)) continue;
+      if (!documented(StopKind::kNotAnIf, at_line("no matching label: '" + m.full_text(label) + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + "): '" + line_text() + "'"), line)) continue;
     }
     state.skip = kNoLabel;
     state.executed = kYes;
@@ -265,6 +268,7 @@ void Machine::Step::endif() {
 
 bool Machine::Step::require_defined(StopKind) {
   const Definers::Set set = m.definers_.get(entry());
+  take_apart(set);
   if (set.undefined) {
     const std::string message = at_line("undefined O-word label: '" + line_text() + "'");
     if (documented(StopKind::kLabelUndefined, message)) crash(StopKind::kLabelUndefined, message);

@@ -6,6 +6,7 @@ namespace owlint::flow {
 /// Enters the sub's label in the table; false when it is there on every path.
 bool Machine::Step::enter_sub() {
   const Definers::Set set = m.definers_.get(entry());
+  take_apart(set);
   const std::string where = "File:" + m.linked_.source_of(here).path() + " line:" + std::to_string(s.line);
   const std::string& name = m.name(s.label_expr == kNoExpr ? s.label : m.label_of(label));
   for (const StatementId line : set.lines) {
@@ -130,6 +131,8 @@ void Machine::Step::call(int repeats, bool fanuc) {
   const NameId plain = m.intern(std::string(called_label(m.name(callee.sub), m.profile_.version)));
   const FullLabel defined = plain == callee.sub ? label : m.full_label(kGlobalScope, plain);
   const Definers::Set set = m.definers_.get(state.table.get(defined));
+  take_apart(set);
+  enter.mixed = state.mixed;
   for (const StatementId line : set.lines) {
     State known = enter;
     known.table.set(m.pool_, defined, Definers::one(line));

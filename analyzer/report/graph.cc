@@ -1,5 +1,13 @@
 #include "analyzer/report/graph.h"
 
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Text for a label; Mermaid has its own way of hiding characters.
 std::string escaped(std::string_view text, bool mermaid) {
   std::string out;
   for (const char c : printable(text)) {
@@ -25,7 +34,7 @@ std::string escaped(std::string_view text, bool mermaid) {
 
 std::string region_title(const Program& p, RegionId id) {
   const Region& region = p.regions[id];
-  if (region.opener == kNoStatement) return "main program";
+  if (region.opener == kNoStatement) return p.sub_file ? "outside of subs" : "main program";
   return fmt::format("{} line {}", p.head(region.opener), p.at(region.opener).line);
 }
 
@@ -35,66 +44,134 @@ std::string block_title(const Program& p, const Block& b) {
   return fmt::format("{} {}", p.head_of(b), lines);
 }
 
+/// One scope with the blocks that it holds.
+struct Scope {
+  std::string id;
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> blocks;  // id, title
+};
+
+struct Link {
+  std::string from;
+  std::string to;
+  std::string words;
+  bool call = false;
+};
+
+/// What is drawn, whatever the format: files with their scopes, and what leads where.
+struct Drawing {
+  struct File {
+    std::string path;
+    std::vector<Scope> scopes;
+  };
+  std::vector<File> files;
+  std::vector<std::pair<std::string, std::string>> unknown;  // called, and nowhere found: id, title
+  std::vector<Link> links;
+};
+
+std::string scope_id(size_t file, RegionId region) { return file == 0 ? fmt::format("r{}", region) : fmt::format("f{}r{}", file, region); }
+
+/// Where a call leads: a scope of this file, or of the file that it finds.
+std::string callee_id(const Linked& linked, size_t file, const Call& call) {
+  if (call.target != UINT32_MAX) return scope_id(file, call.target);
+  const Program& p = *linked.files()[file].program;
+  if (call.callee == kNoName) return {};
+  const CallTarget target = linked.target(p.name(call.callee));
+  if (target.file == CallTarget::kNotFound) return {};
+  const Program& called = *linked.files()[target.file].program;
+  const std::string name(called_label(p.name(call.callee), Version::k2_9));
+  for (RegionId r = 1; r < called.regions.size(); ++r) {
+    if (called.name(called.regions[r].name) == name) return scope_id(target.file, r);
+  }
+  return scope_id(target.file, kMainRegion);  // a file without the sub
+}
+
+Drawing draw(const Linked& linked) {
+  Drawing out;
+  for (size_t f = 0; f < linked.files().size(); ++f) {
+    const Program& p = *linked.files()[f].program;
+    Drawing::File file{p.source->path(), {}};
+    for (RegionId r = 0; r < p.regions.size(); ++r) file.scopes.push_back({scope_id(f, r), region_title(p, r), {}});
+    // The inside of called files is left to a drawing of their own.
+    for (BlockId b = 0; f == 0 && b < p.blocks.size(); ++b) {
+      const Block& block = p.blocks[b];
+      const std::string id = fmt::format("b{}", b);
+      file.scopes[block.region].blocks.emplace_back(id, block_title(p, block));
+      out.links.push_back({block.parent == kNoBlock ? scope_id(f, block.region) : fmt::format("b{}", block.parent), id, "", false});
+    }
+    for (const Call& call : p.calls) {
+      std::string to = callee_id(linked, f, call);
+      if (to.empty()) {
+        to = f == 0 ? fmt::format("x{}", call.statement) : fmt::format("f{}x{}", f, call.statement);
+        out.unknown.emplace_back(to, call.callee == kNoName ? "computed" : p.label_text(call.callee));
+      }
+      out.links.push_back({scope_id(f, call.caller), std::move(to), fmt::format("line {}", p.at(call.statement).line), true});
+    }
+    // What stands outside of a called file's subs is not run; it is drawn only where something leads there.
+    if (f > 0) {
+      const bool used = std::ranges::any_of(out.links, [&](const Link& link) { return link.from == file.scopes[0].id || link.to == file.scopes[0].id; });
+      if (!used && file.scopes.size() > 1) file.scopes.erase(file.scopes.begin());
+    }
+    out.files.push_back(std::move(file));
+  }
+  return out;
+}
+
 }  // namespace
 
-void write_graph_dot(std::ostream& out, const Program& p) {
-  out << fmt::format("digraph \"{}\" {{\n  rankdir=TB;\n  node [shape=box, fontname=\"monospace\"];\n", escaped(p.source->path(), false));
-  for (RegionId r = 0; r < p.regions.size(); ++r) {
-    out << fmt::format("  subgraph cluster_{0} {{\n    label=\"{1}\";\n    r{0} [label=\"{1}\", shape=oval];\n", r, escaped(region_title(p, r), false));
-    for (BlockId b = 0; b < p.blocks.size(); ++b) {
-      if (p.blocks[b].region == r) out << fmt::format("    b{} [label=\"{}\"];\n", b, escaped(block_title(p, p.blocks[b]), false));
+void write_graph_dot(std::ostream& out, const Linked& linked) {
+  const Drawing drawing = draw(linked);
+  const auto text = [](std::string_view words) { return escaped(words, false); };
+  out << fmt::format("digraph \"{}\" {{\n  rankdir=TB;\n  fontname=\"monospace\";\n  node [shape=box, fontname=\"monospace\"];\n  edge [fontname=\"monospace\", fontsize=10];\n", text(drawing.files[0].path));
+  for (size_t f = 0; f < drawing.files.size(); ++f) {
+    const std::string indent(f == 0 ? 2 : 4, ' ');
+    if (f > 0) out << fmt::format("  subgraph cluster_f{} {{\n    label=\"{}\";\n    style=filled; color=\"#eeeeee\";\n", f, text(drawing.files[f].path));
+    for (const Scope& scope : drawing.files[f].scopes) {
+      const std::string node = fmt::format("{} [label=\"{}\", shape=oval];\n", scope.id, text(scope.title));
+      if (scope.blocks.empty()) {
+        out << indent << node;
+        continue;
+      }
+      out << fmt::format("{0}subgraph cluster_{1} {{\n{0}  color=\"#bbbbbb\";\n{0}  {2}", indent, scope.id, node);
+      for (const auto& [id, title] : scope.blocks) out << fmt::format("{}  {} [label=\"{}\"];\n", indent, id, text(title));
+      out << indent << "}\n";
     }
-    out << "  }\n";
+    if (f > 0) out << "  }\n";
   }
-  for (BlockId b = 0; b < p.blocks.size(); ++b) {
-    const Block& block = p.blocks[b];
-    if (block.parent == kNoBlock) {
-      out << fmt::format("  r{} -> b{};\n", block.region, b);
-    } else {
-      out << fmt::format("  b{} -> b{};\n", block.parent, b);
-    }
-  }
-  for (const Call& call : p.calls) {
-    const uint32_t line = p.at(call.statement).line;
-    if (call.target != UINT32_MAX) {
-      out << fmt::format("  r{} -> r{} [style=dashed, label=\"line {}\"];\n", call.caller, call.target, line);
-    } else {
-      out << fmt::format("  x{0} [label=\"{1}\", style=dotted];\n  r{2} -> x{0} [style=dashed, label=\"line {3}\"];\n", call.statement,
-                         escaped(call.callee == kNoName ? "computed" : p.label_text(call.callee), false), call.caller, line);
-    }
+  for (const auto& [id, title] : drawing.unknown) out << fmt::format("  {} [label=\"{}\", style=dotted];\n", id, text(title));
+  for (const Link& link : drawing.links) {
+    out << fmt::format("  {} -> {}{};\n", link.from, link.to, link.call ? fmt::format(" [style=dashed, label=\"{}\"]", link.words) : "");
   }
   out << "}\n";
 }
 
-void write_graph_mermaid(std::ostream& out, const Program& p) {
+void write_graph_mermaid(std::ostream& out, const Linked& linked) {
+  const Drawing drawing = draw(linked);
+  const auto text = [](std::string_view words) { return escaped(words, true); };
   out << "flowchart TB\n";
-  for (RegionId r = 0; r < p.regions.size(); ++r) {
-    out << fmt::format("  subgraph s{0}[\"{1}\"]\n    r{0}([\"{1}\"])\n", r, escaped(region_title(p, r), true));
-    for (BlockId b = 0; b < p.blocks.size(); ++b) {
-      if (p.blocks[b].region == r) out << fmt::format("    b{}[\"{}\"]\n", b, escaped(block_title(p, p.blocks[b]), true));
+  for (size_t f = 0; f < drawing.files.size(); ++f) {
+    const std::string indent(f == 0 ? 2 : 4, ' ');
+    if (f > 0) out << fmt::format("  subgraph file{}[\"{}\"]\n", f, text(drawing.files[f].path));
+    for (const Scope& scope : drawing.files[f].scopes) {
+      out << fmt::format("{0}subgraph s{1}[\"{2}\"]\n{0}  {1}([\"{2}\"])\n", indent, scope.id, text(scope.title));
+      for (const auto& [id, title] : scope.blocks) out << fmt::format("{}  {}[\"{}\"]\n", indent, id, text(title));
+      out << indent << "end\n";
     }
-    out << "  end\n";
+    if (f > 0) out << "  end\n";
   }
-  for (BlockId b = 0; b < p.blocks.size(); ++b) {
-    const Block& block = p.blocks[b];
-    const bool top = block.parent == kNoBlock;
-    out << fmt::format("  {}{} --> b{}\n", top ? "r" : "b", top ? block.region : block.parent, b);
-  }
-  for (const Call& call : p.calls) {
-    const uint32_t line = p.at(call.statement).line;
-    if (call.target != UINT32_MAX) {
-      out << fmt::format("  r{} -.->|line {}| r{}\n", call.caller, line, call.target);
-    } else {
-      out << fmt::format("  r{} -.->|line {}| x{}[\"{}\"]\n", call.caller, line, call.statement,
-                         escaped(call.callee == kNoName ? "computed" : p.label_text(call.callee), true));
-    }
+  for (const auto& [id, title] : drawing.unknown) out << fmt::format("  {}[\"{}\"]\n", id, text(title));
+  for (const Link& link : drawing.links) {
+    out << (link.call ? fmt::format("  {} -.->|{}| {}\n", link.from, link.words, link.to) : fmt::format("  {} --> {}\n", link.from, link.to));
   }
 }
 
-void write_graph_json(std::ostream& out, const Program& p) {
+namespace {
+
+Json graph_of(const Linked& linked, size_t file) {
+  const Program& p = *linked.files()[file].program;
   const auto line_of = [&](StatementId id) { return id == kNoStatement ? Json(nullptr) : Json(p.at(id).line); };
   Json graph;
-  graph["schema"] = "owlint-graph-1";
+  if (file == 0) graph["schema"] = "owlint-graph-1";
   graph["path"] = printable(p.source->path());
   graph["kind"] = p.sub_file ? "sub file" : "program";
   graph["scopes"] = Json::array();
@@ -114,11 +191,47 @@ void write_graph_json(std::ostream& out, const Program& p) {
   }
   graph["calls"] = Json::array();
   for (const Call& call : p.calls) {
+    const CallTarget target = call.callee == kNoName || call.target != UINT32_MAX ? CallTarget{} : linked.target(p.name(call.callee));
     graph["calls"].push_back({{"line", p.at(call.statement).line}, {"from", call.caller},
                               {"label", call.callee == kNoName ? Json(nullptr) : Json(printable(p.name(call.callee)))},
-                              {"to", call.target == UINT32_MAX ? Json(nullptr) : Json(call.target)}});
+                              {"to", call.target == UINT32_MAX ? Json(nullptr) : Json(call.target)},
+                              {"file", target.file == CallTarget::kNotFound ? Json(nullptr) : Json(printable(linked.files()[target.file].program->source->path()))}});
   }
+  return graph;
+}
+
+}  // namespace
+
+void write_graph_json(std::ostream& out, const Linked& linked) {
+  Json graph = graph_of(linked, 0);
+  graph["files"] = Json::array();
+  for (size_t file = 1; file < linked.files().size(); ++file) graph["files"].push_back(graph_of(linked, file));
   out << graph.dump(2) << '\n';
+}
+
+std::string write_graph_svg(const Linked& linked) {
+  std::ostringstream dot;
+  write_graph_dot(dot, linked);
+  std::FILE* input = std::tmpfile();
+  if (input == nullptr) return "cannot make a temporary file";
+  const std::string text = dot.str();
+  std::fwrite(text.data(), 1, text.size(), input);
+  std::fflush(input);
+  std::rewind(input);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(input), STDIN_FILENO);
+  std::string program = "dot";
+  std::string option = "-Tsvg";
+  char* arguments[] = {program.data(), option.data(), nullptr};
+  pid_t child = 0;
+  const int problem = ::posix_spawnp(&child, "dot", &actions, nullptr, arguments, environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  if (problem == 0) ::waitpid(child, &status, 0);
+  std::fclose(input);
+  if (problem != 0) return "the SVG is drawn by Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
+  return status == 0 ? "" : "Graphviz's `dot` failed";
 }
 
 }  // namespace owlint
