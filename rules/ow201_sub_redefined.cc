@@ -7,7 +7,7 @@ namespace owlint::rules {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id, const Elsewhere& first) {
-  const std::string label = first.program->label_text(first.program->at(first.statement).label);
+  const std::string label = first.program->label_at(first.statement);
   Finding& f = out.add(in.program.at(id).head_span(), "sub `" + label + "` is already defined on " + line_words(in, first));
   relate(in, f, first, "first defined here");
   f.help = "rename one of the two, or remove it";

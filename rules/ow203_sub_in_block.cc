@@ -12,7 +12,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Block& block = p.blocks[p.regions[p.region_of[id]].enclosing];
   const bool loop = block.kind != Keyword::kIf;
-  Finding& f = out.add(p.at(id).head_span(), "sub `" + p.label_text(p.at(id).label) + "` is defined inside `" + p.head_of(block) + "`" +
+  Finding& f = out.add(p.at(id).head_span(), "sub `" + p.label_at(id) + "` is defined inside `" + p.head_of(block) + "`" +
                                                  (loop ? ": the second pass meets the definition again" : ": where that is skipped, the sub is unknown"));
   relate(f, p, block.opener, "the block begins here");
   f.help = "move the definition out of the block, before the first call";

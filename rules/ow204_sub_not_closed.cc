@@ -12,7 +12,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Region& region = p.regions[p.region_of[id]];
   Finding& f = out.add(p.at(id).head_span(), "`" + p.head(id) + "` is not closed");
-  const std::string end = p.label_text(p.at(id).label) + " endsub";
+  const std::string end = p.label_at(id) + " endsub";
   f.help = "write `" + end + "` where the sub ends";
   if (region.opener == id && region.likely_end != kNoStatement) {
     const Statement& other = p.at(region.likely_end);

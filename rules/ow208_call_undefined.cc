@@ -103,7 +103,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
     for (const Statement& s : code.statements) {
       if (!s.is(Keyword::kCall) || s.label == kNoName) continue;
       const std::string& name = code.names.text(s.label);
-      if (in.setup.search_path->find(name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
+      if (has_file(in.setup, call, name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
       if (in.setup.search_path->find_other_case(name)) continue;  // OW402 says so
       const bool named = !call.name.empty();
       Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_of(name) + "`, and no file `" + name + ".ngc` is on the machine's search path");

@@ -17,11 +17,11 @@ void check(const Input& in, Reporter& out) {
     switch (s.kind) {
       case StopKind::kStyleNeedsM98:
         message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but a `call` leads here";
-        help = "call it with `M98 P" + p.name(line.label) + "`, or write it with `sub` and `endsub`";
+        help = "call it with `M98 P" + p.label_at(s.statement).substr(1) + "`, or write it with `sub` and `endsub`";
         break;
       case StopKind::kStyleNeedsCall:
         message = "`" + p.head(s.statement) + "` is reached from `M98`, which only calls Fanuc-style subs";
-        help = "call it with `" + p.label_text(line.label) + " call`";
+        help = "call it with `" + p.label_at(s.statement) + " call`";
         break;
       case StopKind::kStyleNeedsM99:
         message = "`" + p.head(s.statement) + "` ends a sub that `M98` called";

@@ -11,8 +11,8 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` calls another sub of its own file, which LinuxCNC 2.10 does not do");
-    for (const StatementId id : p.by_label[p.at(stop.statement).label]) {
-      if (p.at(id).opens_sub()) relate(f, p, id, "this is the sub");
+    for (const Region& region : p.regions) {
+      if (region.opener != kNoStatement && p.name(region.name) == stop.detail) relate(f, p, region.opener, "this is the sub");
     }
     f.help = "put the sub into a file of its own";
     return &f;

@@ -15,7 +15,7 @@ bool is_blank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
 std::string_view trim(std::string_view text) {
   const size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
+  if (first == std::string_view::npos) return text.substr(0, 0);  // with its place
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 

@@ -149,6 +149,14 @@ std::optional<uint32_t> parse_mask(std::string_view text) {
   return mask;
 }
 
+bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name) {
+  if (setup.search_path->find(name)) return true;
+  return call.key == "NGCGUI_SUBFILE" && std::ranges::any_of(setup.folders, [&](const IniFolder& folder) {
+    std::error_code ignored;
+    return folder.key == "NGCGUI_SUBFILE_PATH" && fs::exists(fs::path(folder.path) / (name + ".ngc"), ignored);
+  });
+}
+
 std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error) {
   auto setup = std::make_shared<MachineSetup>();
   setup->path = path;

@@ -46,6 +46,9 @@ struct MachineSetup {
   Ini ini;
 };
 
+/// Whether a file for a sub that the INI calls is there; ngcgui looks for its own in NGCGUI_SUBFILE_PATH as well.
+bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name);
+
 /// Reads a machine's INI. Null and a message when it cannot be read.
 std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error);
 

@@ -59,9 +59,14 @@ std::string Program::label_text(NameId id) const {
   return number ? "o" + text : "o<" + text + ">";
 }
 
+std::string Program::label_at(StatementId id) const {
+  const Statement& s = at(id);
+  return s.label != kNoName ? label_text(s.label) : std::string(source->slice(s.label_span()));
+}
+
 std::string Program::head(StatementId id) const {
   const Statement& s = at(id);
-  std::string text = s.label != kNoName ? label_text(s.label) : std::string(source->slice(s.label_span()));
+  std::string text = label_at(id);
   if (!spelling(s.keyword).empty()) text += " " + std::string(spelling(s.keyword));
   return text;
 }

@@ -71,6 +71,8 @@ struct Program {
   size_t size() const { return syntax.statements.size(); }
   /// `o100` or `o<name>`, as a machinist would write the label.
   std::string label_text(NameId id) const;
+  /// The label of a statement, a computed one as it is written.
+  std::string label_at(StatementId id) const;
   /// `o100 if`: label and keyword of a statement.
   std::string head(StatementId id) const;
   /// The block's keyword and label, `o100 if`.

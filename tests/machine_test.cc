@@ -1,0 +1,162 @@
+// Programs on their machine, as users check them: which INI is taken, what is told of called files, and how often.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "support/files.h"
+#include "support/process.h"
+
+using namespace owlint::test;
+
+namespace {
+
+const std::string kIni = "[EMC]\nVERSION = 1.1\n[RS274NGC]\nSUBROUTINE_PATH = subs\n";
+
+Run check(const Scratch& folder, const std::string& arguments) { return owlint::test::owlint(words("check " + arguments), "", folder.path()); }
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// A machine with a program that calls a faulty file.
+void write_machine(const Scratch& folder) {
+  folder.write("machine.ini", kIni);
+  folder.write("subs/bad.ngc", "o<bad> sub\no10 iff [1]\no<bad> endsub\n");
+  folder.write("programs/mill/a.ngc", "o<bad> call\nM2\n");
+}
+
+}  // namespace
+
+TEST_CASE("the INI in the nearest folder above a program is used and named", "[machine]") {
+  const Scratch folder;
+  write_machine(folder);
+  const Run run = check(folder, "--isolated programs");
+  CHECK(run.status == 1);
+  CHECK(contains(run.out, "subs/bad.ngc:2:"));
+  CHECK(contains(run.err, "owlint: using the machine INI machine.ini (--no-find-ini turns this off)\n"));
+  const Run quiet = check(folder, "--isolated --quiet programs");
+  CHECK_FALSE(contains(quiet.err, "using"));
+  CHECK(quiet.out == run.out);
+}
+
+TEST_CASE("looking for an INI can be turned off", "[machine]") {
+  const Scratch folder;
+  write_machine(folder);
+  const Run off = check(folder, "--isolated --no-find-ini programs");
+  CHECK(off.status == 0);
+  CHECK_FALSE(contains(off.err, "using"));
+  CHECK(contains(off.out, "OW208"));
+  folder.write("owlint.toml", "find-ini = false\n");
+  CHECK(check(folder, "programs").out == off.out);
+  folder.write("owlint.toml", "find-ini = 1\n");
+  const Run wrong = check(folder, "programs");
+  CHECK(wrong.status == 2);
+  CHECK(contains(wrong.err, "line 1: `find-ini` is true or false"));
+}
+
+TEST_CASE("of several INIs none is used", "[machine]") {
+  const Scratch folder;
+  write_machine(folder);
+  folder.write("other.ini", kIni);
+  folder.write("programs/desktop.ini", "[ViewState]\nMode=\n");  // no machine
+  const Run run = check(folder, "--isolated programs");
+  CHECK(run.status == 0);
+  CHECK(contains(run.err, "2 machine INIs in "));
+  CHECK(contains(run.err, "none is used: choose one with --ini"));
+  CHECK(check(folder, "--isolated --ini other.ini programs").status == 1);
+}
+
+TEST_CASE("an INI that cannot be read is a usage error, an include that cannot is a note", "[machine]") {
+  const Scratch folder;
+  write_machine(folder);
+  const Run missing = check(folder, "--isolated --ini none.ini programs");
+  CHECK(missing.status == 2);
+  CHECK(contains(missing.err, "cannot read the INI none.ini: No such file or directory"));
+  folder.write("machine.ini", kIni + "#INCLUDE more.inc\n");
+  const Run note = check(folder, "--isolated programs");
+  CHECK(note.status == 1);
+  CHECK(contains(note.err, "line 5: cannot read the file of `#INCLUDE more.inc`"));
+}
+
+TEST_CASE("a finding in a called file is told once, with the calls that lead to it", "[machine]") {
+  const Scratch folder;
+  write_machine(folder);
+  for (const char* name : {"b", "c"}) folder.write(std::string("programs/") + name + ".ngc", "o<bad> call\nM2\n");
+  for (const char* paths : {"programs", "programs subs", "subs programs"}) {
+    for (const char* jobs : {"1", "2"}) {
+      INFO(paths);
+      const auto report = nlohmann::json::parse(check(folder, std::string("--isolated --format json --jobs ") + jobs + " " + paths).out);
+      CHECK(report["summary"]["errors"] == 1);
+      std::vector<nlohmann::json> found;
+      for (const auto& file : report["files"]) {
+        for (const auto& f : file["findings"]) found.push_back({{"path", file["path"]}, {"finding", f}});
+      }
+      REQUIRE(found.size() == 1);
+      CHECK(found[0]["path"] == "subs/bad.ngc");
+      CHECK(found[0]["finding"]["start"]["line"] == 2);
+      std::vector<std::string> calls;
+      for (const auto& related : found[0]["finding"]["related"]) calls.push_back(related["path"]);
+      std::ranges::sort(calls);
+      CHECK(calls == std::vector<std::string>{"programs/b.ngc", "programs/c.ngc", "programs/mill/a.ngc"});
+    }
+  }
+}
+
+TEST_CASE("files that others call are no programs", "[machine]") {
+  const Scratch folder;
+  folder.write("machine.ini", kIni + "REMAP = M410 modalgroup=10 ngc=remapped\n[HALUI]\nMDI_COMMAND = o<button> call [1]\n");
+  // Code behind the sub, no M2: as a program each of these would stop at its end.
+  for (const char* name : {"called", "remapped", "button"}) {
+    folder.write(std::string("subs/") + name + ".ngc", std::string("o<") + name + "> sub\nG0 X#1\no<" + name + "> endsub\nG0 X0\n");
+  }
+  folder.write("p.ngc", "o<called> call [1]\nM2\n");
+  const Run run = check(folder, "--isolated .");
+  INFO(run.out);
+  CHECK(run.status == 0);
+  folder.write("machine.ini", kIni);
+  CHECK(contains(check(folder, "--isolated .").out, "subs/button.ngc"));
+}
+
+TEST_CASE("what stops in some versions only says in which", "[machine]") {
+  const Scratch folder;
+  folder.write("machine.ini", kIni);
+  folder.write("subs/two.ngc", "o<two> sub\no100 call\no<two> endsub\no100 sub\no100 endsub\n");
+  folder.write("p.ngc", "o<two> call\nM2\n");
+  CHECK(check(folder, "--isolated p.ngc").status == 0);
+  const Run all = check(folder, "--isolated --linuxcnc all --format json p.ngc");
+  CHECK(all.status == 1);
+  const auto report = nlohmann::json::parse(all.out);
+  CHECK(report["files"][1]["findings"][0]["versions"] == nlohmann::json{"2.10"});
+  folder.write("owlint.toml", "linuxcnc = \"all\"\n");
+  CHECK(check(folder, "p.ngc").status == 1);
+}
+
+TEST_CASE("Python functions are named and not reported", "[machine]") {
+  const Scratch folder;
+  folder.write("machine.ini", kIni + "[PYTHON]\nTOPLEVEL = top.py\n");
+  folder.write("subs/other.ngc", "o<other> sub\no<other> endsub\n");
+  folder.write("p.ngc", "o<measure> call\nM2\n");
+  const Run run = check(folder, "--isolated p.ngc");
+  CHECK(run.status == 0);
+  CHECK(run.out.empty());
+  CHECK(contains(run.err, "taken for functions of the INI's [PYTHON] module: o<measure>\n"));
+}
+
+TEST_CASE("graphs show the called files", "[machine]") {
+  const Scratch folder;
+  folder.write("machine.ini", kIni);
+  folder.write("subs/two.ngc", "o<two> sub\no100 call\no<two> endsub\no100 sub\no100 endsub\n");
+  folder.write("p.ngc", "o<two> call\no<none> call\nM2\n");
+  const auto graph = [&](const std::string& format) {
+    return owlint::test::owlint({"graph", "--format", format, "p.ngc"}, "", folder.path());
+  };
+  CHECK(contains(graph("dot").out, "label=\"subs/two.ngc\""));
+  CHECK(contains(graph("mermaid").out, "subgraph file1[\"subs/two.ngc\"]"));
+  const auto json = nlohmann::json::parse(graph("json").out);
+  CHECK(json["calls"][0]["file"] == "subs/two.ngc");
+  CHECK(json["calls"][1]["file"].is_null());
+  CHECK(json["files"][0]["path"] == "subs/two.ngc");
+  CHECK(json["files"][0]["calls"][0]["to"] == 2);
+  const Run svg = graph("svg");
+  INFO(svg.err);
+  CHECK(svg.status == 0);
+  CHECK(contains(svg.out, "<svg"));
+  CHECK(contains(svg.out, "subs/two.ngc"));
+}
