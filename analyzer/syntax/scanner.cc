@@ -3,6 +3,7 @@
 #include <array>
 #include <cstring>
 
+#include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/statement.h"
 
@@ -33,6 +34,10 @@ constexpr std::array<uint8_t, 256> make_classes() {
 }
 
 constexpr auto kClasses = make_classes();
+
+// Lines are passed over in stretches, and each stretch is let go when it is over: a file of gigabytes is never in
+// memory as a whole.
+constexpr size_t kStretch = 8 << 20;  // bytes
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -139,7 +144,31 @@ Syntax scan(const Source& source) {
   const std::string_view bytes = source.bytes();
   bool seen_first = false;
   uint32_t number = 0;
+  size_t stretch_end = 0;
+  const auto note_plain = [&out](uint32_t line) {
+    if (out.statements.empty()) {
+      if (out.first_plain_line == 0) out.first_plain_line = line;
+    } else if (!out.statements.back().plain_code_follows) {
+      out.statements.back().plain_code_follows = true;
+      out.statements.back().first_plain_line = line;
+    }
+  };
   for (size_t at = 0; at < bytes.size();) {
+    if (at >= stretch_end) {
+      source.let_go(at);
+      const size_t feed = at + kStretch < bytes.size() ? bytes.find('\n', at + kStretch) : std::string_view::npos;
+      stretch_end = feed == std::string_view::npos ? bytes.size() : feed + 1;
+    }
+    if (seen_first) {
+      const Passed passed = pass_plain_lines(bytes.substr(0, stretch_end), at);
+      if (passed.first_code != 0) {
+        note_plain(number + passed.first_code);
+        out.last_code = number + passed.last_code;
+      }
+      number += passed.lines;
+      at = passed.next;
+      if (at == stretch_end) continue;
+    }
     const auto* feed = static_cast<const char*>(std::memchr(bytes.data() + at, '\n', bytes.size() - at));
     const size_t end = feed == nullptr ? bytes.size() : static_cast<size_t>(feed - bytes.data());
     const std::string_view line = bytes.substr(at, end - at);
@@ -163,14 +192,7 @@ Syntax scan(const Source& source) {
       if (view.speaks) {
         note_directive(line, at, number, view.code, keep && statement.kind == LineKind::kOWord, out);
       }
-      if (!keep && view.code) {
-        if (out.statements.empty()) {
-          if (out.first_plain_line == 0) out.first_plain_line = number;
-        } else if (!out.statements.back().plain_code_follows) {
-          out.statements.back().plain_code_follows = true;
-          out.statements.back().first_plain_line = number;
-        }
-      }
+      if (!keep && view.code) note_plain(number);
     }
     if (keep) out.statements.push_back(statement);
     at = end + 1;

@@ -93,6 +93,14 @@ void Source::find_marks() const {
   line_count_ = feeds + (at < end ? 1 : 0);
 }
 
+void Source::let_go(uint64_t end) const {
+  const auto page = static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+  end -= end % page;
+  if (mapping_ == nullptr || end <= let_go_) return;
+  ::madvise(static_cast<char*>(mapping_) + let_go_, end - let_go_, MADV_DONTNEED);
+  let_go_ = end;
+}
+
 uint32_t Source::line_count() const {
   index();
   return line_count_;

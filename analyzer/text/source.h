@@ -45,6 +45,10 @@ class Source {
   std::string_view bytes() const { return bytes_; }
   std::string_view slice(Span span) const { return bytes_.substr(span.begin, span.end - span.begin); }
 
+  /// Says that the bytes before `end` are not needed for now: their memory is given back, and read anew from the file
+  /// if they are asked for after all. Does nothing for bytes that do not come from a file.
+  void let_go(uint64_t end) const;
+
   /// Line and column of an offset (clamped to the file's size).
   Position position(uint64_t offset) const;
 
@@ -64,6 +68,7 @@ class Source {
   std::string_view bytes_;
   void* mapping_ = nullptr;
   size_t mapping_size_ = 0;
+  mutable uint64_t let_go_ = 0;  // bytes before this have been given back once
   // Offsets of every 256th line only, built at the first question: a gigabyte of motion costs a few megabytes.
   mutable std::once_flag indexed_;
   mutable std::vector<uint64_t> marks_;
