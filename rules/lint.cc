@@ -69,6 +69,7 @@ class Check {
     const std::vector<FlowResult> flow = analyze_flow(linked, profile_);
     ProgramReport report;
     report.sub_file = program->sub_file;
+    report.only_definitions = program->regions.size() > 1 && does_nothing(*program);
     report.own = check_file(program, flow[0], linked, true);
     report.own.statistics = flow[0].statistics;
     for (size_t i = 1; i < linked.files().size(); ++i) {
@@ -170,6 +171,7 @@ ProgramReport check_all_versions(const std::shared_ptr<const Program>& program, 
     report.calls = std::move(r.calls);
     report.python = std::move(r.python);
     report.sub_file = r.sub_file;
+    report.only_definitions = r.only_definitions;
   }
   join_versions(report.own.findings, std::move(own));
   for (const auto& source : order) {

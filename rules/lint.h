@@ -33,6 +33,7 @@ struct ProgramReport {
   std::vector<std::string> calls;   ///< the paths of all of them
   std::vector<std::string> python;  ///< called names found nowhere that may be functions of the INI's Python module
   bool sub_file = false;            ///< checked as a file that others call
+  bool only_definitions = false;    ///< it defines subs and does nothing else
 };
 
 /// Whether a file is taken for a program or for one that others call, where its content does not decide.

@@ -40,7 +40,7 @@ void check(const Input& in, Reporter& out) {
   for (StatementId id = 0; id < p.size(); ++id) {
     const RegionId region = p.region_of[id];
     if (!p.at(id).is(Keyword::kSub) || region == kMainRegion || p.regions[region].opener == id || has_stop(in, id)) continue;
-    report(in, out, id, region)->reach = Reach::kNever;
+    report(in, out, id, region)->reach = in.flow.reach(id);
   }
 }
 

@@ -16,6 +16,17 @@ std::string number_only(const std::string& name) {
 
 std::string label_of(const std::string& name) { return number_only(name).empty() ? "o<" + name + ">" : "o" + name; }
 
+/// A definition in another file of the run, which comes too late.
+Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
+  for (const LinkedFile& file : in.linked.files()) {
+    const Program& p = *file.program;
+    for (const Region& region : p.regions) {
+      if (&p != &in.program && region.opener != kNoStatement && p.name(region.name) == name) return {&p, region.opener};
+    }
+  }
+  return {};
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   constexpr size_t kMaxCandidates = 2000;  // and as many misspelt names: beyond, nobody reads suggestions
@@ -54,8 +65,18 @@ void check(const Input& in, Reporter& out) {
     }
     std::string near;
     std::string near_file;
-    if (number_only(stop.detail).empty() && suggestions++ < kMaxCandidates) {
+    const Elsewhere late = defined_elsewhere(in, stop.detail);
+    if (late.program != nullptr) {
+      f.message = "`" + label + "` is not known here: its definition on " + line_words(in, late) + " was not run before";
+      relate(in, f, late, "defined here");
+      f.help = "define the sub before the call that leads here, or put it into a file of its own";
+      return &f;
+    }
+    // A name of one or two letters is near to everything, and the sub around the call is never meant.
+    if (number_only(stop.detail).empty() && stop.detail.size() > 2 && suggestions++ < kMaxCandidates) {
       near = nearest(stop.detail, known, 1);
+      const NameId around = p.regions[p.region_of[stop.statement]].name;
+      if (around != kNoName && near == p.name(around)) near.clear();
       if (near.empty() && suggestions < kMaxListings) near_file = nearest(stop.detail, in.linked.search_path().names(), 2);
     }
     if (!near.empty()) {

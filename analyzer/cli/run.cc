@@ -50,10 +50,21 @@ std::set<std::string> called_by_machines(const std::vector<const Settings*>& set
 
 /// Of a file that some program of the run calls, what depends on the caller is known from there.
 void drop_guesses(FileReport& report) {
-  std::erase_if(report.findings, [](const Finding& f) { return f.unproven; });
+  // How deep its calls are nested is known from there as well.
+  std::erase_if(report.findings, [](const Finding& f) { return f.unproven || f.code == "OW210"; });
 }
 
-/// What is true of a program only: a file that is called, and lacks its sub, is none either.
+/// Whether a file lies in a folder that its machine has for subs.
+bool among_subs(const std::string& path, const Settings& settings) {
+  if (settings.profile.setup == nullptr) return false;
+  const std::string folder = fs::path(key_of(path)).parent_path().string();
+  return std::ranges::any_of(settings.profile.setup->folders, [&](const IniFolder& f) {
+    return f.key == "SUBROUTINE_PATH" && key_of(f.path) == folder;
+  });
+}
+
+/// What is true of a program only: a file that is called and lacks its sub is none either, nor is one of definitions
+/// among the machine's subs.
 void drop_ends(FileReport& report) {
   std::erase_if(report.findings, [](const Finding& f) { return f.code == "OW315" || f.code == "OW316"; });
 }
@@ -82,6 +93,9 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
     for (const std::string& path : programs[i].calls) {
       if (key_of(path) != key_of(files[i])) called.insert(key_of(path));
     }
+  }
+  for (size_t i = 0; i < files.size(); ++i) {
+    if (programs[i].only_definitions && among_subs(files[i], *settings[i])) drop_ends(programs[i].own);
   }
   std::vector<size_t> again;
   for (size_t i = 0; i < files.size(); ++i) {

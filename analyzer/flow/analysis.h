@@ -117,6 +117,7 @@ class Analysis final : public Listener {
   void blame_calls();
   void not_found(const Frame& frame, const Caller& caller);
   StatementId call_of(ContextId context, StatementId at) const;
+  bool recursion_comes_back(ContextId context) const;
   StopKind why_not_found(NameId sub, StatementId call) const;
   void endless_loops();
   void idle_loops();

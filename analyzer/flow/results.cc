@@ -64,6 +64,8 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   }
   stop.call = call_of(at.context, at.position);
   stop.unproven = at.mixed;
+  // A called file does not know whether the program that calls it stands between `%` lines.
+  if (kind == StopKind::kBadCharacter && program_.sub_file && program_.at(at.position).kind == LineKind::kPercent) stop.unproven = true;
   if (kind == StopKind::kSubNotFound) {
     stop.kind = why_not_found(machine_.intern(stop.detail), at.position);
     stop.unproven = stop.unproven || machine_.may_be_elsewhere(machine_.intern(stop.detail));
@@ -169,6 +171,20 @@ StatementId Analysis::call_of(ContextId context, StatementId at) const {
   return call;
 }
 
+/// Whether the calls that lead to `context` go through one sub twice, and that sub also returns: a recursion with an
+/// exit, of which nobody knows here how deep it goes.
+bool Analysis::recursion_comes_back(ContextId context) const {
+  std::vector<NameId> seen;
+  std::vector<NameId> back;
+  for (int depth = 0; depth <= kMaxCallDepth && !frames_[context].callers.empty(); ++depth) {
+    const Frame& frame = frames_[context];
+    seen.push_back(frame.info.sub);
+    if (!frame.exits.empty()) back.push_back(frame.info.sub);
+    context = frame.callers.front().state.context;
+  }
+  return std::ranges::any_of(back, [&](NameId sub) { return std::ranges::count(seen, sub) > 1; });
+}
+
 /// Why a search for a sub from `call` on fails.
 StopKind Analysis::why_not_found(NameId sub, StatementId call) const {
   const LinkedFile& file = linked_.files()[linked_.file_of(call)];
@@ -248,8 +264,7 @@ void Analysis::finish() {
     }
   }
   for (const auto& [context, call] : deepest_) {
-    // A recursion that can come back: nobody knows here how deep it goes.
-    if (frames_[context].exits.empty()) continue;
+    if (!recursion_comes_back(context)) continue;
     for (auto& [key, info] : stops_) {
       if (key.kind == StopKind::kCallTooDeep && key.statement == call) info.stop.unproven = true;
     }

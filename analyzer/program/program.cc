@@ -34,23 +34,6 @@ NameId own_name(const Program& program) {
   return kNoName;
 }
 
-/// Whether nothing is executed when the file is run as a program.
-bool does_nothing(const Program& program) {
-  if (program.syntax.first_plain_line != 0) return false;
-  for (StatementId id = 0; id < program.size(); ++id) {
-    if (program.region_of[id] != kMainRegion) {
-      // Plain code behind an `endsub` is counted with the statement before it.
-      const Region& region = program.regions[program.region_of[id]];
-      if (id == region.end && program.at(id).plain_code_follows) return false;
-      continue;
-    }
-    const Statement& s = program.at(id);
-    const bool ends = s.kind == LineKind::kProgramEnd || s.kind == LineKind::kPercent;
-    if (!ends || (s.kind == LineKind::kPercent && s.plain_code_follows)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::string Program::label_text(NameId id) const {
@@ -80,6 +63,22 @@ void index_labels(Program& program) {
 }
 
 bool defines_own_name(const Program& program) { return own_name(program) != kNoName; }
+
+bool does_nothing(const Program& program) {
+  if (program.syntax.first_plain_line != 0) return false;
+  for (StatementId id = 0; id < program.size(); ++id) {
+    if (program.region_of[id] != kMainRegion) {
+      // Plain code behind an `endsub` is counted with the statement before it.
+      const Region& region = program.regions[program.region_of[id]];
+      if (id == region.end && program.at(id).plain_code_follows) return false;
+      continue;
+    }
+    const Statement& s = program.at(id);
+    const bool ends = s.kind == LineKind::kProgramEnd || s.kind == LineKind::kPercent;
+    if (!ends || (s.kind == LineKind::kPercent && s.plain_code_follows)) return false;
+  }
+  return true;
+}
 
 void treat_as_sub_file(Program& program) {
   program.entry = own_name(program);

@@ -84,6 +84,8 @@ std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source);
 
 /// Whether a file defines the sub that a call of the file's name looks for.
 bool defines_own_name(const Program& program);
+/// Whether nothing is executed when the file is run as a program.
+bool does_nothing(const Program& program);
 /// Takes a file for one that others call, whatever else stands in it; it must define its own name.
 void treat_as_sub_file(Program& program);
 

@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """Times owlint on large programs that it makes, and prints the growth for ten times the size.
 
-usage: bench.py --owlint build/release/owlint [--runs 3]
+usage: bench.py --owlint build/release/owlint [--runs 3] [--motion MIB]
 
-Every figure is the median wall time of the whole command. Nothing here passes or fails.
+Every figure is the median wall time of the whole command. Nothing here passes or fails. At the end a motion program of
+MIB mebibytes (1024) with a few blocks in it is held against `wc -l`, which only looks for line ends: both in turn, files in
+the page cache, one thread.
 """
 import argparse
 import os
+import random
 import statistics
 import subprocess
 import tempfile
@@ -102,10 +105,49 @@ CASES = (
 )
 
 
+def motion(mebibytes, write):
+    """A CAM program: an O-word block now and then, else positions."""
+    rng = random.Random(1)
+    place = lambda: "X%.4f Y%.4f Z%.4f\n" % (rng.uniform(0, 300), rng.uniform(0, 200), rng.uniform(-20, 5))
+    piece = "".join(("G1 " if i % 10 == 0 else "") + place() for i in range(40000))
+    write("%\nG21 G90\n")
+    pieces = (mebibytes << 20) // len(piece) + 1
+    for number in range(pieces):
+        if number % max(1, pieces // 20) == 0:
+            write("o%d if [#%d GT 0]\n  G0 Z5\no%d endif\n" % (100 + number, 500, 100 + number))
+        write(piece)
+    write("M2\n%\n")
+
+
+def timed(command):
+    """-> (seconds, peak memory in MiB)"""
+    started = time.monotonic()
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    _, _, usage = os.wait4(process.pid, 0)
+    return time.monotonic() - started, usage.ru_maxrss / 1024
+
+
+def against_wc(options, folder):
+    path = os.path.join(folder, "motion.ngc")
+    with open(path, "w", encoding="ascii") as f:
+        motion(options.motion, f.write)
+    commands = {"wc -l": ["wc", "-l", path], "owlint": [options.owlint, "check", "--isolated", "--no-find-ini", "--jobs", "1", path]}
+    runs = {name: [] for name in commands}
+    for _ in range(options.runs + 2):
+        for name, command in commands.items():
+            runs[name].append(timed(command))
+    print("\n%d MiB of motion" % options.motion)
+    base = statistics.median(seconds for seconds, _ in runs["wc -l"])
+    for name, measured in runs.items():
+        seconds = statistics.median(seconds for seconds, _ in measured)
+        print("  %-8s %8.3f s  %5.2f x wc -l  %6.1f MiB of memory" % (name, seconds, seconds / base, max(m for _, m in measured)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--owlint", required=True)
     parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--motion", type=int, default=1024, metavar="MIB")
     options = parser.parse_args()
     print("%-30s %10s %10s %10s %8s" % ("program", "size", "lines", "seconds", "growth"))
     with tempfile.TemporaryDirectory() as folder:
@@ -126,6 +168,7 @@ def main():
                 growth = "" if before is None else "%.1f x" % (seconds / before)
                 print("%-30s %10d %10d %10.3f %8s" % (name, size, len(lines), seconds, growth), flush=True)
                 before = seconds
+        against_wc(options, folder)
 
 
 if __name__ == "__main__":
