@@ -93,6 +93,7 @@ Machine::Machine(const Linked& linked, const Profile& profile, PersistentMap::Po
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
       reads_break_(profile.warn_only()), effects_(program_) {
+  if (profile.setup != nullptr && profile.setup->has_remaps) evaluator_.distrust_globals();
   labels_.emplace_back(kNoName, kNoName);
   depth_matters_ = !shallow_calls(program_);
   structured_ = structured_blocks(program_);

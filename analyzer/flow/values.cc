@@ -168,6 +168,7 @@ ValueId Evaluator::read_number(long number, const Parameters& in) const {
   if (number >= kFirstGlobalNumber && !relevant_number_[number]) return kUnknown;
   if (number < kFirstGlobalNumber) return in.locals.get(static_cast<uint32_t>(number));
   const ValueId value = in.globals.get(static_cast<uint32_t>(number));
+  if (distrusts_globals_) return kUnknown;
   return value == kUnassigned && in.outside ? kUnknown : value;
 }
 
@@ -177,8 +178,13 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining
   if (is_global_name(text)) {
     // `#<_ini[...]...>` and `#<_hal[...]>` are looked up in the machine; a sub from elsewhere may have assigned any.
     // One that the program assigns or asks for with EXISTS may be there from the run before.
+    const ValueId known = in.globals.get(kGlobalNames + name);
+    if (!predefined_name(text) && !distrusts_globals_ && constants_.is_constant(known)) {
+      out.value = known;
+      return out;
+    }
     if (predefined_name(text) || in.outside || kept_[name] || text.find('[') != std::string_view::npos) return out;
-    out.value = in.globals.get(kGlobalNames + name);
+    out.value = known;
   } else {
     out.value = in.locals.get(kLocalNames + name);
   }

@@ -94,6 +94,9 @@ class Evaluator {
   /// From now on constants are only "assigned", and outcomes are not remembered: for very large programs.
   void set_coarse(bool coarse) { coarse_ = coarse; }
 
+  /// From now on nothing is known of global parameters: code that is not read as O-words may change them.
+  void distrust_globals() { distrusts_globals_ = true; }
+
   Fact fact(ExprId condition) const;
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
@@ -132,6 +135,7 @@ class Evaluator {
   std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global
   bool computed_targets_ = false;
   bool coarse_ = false;
+  bool distrusts_globals_ = false;
 };
 
 }  // namespace owlint::flow

@@ -43,6 +43,7 @@ class Reader {
     m_.warnonly = is_one(rs274("OWORD_WARNONLY"));
     m_.counts_arguments = is_one(rs274("OWORD_NARGS"));
     m_.no_fanuc = is_one(rs274("DISABLE_FANUC_STYLE_SUB"));
+    m_.has_remaps = !m_.ini.all("RS274NGC", "REMAP").empty();
     m_.has_python = m_.ini.has_section("PYTHON");
     read_folders();
     read_calls();

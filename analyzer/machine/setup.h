@@ -39,6 +39,7 @@ struct MachineSetup {
   bool warnonly = false;           ///< OWORD_WARNONLY
   bool counts_arguments = false;   ///< OWORD_NARGS: subs have `#<n_args>`
   bool no_fanuc = false;           ///< DISABLE_FANUC_STYLE_SUB
+  bool has_remaps = false;         ///< codes on motion lines may run subs
   bool has_python = false;         ///< a called sub may be a Python function
   std::vector<IniFolder> folders;  ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
   std::vector<IniCall> calls;      ///< subs called by something that is no program
