@@ -1,7 +1,6 @@
 // The catalogue: every rule, in the order of the codes. A new rule is added here and nowhere else.
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "rules/stops.h"
 
@@ -82,12 +81,6 @@ constexpr std::array<std::string_view, 7> kGroupTitles = {
     "the linter itself", "the documented abort list", "blocks and calls", "the line", "files and machine configuration",
     "hazards", "data flow"};
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 }  // namespace
 
 std::string_view group_title(Group group) { return kGroupTitles[static_cast<size_t>(group)]; }
@@ -165,9 +158,9 @@ const std::vector<const Rule*>& catalogue() {
 }
 
 const Rule* find_rule(std::string_view code_or_name) {
-  const std::string wanted = lower(code_or_name);
+  const std::string wanted = small_letters(code_or_name);
   for (const Rule* rule : catalogue()) {
-    if (wanted == lower(rule->code) || wanted == rule->name) return rule;
+    if (wanted == small_letters(rule->code) || wanted == rule->name) return rule;
   }
   return nullptr;
 }
@@ -179,8 +172,8 @@ bool known_prefix(std::string_view prefix) {
 std::string_view nearest_rule(std::string_view text) {
   std::vector<std::string> candidates;
   const bool code = !text.empty() && (text[0] == 'o' || text[0] == 'O') && text.size() > 1 && (text[1] == 'w' || text[1] == 'W');
-  for (const Rule* rule : catalogue()) candidates.emplace_back(code ? lower(rule->code) : std::string(rule->name));
-  const std::string near = rules::nearest(lower(text), candidates);
+  for (const Rule* rule : catalogue()) candidates.emplace_back(code ? small_letters(rule->code) : std::string(rule->name));
+  const std::string near = rules::nearest(small_letters(text), candidates);
   const Rule* rule = near.empty() ? nullptr : find_rule(near);
   if (rule == nullptr) return {};
   return code ? rule->code : rule->name;

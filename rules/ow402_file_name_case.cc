@@ -1,17 +1,9 @@
 // OW402 file-name-case: a file whose name has capitals: no call can find it.
 // Rests on: LinuxCNC lowers the letters of a called name, whatever `NO_DOWNCASE_OWORD` says (measured, 2.9).
-#include <algorithm>
-#include <cctype>
-
 #include "rules/stops.h"
 
 namespace owlint::rules {
 namespace {
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
@@ -22,11 +14,11 @@ void check(const Input& in, Reporter& out) {
     return &f;
   });
   const std::string name = file_name(*p.source);
-  if (!p.sub_file || name == lower(name)) return;
+  if (!p.sub_file || name == small_letters(name)) return;
   for (const Region& region : p.regions) {
     if (region.name != p.entry || region.opener == kNoStatement) continue;
     Finding& f = out.add(p.at(region.opener).head_span(), "no call can find this sub: the file is named `" + name + "`");
-    f.help = "rename the file to `" + lower(name) + "`: LinuxCNC looks for names in small letters only";
+    f.help = "rename the file to `" + small_letters(name) + "`: LinuxCNC looks for names in small letters only";
     f.reach = Reach::kNever;
     return;
   }
@@ -34,11 +26,11 @@ void check(const Input& in, Reporter& out) {
 
 void check_setup(const SetupInput& in, Reporter& out) {
   for (const IniCall& call : in.setup.calls) {
-    if (call.name.empty() || in.setup.search_path->find(lower(call.name))) continue;
+    if (call.name.empty() || in.setup.search_path->find(small_letters(call.name))) continue;
     const auto other = in.setup.search_path->find_other_case(call.name);
     if (!other) continue;
-    Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + lower(call.name) + ".ngc`, and the file is named " + *other);
-    f.help = "rename the file to `" + lower(call.name) + ".ngc`";
+    Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + small_letters(call.name) + ".ngc`, and the file is named " + *other);
+    f.help = "rename the file to `" + small_letters(call.name) + ".ngc`";
   }
 }
 

@@ -1,17 +1,11 @@
 // OW405 file-shadowed: a sub hides a file, or a file hides another one.
 // Rests on: known subs come before files, and the first file on the search path before all others.
-#include <filesystem>
 #include <unordered_set>
 
 #include "rules/stops.h"
 
 namespace owlint::rules {
 namespace {
-
-std::string file_key(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::absolute(path, ignored).lexically_normal().string();
-}
 
 bool same_bytes(const std::string& a, const std::string& b) {
   std::string error;

@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string key_of(const std::string& path) {
-  std::error_code ignored;
-  return fs::absolute(path, ignored).lexically_normal().string();
-}
-
 void in_parallel(size_t count, unsigned jobs, const std::function<void(size_t)>& each) {
   if (jobs == 1 || count < 2) {
     for (size_t i = 0; i < count; ++i) each(i);
@@ -41,7 +36,7 @@ std::set<std::string> called_by_machines(const std::vector<const Settings*>& set
       const Syntax code = scan(*Source::own("", call.code + "\n"));
       for (const Statement& s : code.statements) {
         if (!s.is(Keyword::kCall) || s.label == kNoName) continue;
-        if (const auto file = machine->search_path->find(code.names.text(s.label))) files.insert(key_of(file->path));
+        if (const auto file = machine->search_path->find(code.names.text(s.label))) files.insert(file_key(file->path));
       }
     }
   }
@@ -57,9 +52,9 @@ void drop_guesses(FileReport& report) {
 /// Whether a file lies in a folder that its machine has for subs.
 bool among_subs(const std::string& path, const Settings& settings) {
   if (settings.profile.setup == nullptr) return false;
-  const std::string folder = fs::path(key_of(path)).parent_path().string();
+  const std::string folder = fs::path(file_key(path)).parent_path().string();
   return std::ranges::any_of(settings.profile.setup->folders, [&](const IniFolder& f) {
-    return f.key == "SUBROUTINE_PATH" && key_of(f.path) == folder;
+    return f.key == "SUBROUTINE_PATH" && file_key(f.path) == folder;
   });
 }
 
@@ -84,14 +79,14 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
     programs[i] = lint(library.load(source), settings[i]->profile, settings[i]->options, library, role);
   };
   in_parallel(files.size(), jobs, [&](size_t i) {
-    if (settings[i] != nullptr) check(i, by_machines.contains(key_of(files[i])) ? Role::kSubFile : Role::kByContent);
+    if (settings[i] != nullptr) check(i, by_machines.contains(file_key(files[i])) ? Role::kSubFile : Role::kByContent);
   });
 
   // Files that others turned out to call are no programs, whatever else stands in them.
   std::set<std::string> called;
   for (size_t i = 0; i < files.size(); ++i) {
     for (const std::string& path : programs[i].calls) {
-      if (key_of(path) != key_of(files[i])) called.insert(key_of(path));
+      if (file_key(path) != file_key(files[i])) called.insert(file_key(path));
     }
   }
   for (size_t i = 0; i < files.size(); ++i) {
@@ -99,7 +94,7 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
   }
   std::vector<size_t> again;
   for (size_t i = 0; i < files.size(); ++i) {
-    if (programs[i].own.source == nullptr || !called.contains(key_of(files[i]))) continue;
+    if (programs[i].own.source == nullptr || !called.contains(file_key(files[i]))) continue;
     if (programs[i].sub_file) {
       drop_guesses(programs[i].own);
     } else {
@@ -115,12 +110,12 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
   std::map<std::string, size_t> place;  // of a file's report
   for (size_t i = 0; i < files.size(); ++i) {
     if (programs[i].own.source == nullptr) continue;
-    place.emplace(key_of(files[i]), result.reports.size());
+    place.emplace(file_key(files[i]), result.reports.size());
     result.reports.push_back(std::move(programs[i].own));
   }
   std::map<std::string, FileReport> others;
   const auto add = [&](FileReport report) {
-    const std::string key = key_of(report.source->path());
+    const std::string key = file_key(report.source->path());
     const auto known = place.find(key);
     FileReport& into = known != place.end() ? result.reports[known->second] : others[key];
     if (into.source == nullptr) into.source = report.source;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "analyzer/text/source.h"
+
 namespace owlint {
 namespace {
 
@@ -13,12 +15,6 @@ namespace fs = std::filesystem;
 
 constexpr size_t kMaxListed = 500'000;  // files of one folder, or of a tree, that are remembered
 constexpr std::string_view kEnding = ".ngc";
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
 
 bool plain_name(std::string_view name) {
   return !name.empty() && name.find('\0') == std::string_view::npos && !leaves_folders(name) && !expands(name);
@@ -85,7 +81,7 @@ const std::vector<std::vector<std::string>>& SearchPath::listing() const {
       fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
       for (; !error && entry != fs::directory_iterator() && files.size() < kMaxListed; entry.increment(error)) {
         std::string file = entry->path().filename().string();
-        if (lower(file).ends_with(kEnding)) files.push_back(std::move(file));
+        if (small_letters(file).ends_with(kEnding)) files.push_back(std::move(file));
       }
       std::ranges::sort(files);
     }
@@ -105,10 +101,10 @@ const std::map<std::string, std::string, std::less<>>& SearchPath::tree() const 
 }
 
 std::optional<std::string> SearchPath::find_other_case(std::string_view name) const {
-  const std::string wanted = lower(name) + std::string(kEnding);
+  const std::string wanted = small_letters(name) + std::string(kEnding);
   for (size_t i = 0; i < folders_.size(); ++i) {
     for (const std::string& file : listing()[i]) {
-      if (lower(file) == wanted && file != wanted) return (fs::path(folders_[i]) / file).string();
+      if (small_letters(file) == wanted && file != wanted) return (fs::path(folders_[i]) / file).string();
     }
   }
   return std::nullopt;
@@ -118,7 +114,7 @@ std::vector<std::string> SearchPath::names() const {
   std::vector<std::string> names;
   for (const auto& files : listing()) {
     for (const std::string& file : files) {
-      if (file == lower(file)) names.push_back(file.substr(0, file.size() - kEnding.size()));
+      if (file == small_letters(file)) names.push_back(file.substr(0, file.size() - kEnding.size()));
     }
   }
   if (!tree_root_.empty()) {

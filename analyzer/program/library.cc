@@ -1,21 +1,9 @@
 #include "analyzer/program/library.h"
 
-#include <filesystem>
-
 namespace owlint {
-namespace {
-
-/// One key for one file, however its path was written.
-std::string key_of(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::absolute(path, ignored).lexically_normal().string();
-}
-
-}  // namespace
-
 std::shared_ptr<Library::Slot> Library::slot(const std::string& path, bool for_call) {
   const std::lock_guard lock(mutex_);
-  auto& entry = slots_[key_of(path)];
+  auto& entry = slots_[file_key(path)];
   if (entry == nullptr) entry = std::make_shared<Slot>();
   if (for_call) {
     ++uses_;
@@ -47,7 +35,7 @@ std::shared_ptr<const Program> Library::load(std::shared_ptr<const Source> sourc
   const auto program = entry->program;
   if (!defines_own_name(*program)) {
     const std::lock_guard lock(mutex_);
-    if (!entry->called) slots_.erase(key_of(path));
+    if (!entry->called) slots_.erase(file_key(path));
   }
   return program;
 }

@@ -7,11 +7,6 @@
 namespace owlint {
 namespace {
 
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 void collect_calls(Program& program) {
   std::unordered_map<NameId, RegionId> first_definition;
   for (RegionId r = 1; r < program.regions.size(); ++r) first_definition.emplace(program.regions[r].name, r);
@@ -25,7 +20,7 @@ void collect_calls(Program& program) {
 }
 
 NameId own_name(const Program& program) {
-  const NameId name = program.syntax.names.find(lower(std::filesystem::path(program.source->path()).stem().string()));
+  const NameId name = program.syntax.names.find(small_letters(std::filesystem::path(program.source->path()).stem().string()));
   if (name == kNoName) return kNoName;
   for (const Region& region : program.regions) {
     if (region.opener == kNoStatement) continue;

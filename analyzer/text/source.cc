@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 namespace owlint {
 namespace {
@@ -26,6 +27,19 @@ size_t sequence_length(std::string_view bytes, size_t at) {
 }
 
 }  // namespace
+
+std::string file_key(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::absolute(path, ignored).lexically_normal().string();
+}
+
+std::string small_letters(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return out;
+}
 
 uint32_t count_code_points(std::string_view bytes) {
   uint32_t count = 0;

@@ -75,6 +75,12 @@ class Source {
   mutable uint32_t line_count_ = 0;
 };
 
+/// One text for one file, however its path was written; the file need not exist.
+std::string file_key(const std::string& path);
+
+/// ASCII letters in small ones, other bytes as they are.
+std::string small_letters(std::string_view text);
+
 /// Number of code points in `bytes` (invalid bytes count one each).
 uint32_t count_code_points(std::string_view bytes);
 

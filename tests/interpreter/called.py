@@ -61,11 +61,10 @@ def judge(outcome, message, found):
 
 
 def measured(folder, program):
-    """What the installed rs274 does: -> (outcome, message)"""
-    done = subprocess.run(["rs274", "-i", "machine.ini", "-g", program], capture_output=True, cwd=folder, timeout=60,
-                          stdin=subprocess.DEVNULL)
-    said = done.stderr.decode("latin-1").replace("executing", "", 1).strip().split("\n")[0].replace(folder + "/", "")
-    return ("ok" if done.returncode == 0 else "error"), said
+    """What the installed rs274 does: -> (outcome, message), with names as seen from the folder"""
+    outcome = rs274.run(os.path.join(folder, program), "machine")
+    message = outcome.message.split("\n")[0].replace("PROGRAM", program).replace(folder + "/", "")
+    return outcome.kind, message
 
 
 def choose(text, rng):
@@ -85,14 +84,13 @@ def random_programs(owlint, count, seed):
             bundle.write(folder, bundle.split(text))
             with open(os.path.join(folder, "machine.ini"), "w", encoding="ascii") as f:
                 f.write("[RS274NGC]\nSUBROUTINE_PATH = subs\n")
-            outcome = rs274.run(os.path.join(folder, bundle.MAIN), "machine")
+            kind, message = measured(folder, bundle.MAIN)
             found = findings(owlint, folder, bundle.MAIN, "2.9")
-            message = outcome.message.split("\n")[0].replace("PROGRAM", bundle.MAIN).replace(folder + "/", "")
-        seen[outcome.kind] = seen.get(outcome.kind, 0) + 1
-        if outcome.kind == "hang":
+        seen[kind] = seen.get(kind, 0) + 1
+        if kind == "hang":
             wrong = None if any(f["code"] in ("OW508", "OW510") for f in found) else "it never ends, owlint does not say so"
         else:
-            wrong = judge(outcome.kind, message, found)
+            wrong = judge(kind, message, found)
         if wrong:
             problems.append("random program %d/%d: %s\n%s" % (seed, number, wrong, text))
     return problems, seen
