@@ -51,7 +51,8 @@ std::vector<Suppression> suppressions_of(const Program& program) {
   return suppressions;
 }
 
-auto place_of(const Finding& f) { return std::tie(f.span.begin, f.span.end, f.code); }
+using Place = std::tuple<uint64_t, uint64_t, std::string_view>;
+Place place_of(const Finding& f) { return {f.span.begin, f.span.end, f.code}; }
 
 void put_in_order(std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
@@ -125,15 +126,17 @@ class Check {
 /// Puts together what the versions say of one file: a finding is told once, with those in which it is worst.
 void join_versions(std::vector<Finding>& findings, std::vector<std::pair<Version, std::vector<Finding>>> by_version) {
   std::vector<std::vector<Version>> versions;
+  std::map<Place, size_t> known;
   for (auto& [version, found] : by_version) {
     for (Finding& f : found) {
-      const auto same = std::ranges::find_if(findings, [&](const Finding& g) { return place_of(f) == place_of(g); });
-      if (same == findings.end()) {
+      const auto [entry, added] = known.emplace(place_of(f), findings.size());
+      if (added) {
         findings.push_back(std::move(f));
         versions.push_back({version});
         continue;
       }
-      auto& in = versions[static_cast<size_t>(same - findings.begin())];
+      Finding* same = &findings[entry->second];
+      auto& in = versions[entry->second];
       if (f.severity > same->severity || (f.severity == same->severity && f.stops && !same->stops)) {
         *same = std::move(f);
         in = {version};
@@ -223,12 +226,15 @@ std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& op
 
 void merge_findings(FileReport& into, std::vector<Finding> findings) {
   constexpr size_t kMaxCalls = 4;  // more places of calls are no help
+  std::map<Place, size_t> places;
+  for (size_t i = 0; i < into.findings.size(); ++i) places.emplace(place_of(into.findings[i]), i);
   for (Finding& f : findings) {
-    const auto same = std::ranges::find_if(into.findings, [&](const Finding& g) { return place_of(f) == place_of(g); });
-    if (same == into.findings.end()) {
+    const auto [entry, added] = places.emplace(place_of(f), into.findings.size());
+    if (added) {
       into.findings.push_back(std::move(f));
       continue;
     }
+    Finding* same = &into.findings[entry->second];
     if (f.severity > same->severity) std::swap(f, *same);
     for (Related& related : f.related) {
       if (related.source == nullptr || same->related.size() >= kMaxCalls) continue;

@@ -120,10 +120,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
   });
   if (!whole) return;  // a folder is missing, which OW407 says: the files may be meant to be there
   for (const IniCall& call : in.setup.calls) {
-    const Syntax code = scan(*Source::own("", call.code + "\n"));
-    for (const Statement& s : code.statements) {
-      if (!s.is(Keyword::kCall) || s.label == kNoName) continue;
-      const std::string& name = code.names.text(s.label);
+    for (const std::string& name : called_names(call.code)) {
       if (has_file(in.setup, call, name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
       if (in.setup.search_path->find_other_case(name)) continue;  // OW402 says so
       const bool named = !call.name.empty();

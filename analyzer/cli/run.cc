@@ -33,10 +33,8 @@ std::set<std::string> called_by_machines(const std::vector<const Settings*>& set
   std::set<std::string> files;
   for (const MachineSetup* machine : machines) {
     for (const IniCall& call : machine->calls) {
-      const Syntax code = scan(*Source::own("", call.code + "\n"));
-      for (const Statement& s : code.statements) {
-        if (!s.is(Keyword::kCall) || s.label == kNoName) continue;
-        if (const auto file = machine->search_path->find(code.names.text(s.label))) files.insert(file_key(file->path));
+      for (const std::string& name : called_names(call.code)) {
+        if (const auto file = machine->search_path->find(name)) files.insert(file_key(file->path));
       }
     }
   }

@@ -47,30 +47,26 @@ bool leaves_folders(std::string_view name) {
 
 SearchPath::SearchPath(std::vector<std::string> folders, std::string tree) : folders_(std::move(folders)), tree_root_(std::move(tree)) {}
 
-std::vector<FoundFile> SearchPath::find_all(std::string_view name) const {
+std::vector<FoundFile> SearchPath::look_up(std::string_view name, size_t most) const {
   std::vector<FoundFile> found;
   if (!plain_name(name)) return found;
   const std::string file = std::string(name) + std::string(kEnding);
-  for (size_t i = 0; i < folders_.size(); ++i) {
+  for (size_t i = 0; i < folders_.size() && found.size() < most; ++i) {
     if (auto one = look((fs::path(folders_[i]) / file).string(), i)) found.push_back(std::move(*one));
   }
-  if (!tree_root_.empty()) {
+  if (!tree_root_.empty() && found.size() < most) {
     const auto below = tree().find(file);
     if (below != tree().end()) found.push_back({below->second, true, folders_.size()});
   }
   return found;
 }
 
+std::vector<FoundFile> SearchPath::find_all(std::string_view name) const { return look_up(name, SIZE_MAX); }
+
 std::optional<FoundFile> SearchPath::find(std::string_view name) const {
-  if (!plain_name(name)) return std::nullopt;
-  const std::string file = std::string(name) + std::string(kEnding);
-  for (size_t i = 0; i < folders_.size(); ++i) {
-    if (auto one = look((fs::path(folders_[i]) / file).string(), i)) return one;
-  }
-  if (tree_root_.empty()) return std::nullopt;
-  const auto below = tree().find(file);
-  if (below == tree().end()) return std::nullopt;
-  return FoundFile{below->second, true, folders_.size()};
+  std::vector<FoundFile> found = look_up(name, 1);
+  if (found.empty()) return std::nullopt;
+  return std::move(found.front());
 }
 
 const std::vector<std::vector<std::string>>& SearchPath::listing() const {

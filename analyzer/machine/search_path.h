@@ -3,6 +3,7 @@
 // Nothing is expanded, and no name leads out of these folders, whatever LinuxCNC would do with it.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -36,6 +37,7 @@ class SearchPath {
   const std::vector<std::string>& folders() const { return folders_; }
 
  private:
+  std::vector<FoundFile> look_up(std::string_view name, size_t most) const;
   /// File names ending in `.ngc` (in any case), by folder.
   const std::vector<std::vector<std::string>>& listing() const;
   const std::map<std::string, std::string, std::less<>>& tree() const;

@@ -57,6 +57,15 @@ void index_labels(Program& program) {
   }
 }
 
+std::vector<std::string> called_names(const std::string& code) {
+  const Syntax syntax = scan(*Source::own("", code + "\n"));
+  std::vector<std::string> names;
+  for (const Statement& s : syntax.statements) {
+    if (s.is(Keyword::kCall) && s.label != kNoName) names.push_back(syntax.names.text(s.label));
+  }
+  return names;
+}
+
 bool defines_own_name(const Program& program) { return own_name(program) != kNoName; }
 
 bool does_nothing(const Program& program) {

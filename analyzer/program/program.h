@@ -82,6 +82,9 @@ struct Program {
 /// Builds everything above from the bytes of one file.
 std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source);
 
+/// The names of the subs that one line of code outside any program calls.
+std::vector<std::string> called_names(const std::string& code);
+
 /// Whether a file defines the sub that a call of the file's name looks for.
 bool defines_own_name(const Program& program);
 /// Whether nothing is executed when the file is run as a program.
