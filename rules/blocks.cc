@@ -1,7 +1,6 @@
 #include "rules/blocks.h"
 
 #include <algorithm>
-#include <map>
 
 namespace owlint::rules {
 namespace {
@@ -40,15 +39,7 @@ bool in_exclusive_branches(const Program& program, StatementId a, StatementId b)
 }
 
 bool has_unreadable_line(const Input& in, NameId label, RegionId region) {
-  return in.stops.unreadable.contains(static_cast<uint64_t>(region) << 32 | label);
-}
-
-void for_shared_labels(const Input& in, const std::function<void(StatementId, StatementId)>& each) {
-  std::map<std::pair<RegionId, NameId>, StatementId> first;
-  for (const Block& block : in.program.blocks) {
-    const auto [entry, added] = first.try_emplace({block.region, block.label}, block.opener);
-    if (!added) each(entry->second, block.opener);
-  }
+  return in.index.unreadable.contains(static_cast<uint64_t>(region) << 32 | label);
 }
 
 void add_relabel_fix(const Input& in, StatementId opener, Finding& finding) {
@@ -93,7 +84,7 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
   for_stops(in, out, stop);
   for_warned(in, out, [&](const FlowStop& s) -> Finding* {
     FlowStop with_other = s;
-    for (const StatementId at : p.at(s.statement).label == kNoName ? std::vector<StatementId>{} : p.by_label[p.at(s.statement).label]) {
+    for (const StatementId at : p.at(s.statement).label == kNoName ? std::span<const StatementId>{} : p.by_label[p.at(s.statement).label]) {
       if (at != s.statement && opens_block(p.at(at).keyword) && p.region_of[at] == p.region_of[s.statement]) {
         with_other.other = at;
         break;
@@ -103,13 +94,13 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
     f->stops = false;
     return f;
   });
-  for_shared_labels(in, [&](StatementId first, StatementId later) {
-    if (!p.at(later).is(keyword) || has_stop(in, later) || in.flow.executed[later]) return;
-    if (in_exclusive_branches(p, first, later)) return;  // OW214 speaks of those
+  for (const auto& [first, later] : in.index.shared_labels) {
+    if (!p.at(later).is(keyword) || has_stop(in, later) || in.flow.executed[later]) continue;
+    if (in_exclusive_branches(p, first, later)) continue;  // OW214 speaks of those
     Finding* f = report(later, first);
     f->reach = Reach::kNever;
     add_relabel_fix(in, later, *f);
-  });
+  }
 }
 
 void check_parts(const Input& in, Reporter& out, const std::function<bool(Keyword)>& wanted, std::string_view openers) {
@@ -165,12 +156,9 @@ void check_parts(const Input& in, Reporter& out, const std::function<bool(Keywor
     if (block != kNoBlock && p.blocks[block].end == s.statement && has_stop(in, p.blocks[block].opener)) return nullptr;
     return report(s);
   });
-  for (StatementId id = 0; id < p.size(); ++id) {
+  for (const StatementId id : in.index.stray_parts) {
     const Statement& s = p.at(id);
-    if (s.kind != LineKind::kOWord || !wanted(s.keyword) || s.label == kNoName || has_stop(in, id)) continue;
-    const BlockId block = p.block_of[id];
-    const bool mistaken = block != kNoBlock && p.blocks[block].mistaken_end == id;
-    if (block != kNoBlock && !mistaken) continue;
+    if (!wanted(s.keyword) || has_stop(in, id)) continue;
     if (has_unreadable_line(in, s.label, p.region_of[id])) continue;
     FlowStop unmet;
     unmet.statement = id;

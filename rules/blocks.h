@@ -7,9 +7,6 @@
 
 namespace owlint::rules {
 
-/// Calls `each(first, later)` for every block opener whose label an earlier opener of the same region has already.
-void for_shared_labels(const Input& in, const std::function<void(StatementId, StatementId)>& each);
-
 /// Whether a line with this label carries an unknown keyword: then it may be the part of the block that is missing.
 bool has_unreadable_line(const Input& in, NameId label, RegionId region);
 

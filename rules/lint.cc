@@ -89,9 +89,9 @@ class Check {
     FileReport report;
     report.source = program->source;
     std::vector<Suppression> suppressions = suppressions_of(*program);
-    const StopIndex stops(*program, flow);
+    const Index index(*program, flow);
     const SeverityPolicy policy = policy_of(profile_, options_);
-    run_rules({*program, flow, profile_, linked, suppressions, stops, false}, options_, policy, report.findings);
+    run_rules({*program, flow, profile_, linked, suppressions, index, false}, options_, policy, report.findings);
     if (!own) {
       // Of a called file only what this program's calls lead to; the rest is told when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
@@ -99,7 +99,7 @@ class Check {
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);
-    if (own) run_rules({*program, flow, profile_, linked, suppressions, stops, true}, options_, policy, report.findings);
+    if (own) run_rules({*program, flow, profile_, linked, suppressions, index, true}, options_, policy, report.findings);
     put_in_order(report.findings);
     return report;
   }

@@ -26,14 +26,13 @@ void check(const Input& in, Reporter& out) {
   const auto stop = [&](const FlowStop& s) { return report(in, out, s.statement); };
   for_stops(in, out, stop);
   for_warned(in, out, stop);
-  std::vector<bool> likely(p.size());
+  std::unordered_set<StatementId> likely;
   for (const Region& region : p.regions) {
-    if (region.likely_end != kNoStatement) likely[region.likely_end] = true;
+    if (region.likely_end != kNoStatement) likely.insert(region.likely_end);
   }
-  for (StatementId id = 0; id < p.size(); ++id) {
-    const Statement& s = p.at(id);
-    if (!(s.is(Keyword::kReturn) || s.is(Keyword::kEndsub)) || p.region_of[id] != kMainRegion) continue;
-    if (has_stop(in, id) || likely[id]) continue;
+  for (const StatementId id : in.index.sub_lines) {
+    if (p.at(id).is(Keyword::kSub) || p.region_of[id] != kMainRegion) continue;
+    if (has_stop(in, id) || likely.contains(id)) continue;
     report(in, out, id)->reach = in.flow.reach(id);
   }
 }

@@ -37,7 +37,7 @@ RegionId around(const Program& p, StatementId id) {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, around(p, s.statement)); });
-  for (StatementId id = 0; id < p.size(); ++id) {
+  for (const StatementId id : in.index.sub_lines) {
     const RegionId region = p.region_of[id];
     if (!p.at(id).is(Keyword::kSub) || region == kMainRegion || p.regions[region].opener == id || has_stop(in, id)) continue;
     report(in, out, id, region)->reach = in.flow.reach(id);

@@ -23,7 +23,7 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
   std::unordered_set<NameId> not_found;
-  if (const auto lost = in.stops.by_code.find("OW208"); lost != in.stops.by_code.end()) {
+  if (const auto lost = in.index.by_code.find("OW208"); lost != in.index.by_code.end()) {
     for (const FlowStop* s : lost->second) not_found.insert(p.at(s->statement).label);
   }
   for (const Region& region : p.regions) {

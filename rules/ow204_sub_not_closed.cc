@@ -32,7 +32,7 @@ void check(const Input& in, Reporter& out) {
     return report(in, out, s.statement);
   });
   StatementId last_nested = 0;
-  if (const auto nested = in.stops.by_code.find("OW202"); nested != in.stops.by_code.end()) {
+  if (const auto nested = in.index.by_code.find("OW202"); nested != in.index.by_code.end()) {
     for (const FlowStop* s : nested->second) last_nested = std::max(last_nested, s->statement);
   }
   for (const Region& region : p.regions) {

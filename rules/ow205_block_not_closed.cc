@@ -40,7 +40,7 @@ void check(const Input& in, Reporter& out) {
     // So does the end that stands outside, where the sub ends inside the block.
     const Region& region = p.regions[block.region];
     if (block.region != kMainRegion && region.end != kNoStatement) {
-      const auto& lines = p.by_label[block.label];
+      const auto lines = p.by_label[block.label];
       const auto next = std::ranges::upper_bound(lines, region.end);
       if (next != lines.end() && p.region_of[*next] == kMainRegion && p.block_of[*next] == kNoBlock) continue;
     }

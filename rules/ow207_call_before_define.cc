@@ -31,10 +31,7 @@ void check(const Input& in, Reporter& out) {
     if (call.caller == kMainRegion) first_call.emplace(call.callee, call.statement);
   }
   std::vector<StatementId> ends;
-  for (StatementId id = 0; id < p.size(); ++id) {
-    const LineKind kind = p.at(id).kind;
-    if (p.region_of[id] == kMainRegion && (kind == LineKind::kProgramEnd || kind == LineKind::kM99 || kind == LineKind::kPercent)) ends.push_back(id);
-  }
+  std::ranges::copy_if(in.index.ends, std::back_inserter(ends), [&](StatementId id) { return p.region_of[id] == kMainRegion; });
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub)) continue;
     const auto call = first_call.find(region.name);

@@ -8,7 +8,7 @@ namespace {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for (StatementId id = 0; id < p.size(); ++id) {
+  for (const StatementId id : in.index.sub_lines) {
     const Statement& s = p.at(id);
     const Region& region = p.regions[p.region_of[id]];
     if (!s.is(Keyword::kReturn) || s.label == kNoName || region.name == kNoName || s.label == region.name || has_stop(in, id)) continue;

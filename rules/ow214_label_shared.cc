@@ -6,26 +6,34 @@
 namespace owlint::rules {
 namespace {
 
+bool stands_in_its_label(const Program& p, BlockId block) {
+  constexpr size_t kMaxDepth = 64;  // deeper nests are not looked through
+  if (block == kNoBlock) return false;
+  BlockId outer = p.blocks[block].parent;
+  for (size_t depth = 0; outer != kNoBlock && depth < kMaxDepth; ++depth, outer = p.blocks[outer].parent) {
+    if (p.blocks[outer].label == p.blocks[block].label) return true;
+  }
+  return false;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for_shared_labels(in, [&](StatementId first, StatementId later) {
-    if (has_stop(in, later) || has_stop(in, first)) return;
+  for (const auto& [first, later] : in.index.shared_labels) {
+    if (has_stop(in, later) || has_stop(in, first)) continue;
     const bool exclusive = in_exclusive_branches(p, first, later);
     const Keyword kind = p.at(later).keyword;
-    if (!exclusive && !in.flow.executed[later] && kind != Keyword::kDo) return;  // OW102 to OW104
+    if (!exclusive && !in.flow.executed[later] && kind != Keyword::kDo) continue;  // OW102 to OW104
     // The `while` behind a `do` with a used label is where the interpreter notices.
     const BlockId block = p.block_of[later];
-    if (block != kNoBlock && p.blocks[block].end != kNoStatement && has_stop(in, p.blocks[block].end)) return;
+    if (block != kNoBlock && p.blocks[block].end != kNoStatement && has_stop(in, p.blocks[block].end)) continue;
     // A `do` in a `do` with its label is OW510.
-    for (BlockId outer = block; kind == Keyword::kDo && outer != kNoBlock; outer = p.blocks[outer].parent) {
-      if (outer != block && p.blocks[outer].label == p.at(later).label) return;
-    }
+    if (kind == Keyword::kDo && stands_in_its_label(p, block)) continue;
     Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` also opens " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
     relate(f, p, first, "`" + p.head(first) + "` is opened here");
     f.help = "give this block a label of its own: LinuxCNC stops as soon as one run meets both";
     f.reach = in.flow.reach(later);
     add_relabel_fix(in, later, f);
-  });
+  }
 }
 
 }  // namespace

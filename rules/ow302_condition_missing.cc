@@ -12,7 +12,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const std::string word(spelling(s.keyword));
   const std::string what = s.is(Keyword::kRepeat) ? "count" : "condition";
   Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` is not followed by `[`");
-  std::string rest(p.source->slice({s.offset + s.keyword_to, s.end}));
+  std::string rest(p.source->slice({s.offset + s.keyword_to, s.end()}));
   rest = rest.substr(0, rest.find_first_of("(;"));
   while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.erase(0, 1);
   while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r')) rest.pop_back();

@@ -64,7 +64,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id, const std::strin
   const Statement& s = in.program.at(id);
   const LineError* error = in.program.syntax.error(s);
   const bool reading = error != nullptr && error->message == interpreter;
-  const Span whole = s.kind == LineKind::kOWord ? Span{s.offset + s.label_from, s.end} : Span{s.offset, s.end};
+  const Span whole = s.kind == LineKind::kOWord ? Span{s.offset + s.label_from, s.end()} : s.whole();
   Finding& f = out.add(reading ? error->span : whole, "");
   f.interpreter = interpreter;
   if (!reading || !habit(in.program.source->slice(error->span), f)) word(f);

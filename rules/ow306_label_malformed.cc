@@ -47,7 +47,7 @@ void check(const Input& in, Reporter& out) {
     f.reach = in.flow.reach(id);
   });
   // Without `>` the rest of the line is the name, and the line does nothing: no error, whatever was meant.
-  for (StatementId id = 0; id < p.size(); ++id) {
+  for (const StatementId id : in.index.odd_lines) {
     const Statement& s = p.at(id);
     if (!s.name_open || has_stop(in, id)) continue;
     Finding& f = out.add(s.label_span(), "the label's name is not closed with `>`: LinuxCNC does nothing on this line");

@@ -8,7 +8,7 @@ namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = in.program.at(id);
-  Finding& f = out.add(in.program.syntax.error(s)->span, "the line has " + std::to_string(s.end - s.offset) + " characters; LinuxCNC reads at most 252");
+  Finding& f = out.add(in.program.syntax.error(s)->span, "the line has " + std::to_string(s.length) + " characters; LinuxCNC reads at most 252");
   f.help = "split it, or shorten the comment";
   return &f;
 }

@@ -13,10 +13,10 @@ void check(const Input& in, Reporter& out) {
   for (StatementId id = 0; id < p.size(); ++id) {
     const Statement& s = p.at(id);
     if (s.kind != LineKind::kOWord || !s.comment || p.syntax.error(s) != nullptr) continue;
-    const std::string_view line = p.source->slice({s.offset, s.end});
+    const std::string_view line = p.source->slice(s.whole());
     const size_t at = line.find_first_of("(;", std::max(s.label_to, s.keyword_to));
     if (at == std::string_view::npos) continue;
-    Finding& f = out.add({s.offset + at, s.end}, "a comment stands on the line of `" + p.head(id) + "`");
+    Finding& f = out.add({s.offset + at, s.end()}, "a comment stands on the line of `" + p.head(id) + "`");
     f.help = "put it on a line of its own: the documentation calls this undefined, though it runs";
     f.reach = in.flow.reach(id);
   }

@@ -16,7 +16,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.help = "save the file with line feeds";
     return &f;
   }
-  const Span span = error == nullptr ? Span{s.offset, s.end} : error->span;
+  const Span span = error == nullptr ? s.whole() : error->span;
   const std::string_view bytes = p.source->slice(span);
   Finding& f = out.add(span, "");
   if (bytes.starts_with("\xEF\xBB\xBF") && span.begin == 0) {
@@ -44,7 +44,7 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
   bool nul_told = false;
-  for (StatementId id = 0; id < p.size(); ++id) {
+  for (const StatementId id : in.index.odd_lines) {
     const Statement& s = p.at(id);
     const LineError* error = p.syntax.error(s);
     const bool refused = error != nullptr && error->kind == StopKind::kBadCharacter;

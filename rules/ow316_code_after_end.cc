@@ -1,5 +1,7 @@
 // OW316 code-after-end: lines below the program end that nothing can reach.
 // Rests on: M2 and M30 end the run at once; only a call can go below them.
+#include <algorithm>
+
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -13,7 +15,8 @@ void check(const Input& in, Reporter& out) {
   if (p.sub_file) return;
   // The first line behind an executed program end that no run gets to.
   StatementId end = kNoStatement;
-  for (StatementId id = 0; id < p.size(); ++id) {
+  const auto first = std::ranges::find_if(in.index.ends, [&](StatementId id) { return in.flow.executed[id] && p.at(id).kind != LineKind::kM99; });
+  for (StatementId id = first == in.index.ends.end() ? static_cast<StatementId>(p.size()) : *first; id < p.size(); ++id) {
     const Statement& s = p.at(id);
     const bool ends = (s.kind == LineKind::kProgramEnd || (s.kind == LineKind::kPercent && id > 0)) && in.flow.executed[id];
     if (ends && p.region_of[id] == kMainRegion && p.block_of[id] == kNoBlock) end = id;

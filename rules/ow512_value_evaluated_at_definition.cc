@@ -17,7 +17,7 @@ void check(const Input& in, Reporter& out) {
     const bool at_definition = std::ranges::any_of(in.flow.hazards, [&](const Hazard& h) {
       return h.kind == HazardKind::kValueAtDefinition && h.statement == s.statement;
     });
-    Finding& f = out.add({line.offset + line.keyword_to, line.end}, at_definition
+    Finding& f = out.add({line.offset + line.keyword_to, line.end()}, at_definition
         ? "LinuxCNC computes the value of `" + p.head(s.statement) + "` already when it passes the definition, before any call, and that can fail"
         : "the value of `" + p.head(s.statement) + "` cannot be computed");
     f.help = "compute the value into a parameter first, and return that";

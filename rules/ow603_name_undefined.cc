@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const Statement& line = p.at(s.statement);
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
-    Finding& f = out.add({line.offset, line.end}, name + (some ? " is read here, but not assigned on every path" : " is read here, but not assigned before"));
+    Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
     return &f;
   });

@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const Statement& line = p.at(s.statement);
     const bool missing = s.interpreter == "Parameter number out of range";
     const std::string what = s.detail.empty() ? "this parameter" : "`#<" + s.detail + ">`";
-    Finding& f = out.add({line.offset, line.end}, missing ? "there is no parameter with this number: they go from #1 to #5601" : what + " belongs to LinuxCNC and cannot be set");
+    Finding& f = out.add(line.whole(), missing ? "there is no parameter with this number: they go from #1 to #5601" : what + " belongs to LinuxCNC and cannot be set");
     f.help = "use a name or number of your own";
     return &f;
   });

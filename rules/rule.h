@@ -22,15 +22,26 @@ class Reporter;
 enum class Group : uint8_t { kLinter, kAbortList, kBlocks, kLine, kFiles, kHazards, kDataFlow };
 std::string_view group_title(Group group);
 
-/// The flow's stops, ready to be asked by rule and by statement.
-struct StopIndex {
-  StopIndex(const Program& program, const FlowResult& flow);
+/// What rules look for in a file, gathered in one pass over its lines: the flow's stops by rule and by statement, and
+/// the few lines that each rule is about. A file may have millions of lines; no rule goes through all of them.
+struct Index {
+  Index(const Program& program, const FlowResult& flow);
 
   std::unordered_map<std::string_view, std::vector<const FlowStop*>> by_code;
   std::unordered_map<std::string_view, std::vector<const Hazard*>> warned_by_code;
   std::unordered_set<uint64_t> unreadable;  ///< region << 32 | label: a line there has an unknown keyword
   std::vector<bool> at;  ///< by statement: a stop, or a message under FEATURE 0x20, is there
   std::unordered_multimap<StatementId, const FlowStop*> consequences;  ///< by the statement of their mistake
+  std::unordered_map<std::string_view, std::vector<StatementId>> unmet_by_code;  ///< errors of reading that no run meets
+  std::vector<StatementId> sub_lines;     ///< `sub`, `endsub`, `return`
+  std::vector<StatementId> ends;          ///< M2, M30, M99, `%`
+  std::vector<StatementId> stray_parts;   ///< parts and ends of blocks that belong to none, or close one by mistake
+  std::vector<StatementId> odd_lines;     ///< with an open name, a NUL, a carriage return inside, or a refused character
+  std::vector<std::pair<StatementId, StatementId>> shared_labels;  ///< openers of one region: first and later with its label
+
+ private:
+  void add_line(const Program& program, StatementId id);
+  void find_shared_labels(const Program& program);
 };
 
 /// Everything that a check may look at.
@@ -40,7 +51,7 @@ struct Input {
   const Profile& profile;
   const Linked& linked;  ///< the program with the files that it calls
   const std::vector<Suppression>& suppressions;
-  const StopIndex& stops;
+  const Index& index;
   bool suppressions_applied = false;  ///< the second round, for rules about suppressions themselves
 };
 

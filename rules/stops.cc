@@ -4,12 +4,8 @@
 
 namespace owlint {
 
-StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(program.size()) {
+Index::Index(const Program& program, const FlowResult& flow) : at(program.size()) {
   std::vector<bool> stopped(program.size());
-  for (StatementId id = 0; id < program.size(); ++id) {
-    const Statement& s = program.at(id);
-    if (s.is(Keyword::kUnknown) && s.label != kNoName) unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
-  }
   for (const FlowStop& stop : flow.stops) {
     if (stop.statement == kNoStatement) continue;
     const Statement& s = program.at(stop.statement);
@@ -36,6 +32,45 @@ StopIndex::StopIndex(const Program& program, const FlowResult& flow) : at(progra
       }
     }
     by_code[rules::code_of(stop, program)].push_back(&stop);
+  }
+  for (StatementId id = 0; id < program.size(); ++id) add_line(program, id);
+  find_shared_labels(program);
+}
+
+void Index::add_line(const Program& program, StatementId id) {
+  const Statement& s = program.at(id);
+  if (s.error != UINT32_MAX) {
+    FlowStop unmet;
+    unmet.statement = id;
+    unmet.kind = program.syntax.errors[s.error].kind;
+    if (!at[id]) unmet_by_code[rules::code_of(unmet, program)].push_back(id);
+    if (s.is(Keyword::kUnknown) && s.label != kNoName) unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
+    if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
+  }
+  if (s.name_open || s.nul || s.inner_cr) {
+    if (odd_lines.empty() || odd_lines.back() != id) odd_lines.push_back(id);
+  }
+  if (s.kind == LineKind::kProgramEnd || s.kind == LineKind::kM99 || s.kind == LineKind::kPercent) ends.push_back(id);
+  if (s.kind != LineKind::kOWord) return;
+  if (s.keyword == Keyword::kSub || s.keyword == Keyword::kEndsub || s.keyword == Keyword::kReturn) {
+    sub_lines.push_back(id);
+  } else if (!global_label(s.keyword) && s.label != kNoName) {
+    const BlockId block = program.block_of[id];
+    if (block == kNoBlock || program.blocks[block].mistaken_end == id) stray_parts.push_back(id);
+  }
+}
+
+void Index::find_shared_labels(const Program& program) {
+  // Blocks stand region by region: what was noted for an earlier region is out of date.
+  std::vector<BlockId> first(program.syntax.names.size(), kNoBlock);
+  for (BlockId id = 0; id < program.blocks.size(); ++id) {
+    const Block& block = program.blocks[id];
+    BlockId& known = first[block.label];
+    if (known == kNoBlock || program.blocks[known].region != block.region) {
+      known = id;
+    } else {
+      shared_labels.emplace_back(program.blocks[known].opener, block.opener);
+    }
   }
 }
 
@@ -125,7 +160,7 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {
   if (statement == kNoStatement) return;
   const Statement& s = program.at(statement);
-  const Span span = s.kind == LineKind::kOWord || s.kind == LineKind::kM98 ? s.head_span() : Span{s.offset, s.end};
+  const Span span = s.kind == LineKind::kOWord || s.kind == LineKind::kM98 ? s.head_span() : s.whole();
   finding.related.push_back({span, std::move(message), nullptr});
 }
 
@@ -170,7 +205,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
 }
 
 void add_consequences(const Input& in, StatementId statement, Finding& finding) {
-  const auto [first, last] = in.stops.consequences.equal_range(statement);
+  const auto [first, last] = in.index.consequences.equal_range(statement);
   for (auto it = first; it != last; ++it) {
     const FlowStop& other = *it->second;
     const Span span = other.statement == kNoStatement ? finding.span : in.program.at(other.statement).head_span();
@@ -179,20 +214,20 @@ void add_consequences(const Input& in, StatementId statement, Finding& finding) 
 }
 
 void for_stops(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each) {
-  const auto found = in.stops.by_code.find(out.rule().code);
-  if (found == in.stops.by_code.end()) return;
+  const auto found = in.index.by_code.find(out.rule().code);
+  if (found == in.index.by_code.end()) return;
   for (const FlowStop* stop : found->second) {
     if (Finding* finding = each(*stop)) describe_stop(in, *stop, *finding);
   }
 }
 
 void for_warned(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each) {
-  const auto found = in.stops.warned_by_code.find(out.rule().code);
-  if (found == in.stops.warned_by_code.end()) return;
+  const auto found = in.index.warned_by_code.find(out.rule().code);
+  if (found == in.index.warned_by_code.end()) return;
   for (const Hazard* hazard : found->second) {
     // Some of these errors stop all the same, with another message; then that is the finding.
-    const auto stops = in.stops.by_code.find(out.rule().code);
-    if (stops != in.stops.by_code.end() && std::ranges::any_of(stops->second, [&](const FlowStop* s) { return s->statement == hazard->statement; })) continue;
+    const auto stops = in.index.by_code.find(out.rule().code);
+    if (stops != in.index.by_code.end() && std::ranges::any_of(stops->second, [&](const FlowStop* s) { return s->statement == hazard->statement; })) continue;
     FlowStop as_stop;
     as_stop.statement = hazard->statement;
     as_stop.kind = hazard->warned;
@@ -204,19 +239,12 @@ void for_warned(const Input& in, Reporter& out, const std::function<Finding*(con
   }
 }
 
-bool has_stop(const Input& in, StatementId statement) { return statement < in.stops.at.size() && in.stops.at[statement]; }
+bool has_stop(const Input& in, StatementId statement) { return statement < in.index.at.size() && in.index.at[statement]; }
 
 void for_unmet_errors(const Input& in, Reporter& out, const std::function<void(StatementId, const LineError&)>& each) {
-  for (StatementId id = 0; id < in.program.size(); ++id) {
-    const Statement& s = in.program.at(id);
-    const LineError* error = in.program.syntax.error(s);
-    if (error == nullptr || has_stop(in, id)) continue;
-    FlowStop unmet;
-    unmet.statement = id;
-    unmet.kind = error->kind;
-    if (code_of(unmet, in.program) != out.rule().code) continue;
-    each(id, *error);
-  }
+  const auto found = in.index.unmet_by_code.find(out.rule().code);
+  if (found == in.index.unmet_by_code.end()) return;
+  for (const StatementId id : found->second) each(id, *in.program.syntax.error(in.program.at(id)));
 }
 
 std::string ordinal(size_t n) {

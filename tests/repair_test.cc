@@ -32,7 +32,7 @@ std::vector<Deletion> deletions() {
     const auto add = [&](StatementId opener, StatementId end, bool sub) {
       const Statement& s = program->at(end);
       std::string text(source->bytes());
-      text.erase(s.offset, s.end + 1 - s.offset);
+      text.erase(s.offset, s.end() + 1 - s.offset);
       out.push_back({c.path, std::move(text), program->head(end), s.line, program->at(opener).line, sub});
     };
     for (const Block& b : program->blocks) add(b.opener, b.end, false);

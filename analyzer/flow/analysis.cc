@@ -62,13 +62,33 @@ void Analysis::successor(State state) {
 }
 
 Analysis::Group& Analysis::group_at(const State& state) {
+  constexpr uint32_t kFew = 8;  // more groups than this at one place are not gone through one by one
+  const auto hash = [](const auto& mode, StatementId position) {
+    return mix(mix(mix(position, mode.context), mode.skip), static_cast<uint64_t>(mode.defining) << 2 | static_cast<uint64_t>(mode.seek) << 1 | static_cast<uint64_t>(mode.looped));
+  };
+  const auto fits = [&](const Group& g) {
+    return g.position == state.position && g.context == state.context && g.skip == state.skip && g.defining == state.defining && g.seek == state.seek && g.looped == state.looped;
+  };
   uint32_t& head = heads_[state.position];
-  for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) {
-    Group& g = groups_[i];
-    if (g.context == state.context && g.skip == state.skip && g.defining == state.defining && g.seek == state.seek && g.looped == state.looped) return g;
+  const uint32_t rank = head == UINT32_MAX ? 0 : groups_[head].rank + 1;
+  if (rank <= kFew) {
+    for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) {
+      if (fits(groups_[i])) return groups_[i];
+    }
+  } else {
+    const auto [first, last] = crowds_.equal_range(hash(state, state.position));
+    for (auto found = first; found != last; ++found) {
+      if (fits(groups_[found->second])) return groups_[found->second];
+    }
   }
-  groups_.push_back({state.context, state.skip, state.defining, state.seek, state.looped, head, {}, nullptr, {}, false});
-  head = static_cast<uint32_t>(groups_.size() - 1);
+  const auto number = static_cast<uint32_t>(groups_.size());
+  groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped, head, {}, nullptr, {}, false});
+  head = number;
+  if (rank == kFew) {
+    for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) crowds_.emplace(hash(groups_[i], state.position), i);
+  } else if (rank > kFew) {
+    crowds_.emplace(hash(state, state.position), number);
+  }
   return groups_.back();
 }
 
@@ -92,7 +112,7 @@ void Analysis::arrive(State state) {
     joined.branch = state.branch;
     *group.joined = std::move(joined);
   }
-  if (!group.dirty) dirty_.push_back(static_cast<uint32_t>(&group - groups_.data()));
+  if (!group.dirty) dirty_.push_back(group.number);
   group.dirty = true;
 }
 
@@ -123,9 +143,13 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
   state.record = record;
   if (++result_.statistics.steps >= kPatience[level_].steps) {
     ++level_;
-    machine_.evaluator().set_coarse(level_ >= kCoarse);
+    if (level_ >= kCoarse) machine_.set_coarse();
   }
   if (at_file_end) return end_of_file(state);
+  if (const CalmStretch* stretch = machine_.pass_over(state)) {
+    for (StatementId id = stretch->first; id < stretch->last; ++id) result_.executed[id] = true;
+    return successor(std::move(state));
+  }
   const Context context = frames_[state.context].info;
   machine_.step(std::move(state), context, *this);
 }

@@ -9,6 +9,7 @@
 #include <queue>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct Patience {
   size_t states;
   size_t contexts;
 };
-inline constexpr Patience kPatience[] = {{60'000, 64, 32}, {200'000, 8, 4}, {UINT64_MAX, 1, 1}};
+inline constexpr Patience kPatience[] = {{60'000, 64, 32}, {160'000, 8, 4}, {UINT64_MAX, 1, 1}};
 inline constexpr size_t kCoarse = 2;  // from this level on, constants are not told apart either
 
 inline constexpr uint32_t kNormalEnd = 0;
@@ -51,6 +52,9 @@ class Analysis final : public Listener {
  private:
   /// All states at one line in one mode (same call, same skip).
   struct Group {
+    StatementId position;
+    uint32_t number;
+    uint32_t rank;  ///< how many groups at this place were there before
     ContextId context;
     FullLabel skip;
     NameId defining;
@@ -115,7 +119,7 @@ class Analysis final : public Listener {
   ContextId context_for(const Context& callee, const State& entry, bool* merged);
   void finish();
   void blame_calls();
-  void not_found(const Frame& frame, const Caller& caller);
+  void not_found(ContextId context, const Caller& caller);
   StatementId call_of(ContextId context, StatementId at) const;
   bool recursion_comes_back(ContextId context) const;
   StopKind why_not_found(NameId sub, StatementId call) const;
@@ -128,7 +132,9 @@ class Analysis final : public Listener {
   PersistentMap::Pool pool_;
   Machine machine_;
   std::vector<uint32_t> heads_;
-  std::vector<Group> groups_;  // grows only while states arrive, never while one is executed
+  std::deque<Group> groups_;  // a deque: growing moves nothing
+  std::unordered_multimap<uint64_t, uint32_t> crowds_;  // groups by mode, at places where there are many
+  std::unordered_map<ContextId, std::vector<const Group*>> seeking_;  // groups that seek a sub, by call; made at the end
   std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
   std::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_;
   std::map<std::tuple<NameId, int, bool>, std::pair<size_t, ContextId>> context_counts_;

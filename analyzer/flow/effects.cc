@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "analyzer/flow/structured.h"
 #include "analyzer/flow/values.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
@@ -17,7 +16,7 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
   if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) effects.jumps = true;
   if (s.is(Keyword::kIf)) effects.tests = true;
   for (uint32_t i = 0; i < s.item_count; ++i) {
-    const Item& item = program.syntax.items[s.first_item + i];
+    const Item& item = program.syntax.items[s.first + i];
     if (item.target_name != kNoName) {
       if (program.name(item.target_name).starts_with("_")) effects.globals.insert(kGlobalNames + item.target_name);
       continue;
@@ -35,7 +34,7 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
 
 }  // namespace
 
-EffectsOfSubs::EffectsOfSubs(const Program& program) : program_(program), regular_(is_regular(program)), calls_(program.regions.size()) {
+EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular) : program_(program), regular_(regular), calls_(program.regions.size()) {
   for (RegionId r = 1; r < program.regions.size(); ++r) {
     regions_[program.regions[r].name].push_back(r);
   }

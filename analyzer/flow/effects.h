@@ -20,12 +20,13 @@ struct Effects {
 
 class EffectsOfSubs {
  public:
-  explicit EffectsOfSubs(const Program& program);
+  /// `regular`: see Structure.
+  EffectsOfSubs(const Program& program, bool regular);
   const Effects& of(NameId sub);
 
  private:
   const Program& program_;
-  bool regular_;  ///< see is_regular()
+  bool regular_;
   std::unordered_map<NameId, std::vector<RegionId>> regions_;
   std::unordered_map<NameId, Effects> known_;
   std::vector<std::vector<StatementId>> calls_;  ///< by region

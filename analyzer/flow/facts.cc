@@ -1,6 +1,7 @@
 // Conditions that must come out the same: see Fact in values.h. Structurally equal conditions share an id; assigning
 // any parameter that a condition reads forgets its outcome.
 #include <algorithm>
+#include <span>
 
 #include "analyzer/flow/values.h"
 #include "analyzer/syntax/arithmetic.h"
@@ -61,10 +62,12 @@ void Evaluator::find_facts() {
   };
   std::unordered_map<uint64_t, Test> tests;
   std::vector<uint64_t> order;
-  for (const Statement& s : syntax_.statements) {
+  // The detailed analysis of a very large program does not get further than this.
+  constexpr size_t kMaxStatements = 100'000;
+  for (const Statement& s : std::span(syntax_.statements).first(std::min(syntax_.statements.size(), kMaxStatements))) {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
     if (!is_test || s.value_count == 0) continue;
-    const ExprId condition = syntax_.values[s.first_value];
+    const ExprId condition = syntax_.values[s.first];
     Reads reads;
     const uint64_t hash = describe(syntax_, condition, reads);
     if (!reads.trackable || reads.local.empty() == reads.global.empty()) continue;

@@ -92,11 +92,9 @@ Machine::Machine(const Linked& linked, const Profile& profile, PersistentMap::Po
     : linked_(linked), program_(linked.program()), profile_(profile), pool_(pool), evaluator_(program_.syntax, constants_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
-      reads_break_(profile.warn_only()), effects_(program_) {
+      reads_break_(profile.warn_only()), structure_(program_), effects_(program_, structure_.regular) {
   if (profile.setup != nullptr && profile.setup->has_remaps) evaluator_.distrust_globals();
   labels_.emplace_back(kNoName, kNoName);
-  depth_matters_ = !shallow_calls(program_);
-  structured_ = structured_blocks(program_);
   index();
 }
 
@@ -120,6 +118,27 @@ void Machine::index() {
   }
 }
 
+void Machine::set_coarse() {
+  if (calm_) return;
+  evaluator_.set_coarse();
+  calm_.emplace(program_, structure_, evaluator_, profile_.warn_only());
+}
+
+const CalmStretch* Machine::pass_over(State& state) const {
+  if (!calm_ || state.skip != kNoLabel || state.defining != kNoName || state.looped) return nullptr;
+  const CalmStretch* stretch = calm_->at(state.position);
+  if (stretch == nullptr) return nullptr;
+  // A constant from before, or an argument that is not passed, may make a difference on the way; so may an unassigned name.
+  for (const ParameterId p : calm_->reads(*stretch)) {
+    if (!evaluator_.is_plain(p, state.parameters)) return nullptr;
+  }
+  for (const CalmStretches::Write& write : calm_->writes(*stretch)) evaluator_.assign_unknown(write.parameter, write.certain, state.parameters);
+  if (stretch->tests) state.executed = kYes;
+  state.position = stretch->last;
+  state.branch = 0;
+  return stretch;
+}
+
 uint32_t Machine::entry(const State& state, FullLabel label) const {
   const uint32_t packed = state.table.get(label);
   if (packed != 0) return packed;
@@ -128,7 +147,7 @@ uint32_t Machine::entry(const State& state, FullLabel label) const {
   // A structured block's entry: the one block with that label, in that scope if there are several.
   for (const StatementId id : program_.by_label[name]) {
     const BlockId block = program_.block_of[id];
-    if (block == kNoBlock || !structured_[block]) continue;
+    if (block == kNoBlock || !structure_.structured[block]) continue;
     if (program_.regions[program_.blocks[block].region].name == scope) return Definers::one(program_.blocks[block].opener);
   }
   return 0;
@@ -136,7 +155,7 @@ uint32_t Machine::entry(const State& state, FullLabel label) const {
 
 StatementId Machine::next_stop(const State& state, StatementId from) const {
   auto next = static_cast<StatementId>(program_.size());
-  const auto look = [&](const std::vector<StatementId>& list) {
+  const auto look = [&](std::span<const StatementId> list) {
     const auto found = std::ranges::lower_bound(list, from);
     if (found != list.end()) next = std::min(next, *found);
   };

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 #include "analyzer/flow/effects.h"
 #include "analyzer/flow/flow.h"
+#include "analyzer/flow/calm.h"
 #include "analyzer/flow/structured.h"
 #include "analyzer/flow/values.h"
 #include "analyzer/program/linker.h"
@@ -104,6 +106,12 @@ class Machine {
   /// Executes or passes over the line at `state.position`.
   void step(State state, const Context& context, Listener& out);
 
+  /// From now on constants are not told apart, and stretches of lines in which nothing can go wrong are passed over in
+  /// one step: for very large programs.
+  void set_coarse();
+  /// Passes over such a stretch. Null, and nothing done, where there is none.
+  const CalmStretch* pass_over(State& state) const;
+
   /// The next position at which a skipping state has something to do.
   StatementId next_stop(const State& state, StatementId from) const;
 
@@ -155,9 +163,9 @@ class Machine {
   Definers definers_;
   bool no_fanuc_;                 // DISABLE_FANUC_STYLE_SUB
   bool reads_break_;              // only a `do` loop looks at the flag that `break` leaves behind
-  bool depth_matters_ = true;     // some chain of calls may be too deep
-  std::vector<bool> structured_;  // by block, see structured.h
+  Structure structure_;
   EffectsOfSubs effects_;
+  std::optional<CalmStretches> calm_;  // there from set_coarse() on
   std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
   std::unordered_map<uint64_t, FullLabel> label_ids_;
   // Positions at which a skip may be interrupted, each sorted.

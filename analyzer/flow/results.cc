@@ -199,25 +199,19 @@ StopKind Analysis::why_not_found(NameId sub, StatementId call) const {
 }
 
 /// A call that seeks its sub to the end of a file: if it does, the call is to blame.
-void Analysis::not_found(const Frame& frame, const Caller& caller) {
+void Analysis::not_found(ContextId context, const Caller& caller) {
+  const Frame& frame = frames_[context];
   const NameId sub = frame.info.sub;
   const StatementId call = caller.state.position;
   const CallTarget target = machine_.target(sub);
   const bool has_file = target.file != CallTarget::kNotFound;
   const LinkedFile& file = linked_.files()[has_file ? target.file : linked_.file_of(call)];
-  const auto sought_to = [&](StatementId at) {
-    for (uint32_t i = heads_[at]; i != UINT32_MAX; i = groups_[i].next) {
-      if (groups_[i].seek && &frames_[groups_[i].context] == &frame) return true;
-    }
-    return false;
-  };
-  bool at_end = sought_to(file.last);
-  bool percent = false;
-  for (StatementId id = std::max(file.first, 1U); program_.syntax.percent && !at_end && id < file.last; ++id) {
-    if (program_.at(id).kind == LineKind::kPercent) at_end = percent = sought_to(id);
-    if (percent) break;
-  }
-  if (!at_end) return;
+  const std::vector<const Group*>& groups = seeking_[context];
+  const bool at_end = std::ranges::any_of(groups, [&](const Group* g) { return g->position == file.last; });
+  const bool percent = !at_end && program_.syntax.percent && std::ranges::any_of(groups, [&](const Group* g) {
+    return g->position >= std::max(file.first, 1U) && g->position < file.last && program_.at(g->position).kind == LineKind::kPercent;
+  });
+  if (!at_end && !percent) return;
   FlowStop stop;
   stop.statement = call;
   stop.call = call_of(caller.state.context, call);
@@ -237,21 +231,24 @@ void Analysis::not_found(const Frame& frame, const Caller& caller) {
   stop.unproven = stop.unproven || caller.state.mixed;
   add_stop(caller.state.record, stop);
   const uint32_t key = stops_.at({stop.statement, stop.kind, stop.detail, 0}).key;
-  for (const Group& group : groups_) {
-    if (!group.seek || &frames_[group.context] != &frame) continue;
-    for (const auto& [hash, record] : group.seen) trace_->terminate(record, key);
+  for (const Group* group : groups) {
+    for (const auto& [hash, record] : group->seen) trace_->terminate(record, key);
   }
 }
 
 void Analysis::blame_calls() {
-  for (const Frame& frame : frames_) {
-    for (const Caller& caller : frame.callers) not_found(frame, caller);
+  for (const Group& group : groups_) {
+    if (group.seek) seeking_[group.context].push_back(&group);
+  }
+  for (ContextId context = 0; context < frames_.size(); ++context) {
+    if (!seeking_.contains(context)) continue;
+    for (const Caller& caller : frames_[context].callers) not_found(context, caller);
   }
 }
 
 void Analysis::finish() {
   blame_calls();
-  trace_->finish();
+  trace_->finish(result_.executed);
   idle_loops();
   const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
   if (!hangs) endless_loops();  // one mistake, one finding

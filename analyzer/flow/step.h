@@ -91,7 +91,7 @@ struct Machine::Step {
     reads.not_passed = 0;
   }
 
-  ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first_value + i]; }
+  ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first + i]; }
 
   /// The condition of `if`, `elseif`, `while`; false when it stops.
   bool condition(Truth* truth, double* number = nullptr) {
@@ -128,7 +128,7 @@ struct Machine::Step {
   /// Structured blocks are in the table from their opener on, without being written there.
   bool structured() const {
     const BlockId block = m.program_.block_of[here];
-    return block != kNoBlock && m.structured_[block];
+    return block != kNoBlock && m.structure_.structured[block];
   }
   uint32_t entry() const {
     if (!structured()) return state.table.get(label);
@@ -142,7 +142,7 @@ struct Machine::Step {
   Keyword kind_of(StatementId line) const { return m.program_.at(line).keyword; }
   uint32_t line_of(StatementId id) const { return m.program_.at(id).line; }
   std::string line_text() const {
-    const std::string_view text = m.linked_.source_of(here).slice({s.offset, s.end});
+    const std::string_view text = m.linked_.source_of(here).slice(s.whole());
     const size_t first = text.find_first_not_of(" \t\r");
     const size_t last = text.find_last_not_of(" \t\r");
     return first == std::string_view::npos ? std::string() : std::string(text.substr(first, last - first + 1));

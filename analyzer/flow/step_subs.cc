@@ -101,7 +101,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
   if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
 
   // Where no chain is too deep, calls at all depths are alike.
-  const int depth = m.depth_matters_ ? context.depth + 1 : 1;
+  const int depth = m.structure_.shallow_calls ? 1 : context.depth + 1;
   const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size())};
   State enter = state;
   enter.looped = false;

@@ -8,10 +8,6 @@ namespace {
 
 bool part_of_block(const Statement& s) { return s.kind == LineKind::kOWord && !global_label(s.keyword); }
 
-uint64_t key_of(NameId scope, NameId label) { return static_cast<uint64_t>(scope) << 32 | label; }
-
-}  // namespace
-
 bool is_regular(const Program& program) {
   for (RegionId r = 1; r < program.regions.size(); ++r) {
     const Region& region = program.regions[r];
@@ -36,9 +32,8 @@ bool is_regular(const Program& program) {
   return true;
 }
 
-bool shallow_calls(const Program& program) {
+bool has_shallow_calls(const Program& program) {
   constexpr int kMaxCallDepth = 9;
-  if (!is_regular(program)) return false;
   // Longest chain from the main program, by rounds: after nine of them nothing may be left to deepen.
   std::unordered_map<NameId, std::vector<NameId>> callees;
   for (const Call& call : program.calls) {
@@ -57,8 +52,6 @@ bool shallow_calls(const Program& program) {
   }
   return false;
 }
-
-namespace {
 
 /// A part or end of a block that stands inside another one, opened later, or that belongs to none at all: a skip can
 /// land there.
@@ -81,45 +74,67 @@ void mark_entered_sideways(const Program& program, std::vector<bool>& good) {
   }
 }
 
-}  // namespace
+/// Labels that stand on several blocks, or on lines of none, in one scope: a sub if runs stay in their subs, else the
+/// whole file. Returns whether some label is computed.
+bool mark_shared_labels(const Program& program, bool regular, std::vector<bool>& good) {
+  bool computed = false;
+  Grouped scopes;
+  const size_t names = program.syntax.names.size();
+  scopes.assign(names + 1, static_cast<uint32_t>(program.size()), [&](StatementId id) {
+    const Statement& s = program.at(id);
+    if (!part_of_block(s)) return Grouped::kNone;
+    if (s.label == kNoName) {
+      computed = computed || s.label_expr != kNoExpr;
+      return Grouped::kNone;
+    }
+    const NameId sub = regular ? program.regions[program.region_of[id]].name : kNoName;
+    return sub == kNoName ? static_cast<uint32_t>(names) : sub;
+  });
+  std::vector<BlockId> owner(names);       // by label: the only block that has it in this scope, else kNoBlock
+  std::vector<uint32_t> seen_in(names, UINT32_MAX);  // by label: the scope that `owner` speaks of
+  for (uint32_t scope = 0; scope <= names; ++scope) {
+    for (const StatementId id : scopes[scope]) {
+      const NameId label = program.at(id).label;
+      const BlockId block = program.block_of[id];
+      if (seen_in[label] != scope) {
+        seen_in[label] = scope;
+        owner[label] = block;
+      } else if (owner[label] != block) {
+        if (owner[label] != kNoBlock) good[owner[label]] = false;
+        owner[label] = kNoBlock;
+      }
+    }
+    for (const StatementId id : scopes[scope]) {
+      const BlockId block = program.block_of[id];
+      if (block != kNoBlock && owner[program.at(id).label] != block) good[block] = false;
+    }
+  }
+  return computed;
+}
 
-std::vector<bool> structured_blocks(const Program& program) {
+std::vector<bool> structured_blocks(const Program& program, bool regular) {
   std::vector<bool> good(program.blocks.size(), true);
   mark_entered_sideways(program, good);
-  const bool regular = is_regular(program);
-  // How many blocks and stray lines carry a label: in its sub if runs stay in their subs, else in the whole file.
-  std::unordered_map<uint64_t, BlockId> owner;
+  const bool computed = mark_shared_labels(program, regular, good);
   std::vector<uint32_t> subs_before(program.size() + 1);
-  bool computed = false;
   for (StatementId id = 0; id < program.size(); ++id) {
     const Statement& s = program.at(id);
     const bool boundary = s.opens_sub() || s.is(Keyword::kEndsub) || s.kind == LineKind::kM99;
     subs_before[id + 1] = subs_before[id] + (boundary ? 1 : 0);
-    if (!part_of_block(s)) continue;
-    if (s.label == kNoName) {
-      computed = computed || s.label_expr != kNoExpr;
-      continue;
-    }
-    const uint64_t key = key_of(regular ? program.regions[program.region_of[id]].name : kNoName, s.label);
-    const BlockId block = program.block_of[id];
-    const auto [entry, added] = owner.try_emplace(key, block);
-    if (!added && entry->second != block) {
-      if (entry->second != kNoBlock) good[entry->second] = false;
-      if (block != kNoBlock) good[block] = false;
-      entry->second = kNoBlock;
-    }
-    if (block == kNoBlock) entry->second = kNoBlock;
   }
   for (BlockId id = static_cast<BlockId>(program.blocks.size()); id-- > 0;) {
     const Block& block = program.blocks[id];
     const bool closed = block.end != kNoStatement && block.crossed == kNoBlock && !computed;
     if (!closed || subs_before[block.end] != subs_before[block.opener]) good[id] = false;
-    const auto found = owner.find(key_of(regular ? program.regions[block.region].name : kNoName, block.label));
-    if (found == owner.end() || found->second != id) good[id] = false;
     // Inner blocks come after their parents: by now all of them have been looked at.
     if (!good[id] && block.parent != kNoBlock) good[block.parent] = false;
   }
   return good;
 }
+
+}  // namespace
+
+Structure::Structure(const Program& program)
+    : regular(is_regular(program)), shallow_calls(regular && has_shallow_calls(program)), structured(structured_blocks(program, regular)) {}
 
 }  // namespace owlint::flow

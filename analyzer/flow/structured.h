@@ -1,5 +1,6 @@
-// Which blocks need no entry in the interpreter's label table, because every run that gets to one of their lines has
-// come through their opener. That is nearly every block of a sound program, and it keeps states alike.
+// What the analysis can rely on without following any run: the shape of the program as a whole, and which blocks need
+// no entry in the interpreter's label table, because every run that gets to one of their lines has come through their
+// opener. That is nearly every block of a sound program, and it keeps states alike.
 #pragma once
 
 #include <vector>
@@ -8,15 +9,17 @@
 
 namespace owlint::flow {
 
-/// By block. A block is structured when it is closed, nothing overlaps it, no sub begins or ends in it, everything in
-/// it is structured too, and its label stands on no other block that a run could confuse it with.
-std::vector<bool> structured_blocks(const Program& program);
+struct Structure {
+  explicit Structure(const Program& program);
 
-/// Whether every sub and block of the program is closed and every label known, so that a run is always in the sub
-/// that its line stands in.
-bool is_regular(const Program& program);
-
-/// Whether no chain of calls can be deeper than LinuxCNC allows, whatever the conditions.
-bool shallow_calls(const Program& program);
+  /// Every sub and block of the program is closed and every label known, so that a run is always in the sub that its
+  /// line stands in.
+  bool regular = false;
+  /// No chain of calls can be deeper than LinuxCNC allows, whatever the conditions.
+  bool shallow_calls = false;
+  /// By block. A block is structured when it is closed, nothing overlaps it, no sub begins or ends in it, everything in
+  /// it is structured too, and its label stands on no other block that a run could confuse it with.
+  std::vector<bool> structured;
+};
 
 }  // namespace owlint::flow

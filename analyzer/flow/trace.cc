@@ -23,7 +23,8 @@ void pack(const std::vector<std::pair<RecordId, RecordId>>& edges, size_t nodes,
 
 }  // namespace
 
-void Trace::finish() {
+void Trace::finish(std::vector<bool> executed) {
+  executed_ = std::move(executed);
   std::vector<std::pair<RecordId, RecordId>> edges;
   for (const Link& link : links_) edges.emplace_back(link.from, link.to);
   for (RecordId id = 0; id < records_.size(); ++id) {
@@ -31,9 +32,6 @@ void Trace::finish() {
   }
   pack(edges, records_.size(), true, next_first_, next_);
   pack(edges, records_.size(), false, previous_first_, previous_);
-  for (const Record& record : records_) {
-    if (record.executed) executed_.insert(record.statement);
-  }
   std::vector<RecordId> ends;
   for (const auto& [at, key] : terminals_) ends.push_back(at);
   hanging_ = backward_from(ends);
@@ -154,7 +152,7 @@ std::vector<uint32_t> Trace::idle_cycles() const {
 Reach Trace::reach(StatementId statement) const {
   if (const auto known = reaches_.find(statement); known != reaches_.end()) return known->second;
   const auto hits = [&](RecordId id) { return records_[id].statement == statement && records_[id].executed; };
-  const bool reached = executed_.contains(statement);
+  const bool reached = statement < executed_.size() && executed_[statement];
   Reach answer = reached ? Reach::kMaybe : Reach::kNever;
   work_ += reached ? records_.size() : 0;
   if (reached && work_ <= kMaxWork) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -44,8 +43,9 @@ class Trace {
   const Record& at(RecordId id) const { return records_[id]; }
   size_t size() const { return records_.size(); }
 
-  /// Must be called once, after the last record and before the questions below.
-  void finish();
+  /// Must be called once, after the last record and before the questions below. `executed`: by statement, whether some
+  /// run executes it.
+  void finish(std::vector<bool> executed);
 
   /// Whether every run that ends, ends with `key`.
   bool only_end(uint32_t key) const;
@@ -81,7 +81,7 @@ class Trace {
   // Successors and predecessors, packed: those of record i are [first[i], first[i + 1]).
   std::vector<uint32_t> next_first_, next_, previous_first_, previous_;
   std::vector<bool> hanging_;
-  std::unordered_set<StatementId> executed_;
+  std::vector<bool> executed_;
   mutable std::unordered_map<StatementId, Reach> reaches_;
   mutable size_t work_ = 0;
 };

@@ -58,10 +58,10 @@ Evaluator::Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::
 /// Marks the parameters that an expression reads; true when one of them is new.
 bool Evaluator::mark(ExprId id) {
   bool grew = false;
-  std::vector<ExprId> todo{id};
-  while (!todo.empty()) {
-    const Expr& expr = syntax_.exprs[todo.back()];
-    todo.pop_back();
+  to_mark_.assign(1, id);
+  while (!to_mark_.empty()) {
+    const Expr& expr = syntax_.exprs[to_mark_.back()];
+    to_mark_.pop_back();
     double number = 0;
     long index = 0;
     if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) {
@@ -73,8 +73,8 @@ bool Evaluator::mark(ExprId id) {
       }
       continue;
     }
-    if (expr.left != kNoExpr) todo.push_back(expr.left);
-    if (expr.right != kNoExpr) todo.push_back(expr.right);
+    if (expr.left != kNoExpr) to_mark_.push_back(expr.left);
+    if (expr.right != kNoExpr) to_mark_.push_back(expr.right);
   }
   return grew;
 }
@@ -172,6 +172,32 @@ ValueId Evaluator::read_number(long number, const Parameters& in) const {
   return value == kUnassigned && in.outside ? kUnknown : value;
 }
 
+bool Evaluator::always_there(NameId global) const {
+  const std::string_view text = syntax_.names.text(global);
+  return predefined_name(text) || kept_[global] || text.find('[') != std::string_view::npos;
+}
+
+bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
+  ValueId value = kUnknown;
+  if (!p.named) {
+    const bool local = p.id < kFirstGlobalNumber;
+    value = (local ? in.locals : in.globals).get(p.id);
+    return value != kNotPassed && value < kFirstConstant;
+  }
+  const bool global = is_global_name(syntax_.names.text(p.id));
+  value = global ? in.globals.get(kGlobalNames + p.id) : in.locals.get(kLocalNames + p.id);
+  return global ? value < kFirstConstant : value == kUnknown;
+}
+
+void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& parameters) const {
+  const auto value = [&](uint32_t key, bool global) {
+    return certain ? kUnknown : join_values((global ? parameters.globals : parameters.locals).get(key), kUnknown);
+  };
+  if (!p.named) return set_number(parameters, p.id, value(p.id, p.id >= kFirstGlobalNumber));
+  const bool global = is_global_name(syntax_.names.text(p.id));
+  set_name(parameters, p.id, value((global ? kGlobalNames : kLocalNames) + p.id, global));
+}
+
 Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining) const {
   const std::string_view text = syntax_.names.text(name);
   Evaluation out;
@@ -183,7 +209,7 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining
       out.value = known;
       return out;
     }
-    if (predefined_name(text) || in.outside || kept_[name] || text.find('[') != std::string_view::npos) return out;
+    if (in.outside || always_there(name)) return out;
     out.value = known;
   } else {
     out.value = in.locals.get(kLocalNames + name);
@@ -297,7 +323,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
   std::vector<Write> writes;
   Parameters reading = parameters;
   for (uint32_t i = 0; i < s.item_count; ++i) {
-    const Item& item = syntax_.items[s.first_item + i];
+    const Item& item = syntax_.items[s.first + i];
     Write write{-1, item.target_name, kUnknown};
     if (item.target != kNoExpr) {
       const Evaluation index = evaluate(item.target, reading, false, false, log);

@@ -47,6 +47,12 @@ struct Fact {
   bool global = false;  ///< reads globals only; otherwise locals only
 };
 
+/// A parameter by number or by name.
+struct ParameterId {
+  uint32_t id = 0;  ///< the number, or a NameId
+  bool named = false;
+};
+
 /// What is known when two paths meet.
 ValueId join_values(ValueId a, ValueId b);
 
@@ -92,7 +98,13 @@ class Evaluator {
   Evaluation assign(const Statement& s, Parameters& parameters, ReadLog* log) const;
 
   /// From now on constants are only "assigned", and outcomes are not remembered: for very large programs.
-  void set_coarse(bool coarse) { coarse_ = coarse; }
+  void set_coarse() { coarse_ = true; }
+  /// Whether reading a global name cannot fail, whatever was assigned.
+  bool always_there(NameId global) const;
+  /// Whether a parameter can be read, and nothing is known of its value.
+  bool is_plain(ParameterId p, const Parameters& in) const;
+  /// Assigns something, on every way or only perhaps.
+  void assign_unknown(ParameterId p, bool certain, Parameters& parameters) const;
 
   /// From now on nothing is known of global parameters: code that is not read as O-words may change them.
   void distrust_globals() { distrusts_globals_ = true; }
@@ -131,6 +143,7 @@ class Evaluator {
   std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere
   std::vector<bool> kept_;           // names that are assigned, or asked for by EXISTS, anywhere
   std::vector<uint32_t> tracked_numbers_;
+  std::vector<ExprId> to_mark_;  // of mark(); kept for its memory
   std::unordered_map<ExprId, Fact> facts_;                          // by condition
   std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global
   bool computed_targets_ = false;

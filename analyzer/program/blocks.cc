@@ -1,19 +1,42 @@
 // Pairs the parts of blocks, region by region. Where labels or keywords do not fit, it looks for the most likely
 // reading: an end with the right label first, then a mistaken end, then the place that indentation points to.
 #include <algorithm>
-#include <unordered_map>
 
 #include "analyzer/program/program.h"
 
 namespace owlint {
 namespace {
 
+/// The open blocks of each label, innermost first, as chains: labels belong to one region, and every region leaves
+/// them all empty again, so one table serves the whole program.
+class OpenBlocks {
+ public:
+  explicit OpenBlocks(size_t names) : innermost_(names, kNoBlock) {}
+
+  void open(BlockId id, NameId label) {
+    outer_.resize(id + 1, kNoBlock);
+    outer_[id] = innermost_[label];
+    innermost_[label] = id;
+  }
+  BlockId innermost(NameId label) const { return innermost_[label]; }
+  BlockId outer(BlockId id) const { return outer_[id]; }
+  void close(BlockId id, NameId label) {
+    BlockId* at = &innermost_[label];
+    while (*at != kNoBlock && *at != id) at = &outer_[*at];  // nearly always the first
+    if (*at == id) *at = outer_[id];
+  }
+
+ private:
+  std::vector<BlockId> innermost_;  // by label
+  std::vector<BlockId> outer_;      // by block
+};
+
 class Matcher {
  public:
-  Matcher(Program& program, RegionId region) : program_(program), region_(region) {}
+  Matcher(Program& program, RegionId region, OpenBlocks& by_label) : program_(program), region_(region), by_label_(by_label) {}
 
-  void run(const std::vector<StatementId>& lines) {
-    lines_ = &lines;
+  void run(std::span<const StatementId> lines) {
+    lines_ = lines;
     for (size_t i = 0; i < lines.size(); ++i) {
       index_ = i;
       note_definitions(lines[i]);
@@ -22,10 +45,13 @@ class Matcher {
     note_definitions(static_cast<StatementId>(program_.size()));
     while (!open_.empty()) {
       unclosed(open_.back(), lines.empty() ? 0 : lines.back() + 1);
+      forget(open_.back());
       open_.pop_back();
     }
     for (const BlockId id : floating_) {
-      if (block(id).end == kNoStatement) block(id).crossed = kNoBlock;  // its end did not come after all
+      if (block(id).end != kNoStatement) continue;
+      block(id).crossed = kNoBlock;  // its end did not come after all
+      forget(id);
     }
   }
 
@@ -56,9 +82,7 @@ class Matcher {
         }
         return;
       case Keyword::kBreak: case Keyword::kContinue:
-        if (const auto found = by_label_.find(s.label); found != by_label_.end() && !found->second.empty()) {
-          program_.block_of[id] = found->second.back();
-        }
+        program_.block_of[id] = by_label_.innermost(s.label);
         return;
       case Keyword::kEndif: case Keyword::kEndwhile: case Keyword::kEndrepeat:
         return end(id);
@@ -79,25 +103,17 @@ class Matcher {
     program_.block_of[id] = number;
     program_.blocks.push_back(std::move(b));
     open_.push_back(number);
-    by_label_[s.label].push_back(number);
+    by_label_.open(number, s.label);
   }
 
   /// The innermost open block of that kind and label.
   BlockId find(Keyword kind, NameId label) {
-    const auto found = by_label_.find(label);
-    if (found == by_label_.end()) return kNoBlock;
-    for (size_t i = found->second.size(); i-- > 0;) {
-      if (block(found->second[i]).kind == kind) return found->second[i];
-    }
-    return kNoBlock;
+    BlockId id = by_label_.innermost(label);
+    while (id != kNoBlock && block(id).kind != kind) id = by_label_.outer(id);
+    return id;
   }
 
-  void forget(BlockId id) {
-    auto& list = by_label_[block(id).label];
-    // From the back: it is nearly always the last, and a thousand blocks may share a label.
-    const auto found = std::find(list.rbegin(), list.rend(), id);
-    if (found != list.rend()) list.erase(std::next(found).base());
-  }
+  void forget(BlockId id) { by_label_.close(id, block(id).label); }
 
   void end(StatementId id) {
     const Statement& s = program_.at(id);
@@ -119,8 +135,8 @@ class Matcher {
   bool comes_later(const Block& b) const {
     // Bounded: an end further away than this is not looked for.
     constexpr size_t kHorizon = 4096;
-    const auto& lines = program_.by_label[b.label];
-    auto at = std::ranges::upper_bound(lines, (*lines_)[index_]);
+    const auto lines = program_.by_label[b.label];
+    auto at = std::ranges::upper_bound(lines, lines_[index_]);
     for (size_t n = 0; at != lines.end() && n < kHorizon; ++at, ++n) {
       if (program_.region_of[*at] != region_) continue;
       const Statement& s = program_.at(*at);
@@ -162,14 +178,14 @@ class Matcher {
     Block& b = block(id);
     const Source& source = *program_.source;
     const Statement& opener = program_.at(b.opener);
-    const int own = indent(source.slice({opener.offset, opener.end}));
+    const int own = indent(source.slice(opener.whole()));
     const uint32_t limit_line = limit < program_.size() ? program_.at(limit).line : UINT32_MAX;
     // The search is bounded: a guess further away than this would not help anybody.
     constexpr int kHorizon = 400;
     size_t part = 0;
     bool indented = false;
     int lines = 0;
-    uint64_t at = opener.end + 1;
+    uint64_t at = opener.end() + 1;
     for (uint32_t number = opener.line + 1; at < source.bytes().size() && lines < kHorizon; ++number, ++lines) {
       const size_t feed = source.bytes().find('\n', at);
       const uint64_t end = feed == std::string_view::npos ? source.bytes().size() : feed;
@@ -193,12 +209,12 @@ class Matcher {
 
   Program& program_;
   RegionId region_;
-  const std::vector<StatementId>* lines_ = nullptr;
+  std::span<const StatementId> lines_;
   size_t index_ = 0;
   RegionId next_region_ = 1;
   std::vector<BlockId> open_;
   std::vector<BlockId> floating_;  // crossed by another block, their own end still to come
-  std::unordered_map<NameId, std::vector<BlockId>> by_label_;  // open blocks
+  OpenBlocks& by_label_;
 };
 
 }  // namespace
@@ -206,9 +222,10 @@ class Matcher {
 void match_blocks(Program& program) {
   program.blocks.clear();
   program.block_of.assign(program.size(), kNoBlock);
-  std::vector<std::vector<StatementId>> lines(program.regions.size());
-  for (StatementId id = 0; id < program.size(); ++id) lines[program.region_of[id]].push_back(id);
-  for (RegionId region = 0; region < program.regions.size(); ++region) Matcher(program, region).run(lines[region]);
+  Grouped lines;
+  lines.assign(program.regions.size(), static_cast<uint32_t>(program.size()), [&](StatementId id) { return program.region_of[id]; });
+  OpenBlocks by_label(program.syntax.names.size());
+  for (RegionId region = 0; region < program.regions.size(); ++region) Matcher(program, region, by_label).run(lines[region]);
   for (Region& region : program.regions) {
     // A block that never ends encloses nothing.
     if (region.enclosing != kNoBlock && program.blocks[region.enclosing].end == kNoStatement) region.enclosing = kNoBlock;

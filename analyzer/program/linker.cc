@@ -51,8 +51,7 @@ class Joiner {
     for (Statement s : in.statements) {
       s.label = name(s.label);
       s.label_expr = expr(s.label_expr);
-      s.first_value += value0_;
-      s.first_item += item0_;
+      s.first += s.has_items() ? item0_ : value0_;
       s.error = moved(s.error, error0_);
       out.statements.push_back(s);
     }

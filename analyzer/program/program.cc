@@ -50,11 +50,10 @@ std::string Program::head(StatementId id) const {
 }
 
 void index_labels(Program& program) {
-  program.by_label.resize(program.syntax.names.size());
-  for (StatementId id = 0; id < program.size(); ++id) {
+  program.by_label.assign(program.syntax.names.size(), static_cast<uint32_t>(program.size()), [&](StatementId id) {
     const Statement& s = program.at(id);
-    if (s.kind == LineKind::kOWord && s.label != kNoName) program.by_label[s.label].push_back(id);
-  }
+    return s.kind == LineKind::kOWord ? s.label : kNoName;
+  });
 }
 
 std::vector<std::string> called_names(const std::string& code) {

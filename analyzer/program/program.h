@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/program/grouped.h"
 #include "analyzer/syntax/statement.h"
 
 namespace owlint {
@@ -60,7 +61,7 @@ struct Program {
   std::vector<Block> blocks;          ///< region by region, there in the order of their openers
   std::vector<BlockId> block_of;      ///< by statement: the block that it opens, divides, ends, breaks or continues
   std::vector<Call> calls;
-  std::vector<std::vector<StatementId>> by_label;  ///< by NameId: the O-words with that label, in file order
+  Grouped by_label;  ///< by NameId: the O-words with that label, in file order
 
   /// The file is called from elsewhere: it defines the sub it is named after, and does nothing else.
   bool sub_file = false;

@@ -11,7 +11,7 @@ namespace {
 /// The last `endsub` with the label of the `sub` at `region->opener`, before any other `sub` begins; the first one,
 /// if it is another, is the early end.
 void find_endsub(const Program& program, StatementId next_sub, Region* region) {
-  const auto& lines = program.by_label[region->name];
+  const auto lines = program.by_label[region->name];
   StatementId first = kNoStatement;
   for (auto at = std::ranges::upper_bound(lines, region->opener); at != lines.end(); ++at) {
     if (program.at(*at).is(Keyword::kSub)) break;

@@ -71,8 +71,20 @@ ExprId ExpressionParser::fail(size_t from, size_t to, std::string message) {
   return kNoExpr;
 }
 
+bool ExpressionParser::plain_number(uint32_t* number) {
+  constexpr size_t kMaxDigits = 9;
+  size_t at = cursor;
+  uint32_t value = 0;
+  while (line_[at] >= '0' && line_[at] <= '9') value = value * 10 + static_cast<uint32_t>(line_[at++] - '0');
+  if (at == cursor || at - cursor > kMaxDigits || line_[at] == '.') return false;
+  *number = value;
+  cursor = at;
+  return true;
+}
+
 ExprId ExpressionParser::number() {
   const size_t from = cursor;
+  if (uint32_t whole = 0; plain_number(&whole)) return add({.op = Operator::kNumber, .value = static_cast<double>(whole)});
   while (is_number_char(line_[cursor])) ++cursor;
   const std::string_view digits = line_.text().substr(from, cursor - from);
   double value = 0;

@@ -30,11 +30,11 @@ inline constexpr ExprId kNoExpr = UINT32_MAX;
 
 struct Expr {
   Operator op = Operator::kNumber;
+  bool target = false;  ///< the left side of an assignment, not read
+  NameId name = kNoName;
   ExprId left = kNoExpr;
   ExprId right = kNoExpr;
-  NameId name = kNoName;
   double value = 0;
-  bool target = false;  ///< the left side of an assignment, not read
 };
 
 /// All expressions of a program, in one array; an operand always stands before its operator.
@@ -57,6 +57,8 @@ class ExpressionParser {
   ExprId bracketed();
   /// Reads any value: number, `[...]`, `#...`, a function, with signs.
   ExprId value();
+  /// Reads digits that are a whole number, as nearly all are; false, with nothing read, where anything else stands.
+  bool plain_number(uint32_t* number);
   /// Reads what follows `#`: `5`, `[...]`, `<name>`, `#5`.
   ExprId parameter();
 

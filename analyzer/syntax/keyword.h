@@ -20,6 +20,14 @@ inline constexpr std::array<std::string_view, 15> kKeywordSpellings = {
     "sub", "endsub", "call", "do", "while", "repeat", "if", "elseif", "else", "endif",
     "break", "continue", "endwhile", "endrepeat", "return"};
 
+/// The keyword that `text`, in small letters, begins with; kUnknown if none.
+inline Keyword keyword_of(std::string_view text) {
+  for (size_t i = 0; i < kKeywordSpellings.size() && !text.empty(); ++i) {
+    if (kKeywordSpellings[i][0] == text[0] && text.starts_with(kKeywordSpellings[i])) return static_cast<Keyword>(i);
+  }
+  return Keyword::kUnknown;
+}
+
 inline std::string_view spelling(Keyword keyword) {
   const auto index = static_cast<size_t>(keyword);
   return index < kKeywordSpellings.size() ? kKeywordSpellings[index] : std::string_view{};

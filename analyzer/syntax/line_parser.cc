@@ -51,6 +51,7 @@ bool literal_value(const ExprPool& pool, ExprId id, double* value) {
 /// The length of the keyword that stands at `at` instead of a word, followed by a bracket, a comment or nothing.
 size_t LineParser::keyword_at(size_t at) const {
   const std::string_view rest = line_.text().substr(at);
+  if (keyword_of(rest) == Keyword::kUnknown) return 0;
   for (const std::string_view keyword : kKeywordSpellings) {
     if (!rest.starts_with(keyword)) continue;
     const char next = line_[at + keyword.size()];
@@ -59,7 +60,7 @@ size_t LineParser::keyword_at(size_t at) const {
   return 0;
 }
 
-uint16_t LineParser::relative(size_t at) const { return static_cast<uint16_t>(line_.offset(at) - line_.begin()); }
+LineByte LineParser::relative(size_t at) const { return static_cast<LineByte>(line_.offset(at) - line_.begin()); }
 
 void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message) {
   if (s.error != UINT32_MAX) return;  // the first error on a line is the one that the interpreter reports
@@ -83,7 +84,7 @@ size_t LineParser::skip_comments(size_t at, bool* any) const {
 bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* statement) {
   Statement& s = *statement;
   s.offset = offset;
-  s.end = offset + raw.size();
+  s.length = static_cast<uint32_t>(raw.size());
   const StopKind comment = line_.assign(raw, offset);
   s.nul = line_.has_nul();
   const size_t cr = raw.find('\r');
@@ -98,7 +99,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   if (line_.text() == "%") {
     s.kind = LineKind::kPercent;
     s.keyword_from = relative(0);
-    s.keyword_to = static_cast<uint16_t>(s.keyword_from + 1);
+    s.keyword_to = static_cast<LineByte>(s.keyword_from + 1);
     return true;
   }
   if (line_[at] == '/') {
@@ -143,12 +144,18 @@ void LineParser::label(ExpressionParser& in, Statement& s) {
     if (s.name_open) close = line_.size();
     s.label = out_.names.intern(line_.text().substr(in.cursor + 1, close - in.cursor - 1));
     in.cursor = s.name_open ? close : close + 1;
-    s.label_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    s.label_to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
+    return;
+  }
+  uint32_t number = 0;
+  if (in.plain_number(&number)) {
+    s.label_to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
+    s.label = out_.names.intern_number(number);
     return;
   }
   const char first = line_[in.cursor];
   const ExprId expr = in.value();
-  s.label_to = static_cast<uint16_t>(line_.span(from, std::max(in.cursor, from + 1)).end - s.offset);
+  s.label_to = static_cast<LineByte>(line_.span(from, std::max(in.cursor, from + 1)).end - s.offset);
   if (expr == kNoExpr) {
     const ReadError& e = in.error();
     const bool digits = is_digit(first) || first == '.' || first == '-' || first == '+';
@@ -195,7 +202,7 @@ void LineParser::arguments(ExpressionParser& in, Statement& s) {
 
 void LineParser::o_word(size_t at, Statement& s) {
   s.kind = LineKind::kOWord;
-  s.first_value = static_cast<uint32_t>(out_.values.size());
+  s.first = static_cast<uint32_t>(out_.values.size());
   ExpressionParser in(line_, out_.exprs, out_.names);
   in.cursor = at;
   label(in, s);
@@ -208,19 +215,18 @@ void LineParser::o_word(size_t at, Statement& s) {
     s.keyword = Keyword::kBare;
     s.keyword_from = s.keyword_to = s.label_to;
   } else {
-    const auto word = std::ranges::find_if(kKeywordSpellings, [&](auto k) { return rest.starts_with(k); });
-    if (word == kKeywordSpellings.end()) {
+    s.keyword = keyword_of(rest);
+    if (s.keyword == Keyword::kUnknown) {
       size_t to = in.cursor;
       while (is_letter(line_[to])) ++to;
       if (to == in.cursor) ++to;
-      s.keyword_to = static_cast<uint16_t>(line_.span(in.cursor, to).end - s.offset);
+      s.keyword_to = static_cast<LineByte>(line_.span(in.cursor, to).end - s.offset);
       fail(s, StopKind::kKeywordUnknown, in.cursor, to, "Unknown control command in o word");
       return;
     }
-    s.keyword = static_cast<Keyword>(word - kKeywordSpellings.begin());
     const size_t from = in.cursor;
-    in.cursor += word->size();
-    s.keyword_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    in.cursor += spelling(s.keyword).size();
+    s.keyword_to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
   }
 
   s.has_bracket = line_[in.cursor] == '[';
@@ -252,8 +258,8 @@ void LineParser::o_word(size_t at, Statement& s) {
   s.comment |= comments;
   if (rest_at < line_.size()) {
     const Span rest_span = line_.span(rest_at, line_.size());
-    s.rest_from = static_cast<uint16_t>(rest_span.begin - s.offset);
-    s.rest_to = static_cast<uint16_t>(rest_span.end - s.offset);
+    s.rest_from = static_cast<LineByte>(rest_span.begin - s.offset);
+    s.rest_to = static_cast<LineByte>(rest_span.end - s.offset);
     fail(s, StopKind::kTrailingText, rest_at, line_.size(), "Unexpected character after O-word");
   }
 }
@@ -286,7 +292,7 @@ bool LineParser::misplaced_character(size_t at, Statement& s) {
     size_t to = at;
     while (is_digit(line_[to])) ++to;
     const std::string_view rest = line_.text().substr(to);
-    if (std::ranges::any_of(kKeywordSpellings, [&](auto k) { return rest.starts_with(k); })) {
+    if (keyword_of(rest) != Keyword::kUnknown) {
       fail(s, StopKind::kZeroForO, at, to, bad_character('0'));
       recover(at, s);
       return true;
@@ -322,7 +328,7 @@ bool LineParser::assignment(ExpressionParser& in, Statement& s) {
     fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
     return false;
   }
-  item.to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+  item.to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
   out_.items.push_back(item);
   ++s.item_count;
   return true;
@@ -345,11 +351,11 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   if (letter == 'm' && literal_value(out_.exprs, value, &number) && (number == 2 || number == 30)) {
     s.kind = LineKind::kProgramEnd;
     s.keyword_from = relative(from);
-    s.keyword_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    s.keyword_to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
   }
   if (out_.exprs[value].op != Operator::kNumber) {
     Item item{.value = value, .from = relative(from)};
-    item.to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    item.to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
     out_.items.push_back(item);
     ++s.item_count;
   }
@@ -358,7 +364,7 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
 
 void LineParser::m98(ExpressionParser& in, Statement& s) {
   s.label_from = relative(in.cursor);
-  s.first_value = static_cast<uint32_t>(out_.values.size());
+  s.first = static_cast<uint32_t>(out_.values.size());
   bool has_target = false;
   bool comments = false;
   for (;;) {
@@ -379,7 +385,7 @@ void LineParser::m98(ExpressionParser& in, Statement& s) {
     if (letter != 'p') continue;
     has_target = true;
     s.label_from = relative(from);
-    s.label_to = static_cast<uint16_t>(line_.span(from, in.cursor).end - s.offset);
+    s.label_to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
     double number = 0;
     std::string name;
     if (!literal_value(out_.exprs, value, &number)) {
@@ -401,7 +407,7 @@ void LineParser::m98(ExpressionParser& in, Statement& s) {
 bool LineParser::words(size_t at, Statement& s) {
   ExpressionParser in(line_, out_.exprs, out_.names);
   in.cursor = at;
-  s.first_item = static_cast<uint32_t>(out_.items.size());
+  s.first = static_cast<uint32_t>(out_.items.size());
   bool comments = false;
   if (line_[at] == 'm') {  // M98 and M99 are calls only as the line's first word (measured)
     ExpressionParser first(line_, out_.exprs, out_.names);
@@ -411,7 +417,7 @@ bool LineParser::words(size_t at, Statement& s) {
     if (code != kNoExpr && literal_value(out_.exprs, code, &number) && (number == 98 || number == 99)) {
       s.kind = number == 98 ? LineKind::kM98 : LineKind::kM99;
       s.keyword_from = s.label_from = relative(at);
-      s.keyword_to = s.label_to = static_cast<uint16_t>(line_.span(at, first.cursor).end - s.offset);
+      s.keyword_to = s.label_to = static_cast<LineByte>(line_.span(at, first.cursor).end - s.offset);
       if (number == 98) m98(first, s);
       return true;
     }

@@ -24,7 +24,7 @@ class LineParser {
   bool misplaced_character(size_t at, Statement& s);
   void recover(size_t at, Statement& s);
   void fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message);
-  uint16_t relative(size_t at) const;
+  LineByte relative(size_t at) const;
   size_t keyword_at(size_t at) const;
   size_t skip_comments(size_t at, bool* any) const;
 

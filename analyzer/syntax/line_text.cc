@@ -1,8 +1,12 @@
 #include "analyzer/syntax/line_text.h"
 
-#include <cctype>
-
 namespace owlint {
+
+namespace {
+
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }  // as the interpreter's isspace
+
+}  // namespace
 
 StopKind LineText::assign(std::string_view raw, uint64_t offset) {
   offset_ = offset;
@@ -11,7 +15,7 @@ StopKind LineText::assign(std::string_view raw, uint64_t offset) {
   const size_t nul = raw.find('\0');
   nul_ = nul != std::string_view::npos;
   if (nul_) raw = raw.substr(0, nul);
-  while (!raw.empty() && std::isspace(static_cast<unsigned char>(raw.back())) != 0) raw.remove_suffix(1);
+  while (!raw.empty() && is_space(raw.back())) raw.remove_suffix(1);
   end_ = static_cast<uint16_t>(raw.size());
 
   bool in_comment = false;

@@ -2,11 +2,13 @@
 // compares or hashes text.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 namespace owlint {
 
@@ -22,6 +24,15 @@ class Names {
     return id;
   }
 
+  /// The same as interning the number's decimal text, without writing it for numbers that are known already.
+  NameId intern_number(uint32_t number) {
+    constexpr uint32_t kLargest = 1 << 20;  // beyond that nobody numbers labels
+    if (number >= kLargest) return intern(std::to_string(number));
+    if (number >= numbers_.size()) numbers_.resize(std::max<size_t>(number + 1, numbers_.size() * 2), kNoName);
+    if (numbers_[number] == kNoName) numbers_[number] = intern(std::to_string(number));
+    return numbers_[number];
+  }
+
   /// The id of a text that was interned before, or kNoName.
   NameId find(std::string_view text) const {
     const auto found = ids_.find(text);
@@ -34,6 +45,7 @@ class Names {
  private:
   std::deque<std::string> texts_;  // a deque: the map's keys point into it
   std::unordered_map<std::string_view, NameId> ids_;
+  std::vector<NameId> numbers_;  // by number
 };
 
 }  // namespace owlint

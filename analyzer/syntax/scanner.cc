@@ -1,5 +1,6 @@
 // The scanner: runs over the raw bytes once and hands to the line parser only the lines that can matter.
 // Everything else - motion, blank lines, comments - leaves nothing behind.
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -106,7 +107,7 @@ LineView look(std::string_view line) {
     view.code = true;
     first = false;
     if (view.matters) {
-      view.speaks = view.speaks || line.find_first_of("(;", i) != std::string_view::npos;
+      view.speaks = view.speaks || line.find('(', i) != std::string_view::npos || line.find(';', i) != std::string_view::npos;
       return view;
     }
   }
@@ -134,6 +135,15 @@ void note_first_line(std::string_view line, Syntax& out, bool* seen) {
   if (first == std::string_view::npos) return;
   *seen = true;
   out.percent = line[first] == '%' && line.find_first_not_of(" \t\r\v\f", first + 1) == std::string_view::npos;
+}
+
+/// Room for one more, and if there is none, for as many as the whole file will have if it goes on like this.
+template <typename T>
+void make_room(std::vector<T>& list, size_t at, size_t size) {
+  constexpr size_t kFew = 1024;
+  if (list.size() < list.capacity() || list.size() < kFew) return;
+  const auto expected = static_cast<size_t>(static_cast<double>(list.size()) * static_cast<double>(size) / static_cast<double>(at + 1) * 1.05);
+  list.reserve(std::max(expected, list.size() * 2));
 }
 
 }  // namespace
@@ -180,7 +190,7 @@ Syntax scan(const Source& source) {
     // The limit counts the line feed: a last line without one may be a character longer.
     if (line.size() > kLineLimit + (feed == nullptr ? 1 : 0)) {
       statement.offset = at;
-      statement.end = end;
+      statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
       statement.error = static_cast<uint32_t>(out.errors.size());
       out.errors.push_back({StopKind::kLineTooLong, {at + kLineLimit, end}, "Command too long"});
       keep = true;
@@ -194,7 +204,12 @@ Syntax scan(const Source& source) {
       }
       if (!keep && view.code) note_plain(number);
     }
-    if (keep) out.statements.push_back(statement);
+    if (keep) {
+      make_room(out.statements, at, bytes.size());
+      make_room(out.exprs, at, bytes.size());
+      make_room(out.values, at, bytes.size());
+      out.statements.push_back(statement);
+    }
     at = end + 1;
   }
   out.lines = number;

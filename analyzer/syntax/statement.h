@@ -24,13 +24,16 @@ enum class LineKind : uint8_t {
   kFileEnd,     // no line: where one file ends in a program joined from several
 };
 
+/// Bytes from a line's beginning. A line that is read has at most 253 of them; longer ones have no pieces.
+using LineByte = uint8_t;
+
 /// One value on a line of words, in reading order: a word's value (`X[#1]`) or an assignment (`#<a>=3`).
 struct Item {
   ExprId value = kNoExpr;
   ExprId target = kNoExpr;      ///< assignment to a numbered parameter: the number
   NameId target_name = kNoName;  ///< assignment to a named one
-  uint16_t from = 0;             ///< bytes from the line's beginning
-  uint16_t to = 0;
+  LineByte from = 0;
+  LineByte to = 0;
 };
 
 /// An error of reading: what the interpreter would say, and about which bytes.
@@ -43,10 +46,18 @@ struct LineError {
 using StatementId = uint32_t;
 inline constexpr StatementId kNoStatement = UINT32_MAX;
 
+/// Kept small (48 bytes): a program of nothing but O-words is as fast as memory is.
 struct Statement {
   uint64_t offset = 0;  ///< where the line begins
-  uint64_t end = 0;     ///< where it ends, line feed excluded
+  uint32_t length = 0;  ///< in bytes, line feed excluded; 2^32 - 1 for longer ones
   uint32_t line = 0;    ///< from 1
+
+  NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
+  ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98)
+  uint32_t first = 0;  ///< into Syntax::items for kWords and kProgramEnd, else Syntax::values: condition, arguments, returned value; L of M98
+  uint32_t error = UINT32_MAX;  ///< into Syntax::errors; raised after the values that stand before it
+  uint32_t first_plain_line = 0;  ///< the first of the lines that plain_code_follows speaks of
+
   LineKind kind = LineKind::kWords;
   Keyword keyword = Keyword::kUnknown;
 
@@ -60,30 +71,26 @@ struct Statement {
   bool refused : 1 = false;         ///< something before the O-word makes the interpreter refuse the line
   bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
 
-  NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
-  ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98)
-
-  // Bytes from the line's beginning; equal when there is no such piece.
-  uint16_t label_from = 0, label_to = 0;      ///< with the `o`
-  uint16_t keyword_from = 0, keyword_to = 0;  ///< the keyword, or the unknown word
-  uint16_t rest_from = 0, rest_to = 0;        ///< text left over after the O-word
-
-  uint32_t first_value = 0;  ///< into Syntax::values: condition, arguments or returned value; L of M98
-  uint16_t value_count = 0;
-  uint16_t item_count = 0;
-  uint32_t first_item = 0;  ///< into Syntax::items, for lines of words
-  uint32_t error = UINT32_MAX;  ///< into Syntax::errors; raised after the values that stand before it
-  uint32_t first_plain_line = 0;  ///< the first of the lines that plain_code_follows speaks of
+  // Equal when there is no such piece.
+  LineByte label_from = 0, label_to = 0;      ///< with the `o`
+  LineByte keyword_from = 0, keyword_to = 0;  ///< the keyword, or the unknown word
+  LineByte rest_from = 0, rest_to = 0;        ///< text left over after the O-word
+  uint8_t value_count = 0;  ///< of values from `first` on
+  uint8_t item_count = 0;   ///< of items from `first` on
 
   bool is(Keyword k) const { return kind == LineKind::kOWord && keyword == k; }
   bool opens_sub() const { return is(Keyword::kSub) || is(Keyword::kBare); }
-  Span span(uint16_t from, uint16_t to) const { return {offset + from, offset + to}; }
+  bool has_items() const { return kind == LineKind::kWords || kind == LineKind::kProgramEnd; }
+  uint64_t end() const { return offset + length; }
+  Span whole() const { return {offset, end()}; }
+  Span span(LineByte from, LineByte to) const { return {offset + from, offset + to}; }
   Span label_span() const { return span(label_from, label_to); }
   Span keyword_span() const { return span(keyword_from, keyword_to); }
   /// Label and keyword: what a finding about the whole O-word underlines.
   Span head_span() const { return span(label_from, keyword_to > label_to ? keyword_to : label_to); }
   Span rest_span() const { return span(rest_from, rest_to); }
 };
+static_assert(sizeof(Statement) == 48);
 
 /// A comment that speaks to the linter: `(owlint: ignore OW301 -- reason)`.
 struct Directive {

@@ -129,6 +129,6 @@ TEST_CASE("labels are written as machinists write them", "[program]") {
 
 TEST_CASE("O-words are listed by label", "[program]") {
   const auto p = build("o1 if [1]\no2 if [1]\no2 endif\no1 endif\n");
-  CHECK(p->by_label[p->syntax.names.find("1")] == std::vector<StatementId>{0, 3});
-  CHECK(p->by_label[p->syntax.names.find("2")] == std::vector<StatementId>{1, 2});
+  CHECK(std::ranges::equal(p->by_label[p->syntax.names.find("1")], std::vector<StatementId>{0, 3}));
+  CHECK(std::ranges::equal(p->by_label[p->syntax.names.find("2")], std::vector<StatementId>{1, 2}));
 }
