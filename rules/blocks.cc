@@ -12,8 +12,8 @@ std::vector<std::pair<BlockId, size_t>> branches_of(const Program& program, Stat
   if (at != kNoBlock && program.blocks[at].opener == id) at = program.blocks[at].parent;
   constexpr size_t kMaxDepth = 64;  // deeper nests are not compared
   for (; at != kNoBlock && out.size() < kMaxDepth; at = program.blocks[at].parent) {
-    const Block& block = program.blocks[at];
-    const auto branch = std::ranges::upper_bound(block.parts, id) - block.parts.begin();
+    const auto parts = program.parts[at];
+    const auto branch = std::ranges::upper_bound(parts, id) - parts.begin();
     out.emplace_back(at, static_cast<size_t>(branch));
   }
   std::ranges::reverse(out);

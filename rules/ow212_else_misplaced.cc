@@ -8,9 +8,9 @@ namespace {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for (const Block& block : p.blocks) {
+  for (BlockId block = 0; block < p.blocks.size(); ++block) {
     StatementId first_else = kNoStatement;
-    for (const StatementId part : block.parts) {
+    for (const StatementId part : p.parts[block]) {
       if (first_else == kNoStatement) {
         if (p.at(part).is(Keyword::kElse)) first_else = part;
         continue;

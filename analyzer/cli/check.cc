@@ -10,6 +10,7 @@
 #include "analyzer/cli/run.h"
 #include "analyzer/cli/walk.h"
 #include "analyzer/report/report.h"
+#include "analyzer/text/parallel.h"
 
 namespace owlint::cli {
 namespace {
@@ -55,9 +56,10 @@ int check_command(const CommandLine& line) {
 
   std::vector<const Settings*> wanted;
   for (size_t i = 0; i < found.files.size(); ++i) wanted.push_back(usable[i] ? &settings[i] : nullptr);
+  use_cores(line.jobs);
   Library library;
   const auto load = [&line](const std::string& path, std::string* error) { return read(path, line, error); };
-  const RunResult result = run_checks(found.files, wanted, load, line.jobs, library);
+  const RunResult result = run_checks(found.files, wanted, load, library);
   const std::vector<FileReport>& reports = result.reports;
   for (size_t i = 0; i < found.files.size(); ++i) {
     if (result.errors[i].empty()) continue;
@@ -80,6 +82,7 @@ int check_command(const CommandLine& line) {
       return kUsage;
     }
   }
+  const bool color = use_color(line);
   std::ostream& out = line.output.empty() ? std::cout : file;
   if (line.format == "json") {
     write_json(out, reports);
@@ -88,7 +91,7 @@ int check_command(const CommandLine& line) {
       if (line.format == "jsonl") {
         write_jsonl(out, report);
       } else {
-        write_text(out, report, use_color(line));
+        write_text(out, report, color);
       }
     }
   }

@@ -6,23 +6,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
+
+#include "analyzer/text/parallel.h"
 
 namespace owlint::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-void in_parallel(size_t count, unsigned jobs, const std::function<void(size_t)>& each) {
-  if (jobs == 1 || count < 2) {
-    for (size_t i = 0; i < count; ++i) each(i);
-    return;
-  }
-  std::optional<tbb::global_control> limit;
-  if (jobs > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, jobs);
-  tbb::parallel_for(size_t{0}, count, each);
-}
 
 /// The files that machines call without any program: remaps, ngcgui, buttons, the start.
 std::set<std::string> called_by_machines(const std::vector<const Settings*>& settings) {
@@ -66,7 +56,7 @@ void drop_ends(FileReport& report) {
 
 RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     unsigned jobs, Library& library) {
+                     Library& library) {
   RunResult result;
   result.errors.resize(files.size());
   const std::set<std::string> by_machines = called_by_machines(settings);
@@ -76,7 +66,7 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
     if (source == nullptr) return;
     programs[i] = lint(library.load(source), settings[i]->profile, settings[i]->options, library, role);
   };
-  in_parallel(files.size(), jobs, [&](size_t i) {
+  for_each(files.size(), [&](size_t i) {
     if (settings[i] != nullptr) check(i, by_machines.contains(file_key(files[i])) ? Role::kSubFile : Role::kByContent);
   });
 
@@ -99,7 +89,7 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
       again.push_back(i);
     }
   }
-  in_parallel(again.size(), jobs, [&](size_t i) {
+  for_each(again.size(), [&](size_t i) {
     check(again[i], Role::kSubFile);
     ProgramReport& program = programs[again[i]];
     program.sub_file ? drop_guesses(program.own) : drop_ends(program.own);

@@ -20,6 +20,6 @@ struct RunResult {
 /// `settings` has one entry for each of `files`; null where the file is not to be checked.
 RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     unsigned jobs, Library& library);
+                     Library& library);
 
 }  // namespace owlint::cli

@@ -9,7 +9,7 @@ namespace owlint::flow {
 
 void Analysis::start() {
   State state;
-  Frame main;
+  Frame main(&memory_);
   if (program_.sub_file) {
     main.info = {program_.entry, 1, false, 30};
     main.outside = true;
@@ -82,7 +82,7 @@ Analysis::Group& Analysis::group_at(const State& state) {
     }
   }
   const auto number = static_cast<uint32_t>(groups_.size());
-  groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped, head, {}, nullptr, {}, false});
+  groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped, head, std::pmr::vector<std::pair<uint64_t, RecordId>>(&memory_), nullptr, std::pmr::vector<std::pair<RecordId, uint8_t>>(&memory_), false});
   head = number;
   if (rank == kFew) {
     for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) crowds_.emplace(hash(groups_[i], state.position), i);
@@ -121,8 +121,8 @@ void Analysis::execute_joined(uint32_t index) {
   group.dirty = false;
   State state = *group.joined;
   const uint64_t hash = state.hash();
-  std::vector<std::pair<RecordId, uint8_t>> parents;
-  parents.swap(group.parents);
+  const std::vector<std::pair<RecordId, uint8_t>> parents(group.parents.begin(), group.parents.end());
+  group.parents.clear();
   RecordId record = group.find(hash);
   if (record == kNoRecord) {
     record = static_cast<RecordId>(trace_->size());  // the one that execute() makes next
@@ -165,7 +165,7 @@ ContextId Analysis::context_for(const Context& callee, const State& entry, bool*
     *merged = true;
     if (shared != 0) return shared;
   }
-  frames_.emplace_back().info = callee;
+  frames_.emplace_back(&memory_).info = callee;
   const auto id = static_cast<ContextId>(frames_.size() - 1);
   if (*merged) {
     shared = id;

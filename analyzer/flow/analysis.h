@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <memory_resource>
 #include <queue>
 #include <string>
 #include <tuple>
@@ -61,9 +62,9 @@ class Analysis final : public Listener {
     bool seek;
     bool looped;
     uint32_t next;
-    std::vector<std::pair<uint64_t, RecordId>> seen;
+    std::pmr::vector<std::pair<uint64_t, RecordId>> seen;
     std::unique_ptr<State> joined;
-    std::vector<std::pair<RecordId, uint8_t>> parents;  ///< records whose states wait in `joined`, and by which branch
+    std::pmr::vector<std::pair<RecordId, uint8_t>> parents;  ///< records whose states wait in `joined`, and by which branch
     bool dirty;
 
     RecordId find(uint64_t hash) const {
@@ -76,12 +77,14 @@ class Analysis final : public Listener {
     int repeats;
   };
   struct Frame {
+    explicit Frame(std::pmr::memory_resource* memory) : callers(memory), caller_hashes(memory), exits(memory), exit_hashes(memory) {}
+
     Context info;
     bool outside = false;  ///< called from outside the file: its return ends the run
-    std::vector<Caller> callers;
-    std::unordered_set<uint64_t> caller_hashes;
-    std::vector<State> exits;
-    std::vector<uint64_t> exit_hashes;
+    std::pmr::vector<Caller> callers;
+    std::pmr::unordered_set<uint64_t> caller_hashes;
+    std::pmr::vector<State> exits;
+    std::pmr::vector<uint64_t> exit_hashes;
     std::unique_ptr<State> joined_exit;
     std::unique_ptr<State> joined_entry;
     RecordId entry = kNoRecord;
@@ -131,13 +134,15 @@ class Analysis final : public Listener {
   const Program& program_;
   PersistentMap::Pool pool_;
   Machine machine_;
+  // Groups and frames are many and small, and all are let go at once.
+  std::pmr::monotonic_buffer_resource memory_;
   std::vector<uint32_t> heads_;
   std::deque<Group> groups_;  // a deque: growing moves nothing
   std::unordered_multimap<uint64_t, uint32_t> crowds_;  // groups by mode, at places where there are many
   std::unordered_map<ContextId, std::vector<const Group*>> seeking_;  // groups that seek a sub, by call; made at the end
   std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
-  std::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_;
-  std::map<std::tuple<NameId, int, bool>, std::pair<size_t, ContextId>> context_counts_;
+  std::pmr::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_{&memory_};
+  std::pmr::map<std::tuple<NameId, int, bool>, std::pair<size_t, ContextId>> context_counts_{&memory_};
   std::priority_queue<Pending> queue_;
   std::vector<State> waiting_;
   std::vector<uint32_t> free_;

@@ -131,19 +131,19 @@ class CalmStretches::Builder {
   Look look(ExprId id) const {
     const Expr& expr = program_.syntax.exprs[id];
     switch (expr.op) {
-      case Operator::kNumber: return {true, true, expr.value};
-      case Operator::kNamed: return {!program_.name(expr.name).starts_with("_") || evaluator_.always_there(expr.name), false, 0};
+      case Operator::kNumber: return {true, true, expr.value()};
+      case Operator::kNamed: return {!program_.name(expr.name()).starts_with("_") || evaluator_.always_there(expr.name()), false, 0};
       case Operator::kExistsNamed: case Operator::kExistsNumbered: return {false, false, 0};
       case Operator::kParameter: {
-        const Look index = look(expr.left);
+        const Look index = look(expr.left());
         long number = 0;
         const bool known = index.safe && index.constant && to_integer(index.value, &number);
         return {known && number >= 1 && number <= kLastNumber, false, 0};
       }
       default: break;
     }
-    const Look left = look(expr.left);
-    const Look right = expr.right == kNoExpr ? left : look(expr.right);
+    const Look left = look(expr.left());
+    const Look right = expr.right() == kNoExpr ? left : look(expr.right());
     Look out{left.safe && right.safe, left.constant && right.constant, 0};
     if (out.constant) {
       out.safe = out.safe && apply(expr.op, left.value, right.value, &out.value) == nullptr;
@@ -164,10 +164,10 @@ class CalmStretches::Builder {
 
   void note_reads(ExprId id) {
     const Expr& expr = program_.syntax.exprs[id];
-    if (expr.op == Operator::kNamed) return note_read({expr.name, true});
-    if (expr.op == Operator::kParameter) return note_read({number_of(expr.left), false});
-    if (expr.left != kNoExpr) note_reads(expr.left);
-    if (expr.right != kNoExpr) note_reads(expr.right);
+    if (expr.op == Operator::kNamed) return note_read({expr.name(), true});
+    if (expr.op == Operator::kParameter) return note_read({number_of(expr.left()), false});
+    if (expr.left() != kNoExpr) note_reads(expr.left());
+    if (expr.right() != kNoExpr) note_reads(expr.right());
   }
 
   uint32_t number_of(ExprId index) const {

@@ -24,18 +24,18 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
   uint64_t hash = static_cast<uint64_t>(expr.op) + 1;
   switch (expr.op) {
     case Operator::kNumber:
-      return mix(hash, std::hash<double>()(expr.value));
+      return mix(hash, std::hash<double>()(expr.value()));
     case Operator::kNamed: {
-      const std::string_view text = syntax.names.text(expr.name);
+      const std::string_view text = syntax.names.text(expr.name());
       const bool global = text.starts_with("_");
       if (predefined_name(text) || text.find('[') != std::string_view::npos) reads.trackable = false;
-      (global ? reads.global : reads.local).push_back((global ? kGlobalNames : kLocalNames) + expr.name);
-      return mix(hash, expr.name);
+      (global ? reads.global : reads.local).push_back((global ? kGlobalNames : kLocalNames) + expr.name());
+      return mix(hash, expr.name());
     }
     case Operator::kParameter: {
       double number = 0;
       long index = 0;
-      const bool known = literal_value(syntax.exprs, expr.left, &number) && to_integer(number, &index);
+      const bool known = literal_value(syntax.exprs, expr.left(), &number) && to_integer(number, &index);
       if (!known || index < 1 || index >= kFirstVolatileNumber) {
         reads.trackable = false;
         return hash;
@@ -49,8 +49,8 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
     default:
       break;
   }
-  hash = mix(hash, describe(syntax, expr.left, reads));
-  return expr.right == kNoExpr ? hash : mix(hash, describe(syntax, expr.right, reads));
+  hash = mix(hash, describe(syntax, expr.left(), reads));
+  return expr.right() == kNoExpr ? hash : mix(hash, describe(syntax, expr.right(), reads));
 }
 
 }  // namespace

@@ -65,25 +65,25 @@ bool Evaluator::mark(ExprId id) {
     double number = 0;
     long index = 0;
     if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) {
-      if (!relevant_name_[expr.name]) grew = relevant_name_[expr.name] = true;
-    } else if (expr.op == Operator::kParameter && literal_value(syntax_.exprs, expr.left, &number)) {
+      if (!relevant_name_[expr.name()]) grew = relevant_name_[expr.name()] = true;
+    } else if (expr.op == Operator::kParameter && literal_value(syntax_.exprs, expr.left(), &number)) {
       if (to_integer(number, &index) && index > 0 && index <= kLastNumber && !relevant_number_[index]) {
         grew = relevant_number_[index] = true;
         tracked_numbers_.push_back(static_cast<uint32_t>(index));
       }
       continue;
     }
-    if (expr.left != kNoExpr) to_mark_.push_back(expr.left);
-    if (expr.right != kNoExpr) to_mark_.push_back(expr.right);
+    if (expr.left() != kNoExpr) to_mark_.push_back(expr.left());
+    if (expr.right() != kNoExpr) to_mark_.push_back(expr.right());
   }
   return grew;
 }
 
 void Evaluator::find_relevant() {
   for (const Expr& expr : syntax_.exprs) {
-    if (expr.op == Operator::kExistsNamed || (expr.op == Operator::kNamed && expr.target)) kept_[expr.name] = true;
+    if (expr.op == Operator::kExistsNamed || (expr.op == Operator::kNamed && expr.target)) kept_[expr.name()] = true;
     double number = 0;
-    if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left, &number)) continue;
+    if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) continue;
     if (number >= 1 && number < kFirstGlobalNumber) read_argument_[static_cast<size_t>(number)] = true;
   }
   for (const ExprId value : syntax_.values) mark(value);
@@ -153,7 +153,7 @@ void Evaluator::expect_from_outside(Parameters& p) const {
   }
   for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
     const Expr& expr = syntax_.exprs[id];
-    if (expr.op == Operator::kNamed && !expr.target && id < assigned[expr.name]) set_name(p, expr.name, kUnknown);
+    if (expr.op == Operator::kNamed && !expr.target && id < assigned[expr.name()]) set_name(p, expr.name(), kUnknown);
   }
 }
 
@@ -226,13 +226,13 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining
 Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
   Evaluation out;
   if (expr.op == Operator::kExistsNumbered) return out;
-  const std::string_view text = syntax_.names.text(expr.name);
+  const std::string_view text = syntax_.names.text(expr.name());
   if (is_global_name(text)) {
-    const ValueId value = predefined_name(text) ? kUnknown : in.globals.get(kGlobalNames + expr.name);
+    const ValueId value = predefined_name(text) ? kUnknown : in.globals.get(kGlobalNames + expr.name());
     if (value == kUnknown || value >= kFirstConstant) out.value = constants_.intern(1);
     return out;
   }
-  const ValueId value = in.locals.get(kLocalNames + expr.name);
+  const ValueId value = in.locals.get(kLocalNames + expr.name());
   if (value == kUnassigned) out.value = constants_.intern(0);
   if (value == kUnknown || value >= kFirstConstant) out.value = constants_.intern(1);
   return out;
@@ -245,16 +245,16 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
   Evaluation out;
   switch (expr.op) {
     case Operator::kNumber:
-      out.value = constants_.intern(expr.value);
+      out.value = constants_.intern(expr.value());
       return out;
     case Operator::kNamed:
-      return read_name(expr.name, in, defining);
+      return read_name(expr.name(), in, defining);
     case Operator::kExistsNamed: case Operator::kExistsNumbered:
       return exists(expr, in);
     default:
       break;
   }
-  const Evaluation left = evaluate(expr.left, in, zero_when_unassigned, defining, log);
+  const Evaluation left = evaluate(expr.left(), in, zero_when_unassigned, defining, log);
   if (left.fails != StopKind::kNone) return left;
   out.may_fail = left.may_fail;
   out.name = left.name;
@@ -280,8 +280,8 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
     return out;
   }
   ValueId right_value = left.value;
-  if (expr.right != kNoExpr) {
-    const Evaluation right = evaluate(expr.right, in, zero_when_unassigned, defining, log);
+  if (expr.right() != kNoExpr) {
+    const Evaluation right = evaluate(expr.right(), in, zero_when_unassigned, defining, log);
     if (right.fails != StopKind::kNone) return right;
     if (out.may_fail == StopKind::kNone) {
       out.may_fail = right.may_fail;

@@ -52,6 +52,7 @@ std::vector<FoundFile> SearchPath::look_up(std::string_view name, size_t most) c
   if (!plain_name(name)) return found;
   const std::string file = std::string(name) + std::string(kEnding);
   for (size_t i = 0; i < folders_.size() && found.size() < most; ++i) {
+    if (!may_be_in(i, file)) continue;
     if (auto one = look((fs::path(folders_[i]) / file).string(), i)) found.push_back(std::move(*one));
   }
   if (!tree_root_.empty() && found.size() < most) {
@@ -59,6 +60,14 @@ std::vector<FoundFile> SearchPath::look_up(std::string_view name, size_t most) c
     if (below != tree().end()) found.push_back({below->second, true, folders_.size()});
   }
   return found;
+}
+
+/// Whether it is worth asking the file system. A few names are; for many the folders are read once.
+bool SearchPath::may_be_in(size_t folder, const std::string& file) const {
+  constexpr uint32_t kMany = 256;
+  if (file.find('/') != std::string::npos || lookups_.fetch_add(1, std::memory_order_relaxed) < kMany) return true;
+  const std::vector<std::string>& files = listing()[folder];
+  return files.size() >= kMaxListed || std::ranges::binary_search(files, file);
 }
 
 std::vector<FoundFile> SearchPath::find_all(std::string_view name) const { return look_up(name, SIZE_MAX); }

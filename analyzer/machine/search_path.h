@@ -3,6 +3,7 @@
 // Nothing is expanded, and no name leads out of these folders, whatever LinuxCNC would do with it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -41,9 +42,11 @@ class SearchPath {
   /// File names ending in `.ngc` (in any case), by folder.
   const std::vector<std::vector<std::string>>& listing() const;
   const std::map<std::string, std::string, std::less<>>& tree() const;
+  bool may_be_in(size_t folder, const std::string& file) const;
 
   std::vector<std::string> folders_;
   std::string tree_root_;
+  mutable std::atomic<uint32_t> lookups_ = 0;
   mutable std::once_flag listed_, walked_;
   mutable std::vector<std::vector<std::string>> listing_;
   mutable std::map<std::string, std::string, std::less<>> tree_;  // file name -> path, below tree_root_

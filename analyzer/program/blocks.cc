@@ -76,10 +76,7 @@ class Matcher {
       case Keyword::kIf: case Keyword::kDo: case Keyword::kRepeat:
         return open(id);
       case Keyword::kElseif: case Keyword::kElse:
-        if (const BlockId branch = find(Keyword::kIf, s.label); branch != kNoBlock) {
-          block(branch).parts.push_back(id);
-          program_.block_of[id] = branch;
-        }
+        program_.block_of[id] = find(Keyword::kIf, s.label);
         return;
       case Keyword::kBreak: case Keyword::kContinue:
         program_.block_of[id] = by_label_.innermost(s.label);
@@ -101,7 +98,7 @@ class Matcher {
     b.parent = open_.empty() ? kNoBlock : open_.back();
     const auto number = static_cast<BlockId>(program_.blocks.size());
     program_.block_of[id] = number;
-    program_.blocks.push_back(std::move(b));
+    program_.blocks.push_back(b);
     open_.push_back(number);
     by_label_.open(number, s.label);
   }
@@ -182,7 +179,8 @@ class Matcher {
     const uint32_t limit_line = limit < program_.size() ? program_.at(limit).line : UINT32_MAX;
     // The search is bounded: a guess further away than this would not help anybody.
     constexpr int kHorizon = 400;
-    size_t part = 0;
+    const auto lines_of_label = program_.by_label[b.label];
+    auto part = std::ranges::upper_bound(lines_of_label, b.opener);
     bool indented = false;
     int lines = 0;
     uint64_t at = opener.end() + 1;
@@ -196,8 +194,9 @@ class Matcher {
         if (indented || lines == 0) b.suggested_line = number;
         return;
       }
-      if (part < b.parts.size() && program_.at(b.parts[part]).line == number) {
-        ++part;
+      while (part != lines_of_label.end() && program_.at(*part).line < number) ++part;
+      if (part != lines_of_label.end() && program_.at(*part).line == number && program_.block_of[*part] == id) {
+        // a part of this block: neither inside nor behind it
       } else if (depth > own) {
         indented = true;
       } else if (depth >= 0) {
@@ -219,13 +218,22 @@ class Matcher {
 
 }  // namespace
 
+void index_parts(Program& program) {
+  program.parts.assign(program.blocks.size(), static_cast<uint32_t>(program.size()), [&](StatementId id) {
+    const Statement& s = program.at(id);
+    return s.is(Keyword::kElse) || s.is(Keyword::kElseif) ? program.block_of[id] : kNoBlock;
+  });
+}
+
 void match_blocks(Program& program) {
   program.blocks.clear();
+  program.blocks.reserve(static_cast<size_t>(std::ranges::count_if(program.syntax.statements, [](const Statement& s) { return s.kind == LineKind::kOWord && opens_block(s.keyword); })));
   program.block_of.assign(program.size(), kNoBlock);
   Grouped lines;
   lines.assign(program.regions.size(), static_cast<uint32_t>(program.size()), [&](StatementId id) { return program.region_of[id]; });
   OpenBlocks by_label(program.syntax.names.size());
   for (RegionId region = 0; region < program.regions.size(); ++region) Matcher(program, region, by_label).run(lines[region]);
+  index_parts(program);
   for (Region& region : program.regions) {
     // A block that never ends encloses nothing.
     if (region.enclosing != kNoBlock && program.blocks[region.enclosing].end == kNoStatement) region.enclosing = kNoBlock;

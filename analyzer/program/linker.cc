@@ -64,9 +64,7 @@ class Joiner {
     }
     out.errors.insert(out.errors.end(), in.errors.begin(), in.errors.end());
     for (Expr e : in.exprs) {
-      e.left = expr(e.left);
-      e.right = expr(e.right);
-      e.name = name(e.name);
+      e.move([this](ExprId id) { return expr(id); }, [this](NameId id) { return name(id); });
       out.exprs.push_back(e);
     }
   }
@@ -87,12 +85,11 @@ class Joiner {
       b.label = name(b.label);
       b.region += region0_;
       b.opener = statement(b.opener);
-      for (StatementId& part : b.parts) part = statement(part);
       b.end = statement(b.end);
       b.parent = block(b.parent);
       b.crossed = block(b.crossed);
       b.mistaken_end = statement(b.mistaken_end);
-      out_.blocks.push_back(std::move(b));
+      out_.blocks.push_back(b);
     }
     for (const BlockId b : in.block_of) out_.block_of.push_back(block(b));
     for (Call call : in.calls) {
@@ -191,6 +188,7 @@ void Linked::join() {
   joined->sub_file = main.sub_file;
   joined->entry = main.entry == kNoName ? kNoName : joined->syntax.names.find(main.name(main.entry));
   index_labels(*joined);
+  index_parts(*joined);
   joined_ = std::move(joined);
 }
 

@@ -36,7 +36,6 @@ struct Block {
   NameId label = kNoName;
   RegionId region = kMainRegion;
   StatementId opener = 0;
-  std::vector<StatementId> parts;  ///< `elseif`, `else`
   StatementId end = kNoStatement;  ///< its end, or none
   BlockId parent = kNoBlock;
   BlockId crossed = kNoBlock;      ///< a block that ends between this one's opener and end without nesting in it
@@ -59,6 +58,7 @@ struct Program {
   std::vector<Region> regions;        ///< [0] is the main program
   std::vector<RegionId> region_of;    ///< by statement
   std::vector<Block> blocks;          ///< region by region, there in the order of their openers
+  Grouped parts;                      ///< by block: its `elseif` and `else`, in file order
   std::vector<BlockId> block_of;      ///< by statement: the block that it opens, divides, ends, breaks or continues
   std::vector<Call> calls;
   Grouped by_label;  ///< by NameId: the O-words with that label, in file order
@@ -96,6 +96,7 @@ void treat_as_sub_file(Program& program);
 // Passes of build_program, each in its own file, and of joining programs (linker.h).
 void find_regions(Program& program);
 void match_blocks(Program& program);
+void index_parts(Program& program);
 void index_labels(Program& program);
 
 }  // namespace owlint

@@ -184,7 +184,7 @@ Json graph_of(const Linked& linked, size_t file) {
   for (BlockId b = 0; b < p.blocks.size(); ++b) {
     const Block& block = p.blocks[b];
     Json parts = Json::array();
-    for (const StatementId part : block.parts) parts.push_back({{"keyword", spelling(p.at(part).keyword)}, {"line", p.at(part).line}});
+    for (const StatementId part : p.parts[static_cast<size_t>(&block - p.blocks.data())]) parts.push_back({{"keyword", spelling(p.at(part).keyword)}, {"line", p.at(part).line}});
     graph["blocks"].push_back({{"id", b}, {"keyword", spelling(block.kind)}, {"label", printable(p.name(block.label))},
                                {"scope", block.region}, {"parent", block.parent == kNoBlock ? Json(nullptr) : Json(block.parent)},
                                {"line", p.at(block.opener).line}, {"parts", std::move(parts)}, {"end", line_of(block.end)}});

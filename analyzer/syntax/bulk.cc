@@ -7,6 +7,9 @@
 #include "analyzer/syntax/bulk_classes.h"
 #include "analyzer/syntax/line_text.h"
 
+// Of Highway only the headers are used. Loading its library costs a small program more than the whole check (it measures
+// the processor's clock), and all that it would do here is to choose among the variants: choose() below.
+#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "analyzer/syntax/bulk.cc"
 #include <hwy/foreach_target.h>  // compiles what follows once for each kind of vector
@@ -177,18 +180,53 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace owlint {
 
-HWY_EXPORT(pass);
+namespace {
+
+using PassFunction = Passed (*)(const uint8_t* data, size_t size, size_t from);
+
+Passed pass_scalar(const uint8_t* data, size_t size, size_t from) {
+  return pass_plain_lines_scalar({reinterpret_cast<const char*>(data), size}, from);
+}
+
+PassFunction chosen = nullptr;  // by a test
+
+}  // namespace
+
+const std::vector<BulkVariant>& bulk_variants() {
+  static const std::vector<BulkVariant> all = [] {
+    std::vector<BulkVariant> list;
+#if HWY_ARCH_X86
+#if HWY_TARGETS & HWY_AVX3
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512cd")) {
+      list.push_back({"AVX-512", &N_AVX3::pass});
+    }
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma")) {
+      list.push_back({"AVX2", &N_AVX2::pass});
+    }
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    if (__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul")) {
+      list.push_back({"SSE4", &N_SSE4::pass});
+    }
+#endif
+#else
+    list.push_back({"compiled for", &HWY_STATIC_DISPATCH(pass)});
+#endif
+    list.push_back({"scalar", &pass_scalar});
+    return list;
+  }();
+  return all;
+}
 
 Passed pass_plain_lines(std::string_view bytes, size_t from) {
-  return HWY_DYNAMIC_DISPATCH(pass)(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), from);
+  static const PassFunction best = bulk_variants().front().pass;
+  return (chosen == nullptr ? best : chosen)(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size(), from);
 }
 
-std::vector<int64_t> bulk_targets() { return hwy::SupportedAndGeneratedTargets(); }
-
-void choose_bulk_target(int64_t target) {
-  hwy::SetSupportedTargetsForTest(target);
-  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
+void choose_bulk_variant(const BulkVariant* variant) { chosen = variant == nullptr ? nullptr : variant->pass; }
 
 Passed pass_plain_lines_scalar(std::string_view bytes, size_t from) {
   Passed out;

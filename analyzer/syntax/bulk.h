@@ -28,9 +28,15 @@ Passed pass_plain_lines(std::string_view bytes, size_t from);
 /// The same, byte by byte: what the vectors are tested against.
 Passed pass_plain_lines_scalar(std::string_view bytes, size_t from);
 
-/// The vector instructions that can be chosen here, best first; for tests.
-std::vector<int64_t> bulk_targets();
-/// Restricts to one of them; 0 lifts that again.
-void choose_bulk_target(int64_t target);
+/// The same for one kind of vector instructions.
+struct BulkVariant {
+  std::string_view name;
+  Passed (*pass)(const uint8_t* data, size_t size, size_t from);
+};
+
+/// The variants that this processor can run, best first, the scalar one last; for tests.
+const std::vector<BulkVariant>& bulk_variants();
+/// From now on this one is used; null: the best again. Not for several threads at a time.
+void choose_bulk_variant(const BulkVariant* variant);
 
 }  // namespace owlint

@@ -84,7 +84,7 @@ bool ExpressionParser::plain_number(uint32_t* number) {
 
 ExprId ExpressionParser::number() {
   const size_t from = cursor;
-  if (uint32_t whole = 0; plain_number(&whole)) return add({.op = Operator::kNumber, .value = static_cast<double>(whole)});
+  if (uint32_t whole = 0; plain_number(&whole)) return add(Expr::number(whole));
   while (is_number_char(line_[cursor])) ++cursor;
   const std::string_view digits = line_.text().substr(from, cursor - from);
   double value = 0;
@@ -96,7 +96,7 @@ ExprId ExpressionParser::number() {
   if (end != digits.data() + digits.size()) {
     return fail(from, cursor, "bad number format (trailing characters) parsing '" + std::string(digits) + "'");
   }
-  return add({.op = Operator::kNumber, .value = value});
+  return add(Expr::number(value));
 }
 
 bool ExpressionParser::read_name(NameId* name) {
@@ -114,23 +114,25 @@ bool ExpressionParser::read_name(NameId* name) {
 ExprId ExpressionParser::parameter() {
   if (line_[cursor] == '<') {
     NameId name = kNoName;
-    return read_name(&name) ? add({.op = Operator::kNamed, .name = name}) : kNoExpr;
+    return read_name(&name) ? add(Expr::named(Operator::kNamed, name)) : kNoExpr;
   }
   const ExprId index = value();
-  return index == kNoExpr ? kNoExpr : add({.op = Operator::kParameter, .left = index});
+  return index == kNoExpr ? kNoExpr : add(Expr::of(Operator::kParameter, index));
 }
 
 ExprId ExpressionParser::exists() {
   const size_t from = cursor;  // just behind '['
   if (line_[cursor] != '#') return fail(from, from + 1, "Expected # reading parameter");
   ++cursor;
-  Expr expr{.op = Operator::kExistsNumbered};
+  Expr expr = Expr::of(Operator::kExistsNumbered, kNoExpr);
   if (line_[cursor] == '<') {
-    expr.op = Operator::kExistsNamed;
-    if (!read_name(&expr.name)) return kNoExpr;
+    NameId name = kNoName;
+    if (!read_name(&name)) return kNoExpr;
+    expr = Expr::named(Operator::kExistsNamed, name);
   } else {
-    expr.left = value();
-    if (expr.left == kNoExpr) return kNoExpr;
+    const ExprId number = value();
+    if (number == kNoExpr) return kNoExpr;
+    expr = Expr::of(Operator::kExistsNumbered, number);
   }
   if (line_[cursor] != ']') return fail(cursor, cursor + 1, "Expected ] reading bracketed parameter");
   ++cursor;
@@ -161,12 +163,12 @@ ExprId ExpressionParser::function() {
   }
   const ExprId argument = bracketed();
   if (argument == kNoExpr) return kNoExpr;
-  if (function->op != Operator::kAtan) return add({.op = function->op, .left = argument});
+  if (function->op != Operator::kAtan) return add(Expr::of(function->op, argument));
   if (line_[cursor] != '/') return fail(from, cursor, "Slash missing after first atan argument");
   ++cursor;
   if (line_[cursor] != '[') return fail(from, cursor, "Left bracket missing after slash with atan");
   const ExprId second = bracketed();
-  return second == kNoExpr ? kNoExpr : add({.op = Operator::kAtan, .left = argument, .right = second});
+  return second == kNoExpr ? kNoExpr : add(Expr::of(Operator::kAtan, argument, second));
 }
 
 ExprId ExpressionParser::value() {
@@ -195,7 +197,7 @@ ExprId ExpressionParser::value() {
     result = number();
   }
   if (result == kNoExpr || !negative) return result;
-  return add({.op = Operator::kNegate, .left = result});
+  return add(Expr::of(Operator::kNegate, result));
 }
 
 bool ExpressionParser::read_operator(Operator* op, bool* closed) {
@@ -250,7 +252,7 @@ ExprId ExpressionParser::bracketed() {
       if (failed_ == nullptr && literal_value(pool_, pending[depth].left, &left_value) && literal_value(pool_, right, &right_value)) {
         failed_ = apply(pending[depth].op, left_value, right_value, &result);
       }
-      right = add({.op = pending[depth].op, .left = pending[depth].left, .right = right});
+      right = add(Expr::of(pending[depth].op, pending[depth].left, right));
     }
     if (closed) return right;
     pending[depth++] = {right, op};

@@ -28,14 +28,56 @@ enum class Operator : uint8_t {
 using ExprId = uint32_t;
 inline constexpr ExprId kNoExpr = UINT32_MAX;
 
-struct Expr {
-  Operator op = Operator::kNumber;
+/// One node, 16 bytes: what it holds depends on its operator.
+class Expr {
+ public:
+  static Expr number(double value) {
+    Expr e(Operator::kNumber);
+    e.value_ = value;
+    return e;
+  }
+  /// kNamed or kExistsNamed.
+  static Expr named(Operator op, NameId name) {
+    Expr e(op);
+    e.name_ = name;
+    return e;
+  }
+  static Expr of(Operator op, ExprId left, ExprId right = kNoExpr) {
+    Expr e(op);
+    e.operands_ = {left, right};
+    return e;
+  }
+
+  Operator op;
   bool target = false;  ///< the left side of an assignment, not read
-  NameId name = kNoName;
-  ExprId left = kNoExpr;
-  ExprId right = kNoExpr;
-  double value = 0;
+
+  double value() const { return value_; }  ///< of a kNumber
+  NameId name() const { return is_name() ? name_ : kNoName; }
+  ExprId left() const { return is_leaf() ? kNoExpr : operands_.left; }
+  ExprId right() const { return is_leaf() ? kNoExpr : operands_.right; }
+
+  /// The same in another program, whose expressions and names have other numbers.
+  template <typename MoveExpr, typename MoveName>
+  void move(const MoveExpr& expr, const MoveName& new_name) {
+    if (is_name()) name_ = new_name(name_);
+    if (!is_leaf()) operands_ = {expr(operands_.left), expr(operands_.right)};
+  }
+
+ private:
+  struct Operands {
+    ExprId left, right;
+  };
+  explicit Expr(Operator o) : op(o), value_(0) {}
+  bool is_name() const { return op == Operator::kNamed || op == Operator::kExistsNamed; }
+  bool is_leaf() const { return op == Operator::kNumber || is_name(); }
+
+  union {
+    double value_;
+    NameId name_;
+    Operands operands_;
+  };
 };
+static_assert(sizeof(Expr) == 16);
 
 /// All expressions of a program, in one array; an operand always stands before its operator.
 using ExprPool = std::vector<Expr>;

@@ -36,15 +36,15 @@ bool label_of_number(double value, std::string* name) {
 bool literal_value(const ExprPool& pool, ExprId id, double* value) {
   const Expr& expr = pool[id];
   if (expr.op == Operator::kNumber) {
-    *value = expr.value;
+    *value = expr.value();
     return true;
   }
-  if (expr.left == kNoExpr || expr.op == Operator::kParameter || expr.op == Operator::kExistsNumbered) return false;
+  if (expr.left() == kNoExpr || expr.op == Operator::kParameter || expr.op == Operator::kExistsNumbered) return false;
   // Depth is bounded by the length of one line.
   double left = 0;
   double right = 0;
-  if (!literal_value(pool, expr.left, &left)) return false;
-  if (expr.right != kNoExpr && !literal_value(pool, expr.right, &right)) return false;
+  if (!literal_value(pool, expr.left(), &left)) return false;
+  if (expr.right() != kNoExpr && !literal_value(pool, expr.right(), &right)) return false;
   return apply(expr.op, left, right, value) == nullptr;
 }
 
@@ -87,8 +87,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   s.length = static_cast<uint32_t>(raw.size());
   const StopKind comment = line_.assign(raw, offset);
   s.nul = line_.has_nul();
-  const size_t cr = raw.find('\r');
-  s.inner_cr = cr != std::string_view::npos && raw.find_first_not_of(" \t\r\v\f", cr) != std::string_view::npos;
+  s.inner_cr = line_.has_inner_cr();
   if (comment != StopKind::kNone) {
     s.error = static_cast<uint32_t>(out_.errors.size());
     out_.errors.push_back({comment, line_.error(),
@@ -316,8 +315,8 @@ bool LineParser::assignment(ExpressionParser& in, Statement& s) {
   }
   Expr& parameter = out_.exprs[target];
   parameter.target = true;
-  item.target = parameter.left;
-  item.target_name = parameter.name;
+  item.target = parameter.left();
+  item.target_name = parameter.name();
   if (line_[in.cursor] != '=') {
     fail(s, StopKind::kExpression, from, in.cursor, "Equal sign missing in parameter setting");
     return false;

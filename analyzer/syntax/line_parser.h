@@ -12,6 +12,8 @@ class LineParser {
   /// Parses `raw` (without line feed) which begins at `offset`. Fills `*statement` and returns true when the line
   /// is one to keep; its values, items and errors are then in the Syntax.
   bool parse(std::string_view raw, uint64_t offset, Statement* statement);
+  /// Whether a comment begins on the line that was parsed last.
+  bool has_comment() const { return line_.has_comment(); }
 
  private:
   void o_word(size_t at, Statement& s);

@@ -38,8 +38,18 @@ class LineText {
 
   Span error() const { return error_; }
   bool has_nul() const { return nul_; }
+  bool has_comment() const { return comment_; }
+  /// A carriage return with something behind it.
+  bool has_inner_cr() const { return inner_cr_; }
 
  private:
+  StopKind comment(std::string_view raw, size_t* at);
+  StopKind assign_before_nul(std::string_view raw, uint64_t offset);
+  void keep(char c, size_t at) {
+    text_[length_] = c;
+    at_[length_++] = static_cast<uint16_t>(at);
+  }
+
   std::array<char, 256> text_;
   std::array<uint16_t, 256> at_;
   size_t length_ = 0;
@@ -47,6 +57,8 @@ class LineText {
   uint64_t offset_ = 0;
   Span error_;
   bool nul_ = false;
+  bool comment_ = false;
+  bool inner_cr_ = false;
 };
 
 }  // namespace owlint

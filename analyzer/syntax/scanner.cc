@@ -7,6 +7,7 @@
 #include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/statement.h"
+#include "analyzer/text/parallel.h"
 
 namespace owlint {
 namespace {
@@ -61,9 +62,10 @@ bool interesting_m(std::string_view line, size_t at) {
 }
 
 struct LineView {
+  bool too_long = false;  // longer than LinuxCNC reads; then nothing else is known
   bool matters = false;
   bool code = false;    // something other than blanks and comments
-  bool speaks = false;  // a comment that may hold a directive
+  bool speaks = false;  // a comment that may hold a directive; not looked for in lines that matter
 };
 
 LineView look(std::string_view line) {
@@ -106,10 +108,7 @@ LineView look(std::string_view line) {
     }
     view.code = true;
     first = false;
-    if (view.matters) {
-      view.speaks = view.speaks || line.find('(', i) != std::string_view::npos || line.find(';', i) != std::string_view::npos;
-      return view;
-    }
+    if (view.matters) return view;
   }
   return view;
 }
@@ -130,90 +129,178 @@ void note_directive(std::string_view line, uint64_t offset, uint32_t number, boo
   out.directives.push_back({number, {offset + at + 7, offset + end}, !code, on_oword});
 }
 
-void note_first_line(std::string_view line, Syntax& out, bool* seen) {
-  const size_t first = line.find_first_not_of(" \t\r\v\f");
-  if (first == std::string_view::npos) return;
-  *seen = true;
-  out.percent = line[first] == '%' && line.find_first_not_of(" \t\r\v\f", first + 1) == std::string_view::npos;
+/// A stretch of lines that one core looks through.
+struct Stretch {
+  uint64_t begin = 0;
+  uint64_t end = 0;
+};
+
+std::vector<Stretch> cut(std::string_view bytes) {
+  std::vector<Stretch> stretches;
+  for (size_t at = 0; at < bytes.size();) {
+    const size_t feed = at + kStretch < bytes.size() ? bytes.find('\n', at + kStretch) : std::string_view::npos;
+    const size_t end = feed == std::string_view::npos ? bytes.size() : feed + 1;
+    stretches.push_back({at, end});
+    at = end;
+  }
+  return stretches;
 }
 
-/// Room for one more, and if there is none, for as many as the whole file will have if it goes on like this.
-template <typename T>
-void make_room(std::vector<T>& list, size_t at, size_t size) {
-  constexpr size_t kFew = 1024;
-  if (list.size() < list.capacity() || list.size() < kFew) return;
-  const auto expected = static_cast<size_t>(static_cast<double>(list.size()) * static_cast<double>(size) / static_cast<double>(at + 1) * 1.05);
-  list.reserve(std::max(expected, list.size() * 2));
+/// Plain lines, then one that is not; line numbers from 1, from the beginning of the stretch.
+struct Found {
+  uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
+  uint32_t plain_last = 0;
+  uint32_t line = 0;         ///< the line behind them; the number of lines in all where the stretch is over
+  bool over = false;         ///< no line is behind them: the stretch is over
+  LineView view;
+  size_t begin = 0;
+  size_t end = 0;  ///< without its line feed
+};
+
+/// Looks through a stretch and hands what it finds to `take`; plain lines leave nothing behind.
+template <typename Take>
+void look_through(std::string_view bytes, const Stretch& stretch, const Take& take) {
+  const std::string_view until_end = bytes.substr(0, stretch.end);
+  uint32_t line = 0;
+  for (size_t at = stretch.begin;;) {
+    const Passed passed = pass_plain_lines(until_end, at);
+    Found found;
+    if (passed.first_code != 0) {
+      found.plain_first = line + passed.first_code;
+      found.plain_last = line + passed.last_code;
+    }
+    line += passed.lines;
+    at = passed.next;
+    found.line = line;
+    found.begin = at;
+    found.over = at >= stretch.end;
+    if (found.over) return take(found);
+    const auto* feed = static_cast<const char*>(std::memchr(bytes.data() + at, '\n', stretch.end - at));
+    found.end = feed == nullptr ? stretch.end : static_cast<size_t>(feed - bytes.data());
+    found.line = ++line;
+    const std::string_view text = bytes.substr(at, found.end - at);
+    // The limit counts the line feed: a last line without one may be a character longer.
+    const size_t limit = kLineLimit + (feed == nullptr ? 1 : 0);
+    if (text.size() <= limit) {
+      found.view = look(text);
+    } else {
+      found.view.too_long = true;
+    }
+    take(found);
+    at = std::min(found.end + 1, size_t{stretch.end});
+  }
 }
+
+/// Puts together what the stretches have, in their order, and parses the lines that matter.
+class Reader {
+ public:
+  Reader(Syntax& out, std::string_view bytes) : out_(out), bytes_(bytes), parser_(out) {}
+
+  void take(const Found& found) {
+    if (found.plain_first != 0) {
+      seen_first_ = true;
+      note_plain(before_ + found.plain_first);
+      out_.last_code = before_ + found.plain_last;
+    }
+    if (found.over) {
+      before_ += found.line;
+      return;
+    }
+    const std::string_view line = bytes_.substr(found.begin, found.end - found.begin);
+    const uint32_t number = before_ + found.line;
+    if (!seen_first_) note_first_line(line);
+    Statement statement;
+    statement.line = number;
+    bool keep = found.view.too_long;
+    if (found.view.too_long) {
+      statement.offset = found.begin;
+      statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
+      statement.error = static_cast<uint32_t>(out_.errors.size());
+      out_.errors.push_back({StopKind::kLineTooLong, {found.begin + kLineLimit, found.end}, "Command too long"});
+      out_.last_code = number;
+    } else {
+      const LineView& view = found.view;
+      if (view.code) out_.last_code = number;
+      if (view.matters) keep = parser_.parse(line, found.begin, &statement);
+      if (view.speaks || (view.matters && parser_.has_comment())) {
+        note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
+      }
+      if (!keep && view.code) note_plain(number);
+    }
+    if (!keep) return;
+    make_room(out_.statements, found.begin);
+    make_room(out_.exprs, found.begin);
+    make_room(out_.values, found.begin);
+    out_.statements.push_back(statement);
+  }
+
+  void finish() {
+    out_.lines = before_;
+    out_.blank = !seen_first_;
+  }
+
+ private:
+  void note_first_line(std::string_view line) {
+    const size_t first = line.find_first_not_of(" \t\r\v\f");
+    if (first == std::string_view::npos) return;
+    seen_first_ = true;
+    out_.percent = line[first] == '%' && line.find_first_not_of(" \t\r\v\f", first + 1) == std::string_view::npos;
+  }
+
+  void note_plain(uint32_t line) {
+    if (out_.statements.empty()) {
+      if (out_.first_plain_line == 0) out_.first_plain_line = line;
+    } else if (!out_.statements.back().plain_code_follows) {
+      out_.statements.back().plain_code_follows = true;
+      out_.statements.back().first_plain_line = line;
+    }
+  }
+
+  /// Room for one more, and if there is none, for as many as the whole file will have if it goes on like this.
+  template <typename T>
+  void make_room(std::vector<T>& list, size_t at) const {
+    constexpr size_t kFew = 1024;
+    if (list.size() < list.capacity() || list.size() < kFew) return;
+    const auto expected = static_cast<size_t>(static_cast<double>(list.size()) * static_cast<double>(bytes_.size()) / static_cast<double>(at + 1) * 1.05);
+    list.reserve(std::max(expected, list.size() * 2));
+  }
+
+  Syntax& out_;
+  std::string_view bytes_;
+  LineParser parser_;
+  uint32_t before_ = 0;  // lines in the stretches before
+  bool seen_first_ = false;  // a line that is not blank
+};
 
 }  // namespace
 
 Syntax scan(const Source& source) {
   Syntax out;
-  LineParser parser(out);
   const std::string_view bytes = source.bytes();
-  bool seen_first = false;
-  uint32_t number = 0;
-  size_t stretch_end = 0;
-  const auto note_plain = [&out](uint32_t line) {
-    if (out.statements.empty()) {
-      if (out.first_plain_line == 0) out.first_plain_line = line;
-    } else if (!out.statements.back().plain_code_follows) {
-      out.statements.back().plain_code_follows = true;
-      out.statements.back().first_plain_line = line;
-    }
+  Reader reader(out, bytes);
+  const std::vector<Stretch> stretches = cut(bytes);
+  const auto look_at = [&](size_t i, const auto& take) {
+    const Span span{stretches[i].begin, stretches[i].end};
+    if (stretches.size() > 1) source.will_read(span);
+    look_through(bytes, stretches[i], take);
   };
-  for (size_t at = 0; at < bytes.size();) {
-    if (at >= stretch_end) {
-      source.let_go(at);
-      const size_t feed = at + kStretch < bytes.size() ? bytes.find('\n', at + kStretch) : std::string_view::npos;
-      stretch_end = feed == std::string_view::npos ? bytes.size() : feed + 1;
+  if (stretches.size() == 1 || one_core()) {
+    for (size_t i = 0; i < stretches.size(); ++i) {
+      look_at(i, [&](const Found& found) { reader.take(found); });
+      if (stretches.size() > 1) source.let_go({stretches[i].begin, stretches[i].end});
     }
-    if (seen_first) {
-      const Passed passed = pass_plain_lines(bytes.substr(0, stretch_end), at);
-      if (passed.first_code != 0) {
-        note_plain(number + passed.first_code);
-        out.last_code = number + passed.last_code;
-      }
-      number += passed.lines;
-      at = passed.next;
-      if (at == stretch_end) continue;
-    }
-    const auto* feed = static_cast<const char*>(std::memchr(bytes.data() + at, '\n', bytes.size() - at));
-    const size_t end = feed == nullptr ? bytes.size() : static_cast<size_t>(feed - bytes.data());
-    const std::string_view line = bytes.substr(at, end - at);
-    ++number;
-    if (!seen_first) note_first_line(line, out, &seen_first);
-    Statement statement;
-    statement.line = number;
-    bool keep = false;
-    // The limit counts the line feed: a last line without one may be a character longer.
-    if (line.size() > kLineLimit + (feed == nullptr ? 1 : 0)) {
-      statement.offset = at;
-      statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
-      statement.error = static_cast<uint32_t>(out.errors.size());
-      out.errors.push_back({StopKind::kLineTooLong, {at + kLineLimit, end}, "Command too long"});
-      keep = true;
-      out.last_code = number;
-    } else {
-      const LineView view = look(line);
-      if (view.code) out.last_code = number;
-      if (view.matters) keep = parser.parse(line, at, &statement);
-      if (view.speaks) {
-        note_directive(line, at, number, view.code, keep && statement.kind == LineKind::kOWord, out);
-      }
-      if (!keep && view.code) note_plain(number);
-    }
-    if (keep) {
-      make_room(out.statements, at, bytes.size());
-      make_room(out.exprs, at, bytes.size());
-      make_room(out.values, at, bytes.size());
-      out.statements.push_back(statement);
-    }
-    at = end + 1;
+  } else {
+    const auto make = [&](size_t i) {
+      std::vector<Found> found;
+      look_at(i, [&](const Found& one) { found.push_back(one); });
+      return found;
+    };
+    for_each_in_order(stretches.size(), make, [&](size_t i, const std::vector<Found>& found) {
+      for (const Found& one : found) reader.take(one);
+      source.let_go({stretches[i].begin, stretches[i].end});
+    });
   }
-  out.lines = number;
-  out.blank = !seen_first;
+  reader.finish();
   return out;
 }
 

@@ -29,8 +29,14 @@ size_t sequence_length(std::string_view bytes, size_t at) {
 }  // namespace
 
 std::string file_key(const std::string& path) {
-  std::error_code ignored;
-  return std::filesystem::absolute(path, ignored).lexically_normal().string();
+  static const std::string here = [] {
+    std::error_code ignored;
+    return std::filesystem::current_path(ignored).string();
+  }();
+  std::string absolute = path.starts_with('/') ? path : here + "/" + path;
+  // Normalising is slow, and nearly all paths have nothing to normalise.
+  const bool plain = absolute.find("/.") == std::string::npos && absolute.find("//") == std::string::npos;
+  return plain ? absolute : std::filesystem::path(absolute).lexically_normal().string();
 }
 
 std::string small_letters(std::string_view text) {
@@ -62,7 +68,24 @@ std::shared_ptr<const Source> Source::map(const std::string& path, std::string* 
   }
   std::shared_ptr<Source> source(new Source(path));
   const auto size = static_cast<size_t>(info.st_size);
-  if (size > 0) {
+  constexpr size_t kSmall = 64 << 10;  // up to here reading costs less than mapping
+  if (size <= kSmall) {
+    source->owned_.resize(size);
+    size_t have = 0;
+    while (have < size) {
+      const ssize_t got = ::read(fd, source->owned_.data() + have, size - have);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) {
+        *error = std::strerror(errno);
+        ::close(fd);
+        return nullptr;
+      }
+      if (got == 0) break;  // it has become shorter
+      have += static_cast<size_t>(got);
+    }
+    source->owned_.resize(have);
+    source->bytes_ = source->owned_;
+  } else {
     void* memory = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
     if (memory == MAP_FAILED) {
       *error = std::strerror(errno);
@@ -107,13 +130,21 @@ void Source::find_marks() const {
   line_count_ = feeds + (at < end ? 1 : 0);
 }
 
-void Source::let_go(uint64_t end) const {
+void Source::advise(Span part, int advice) const {
   const auto page = static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
-  end -= end % page;
-  if (mapping_ == nullptr || end <= let_go_) return;
-  ::madvise(static_cast<char*>(mapping_) + let_go_, end - let_go_, MADV_DONTNEED);
-  let_go_ = end;
+  part.begin -= part.begin % page;
+  if (part.end < bytes_.size()) part.end -= part.end % page;
+  if (mapping_ == nullptr || part.end <= part.begin) return;
+  ::madvise(static_cast<char*>(mapping_) + part.begin, part.end - part.begin, advice);  // older kernels refuse some: no harm
 }
+
+void Source::will_read(Span part) const {
+#ifdef MADV_POPULATE_READ
+  advise(part, MADV_POPULATE_READ);
+#endif
+}
+
+void Source::let_go(Span part) const { advise(part, MADV_DONTNEED); }
 
 uint32_t Source::line_count() const {
   index();

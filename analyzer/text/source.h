@@ -30,7 +30,7 @@ struct Position {
 /// The bytes of one program, mapped or owned, and never changed. A Source always exists: an empty file is empty bytes.
 class Source {
  public:
-  /// Maps the regular file `path`. On failure returns null and sets `*error` to a message for people.
+  /// Reads the regular file `path`, or maps it if it is large. On failure returns null and sets `*error` to a message for people.
   /// Anything that is not a regular file (folder, device, FIFO) is refused without being opened for reading.
   static std::shared_ptr<const Source> map(const std::string& path, std::string* error);
 
@@ -45,9 +45,11 @@ class Source {
   std::string_view bytes() const { return bytes_; }
   std::string_view slice(Span span) const { return bytes_.substr(span.begin, span.end - span.begin); }
 
-  /// Says that the bytes before `end` are not needed for now: their memory is given back, and read anew from the file
-  /// if they are asked for after all. Does nothing for bytes that do not come from a file.
-  void let_go(uint64_t end) const;
+  /// Says that a part is about to be read from end to end; only saves time.
+  void will_read(Span part) const;
+  /// Says that a part is not needed for now: its memory is given back, and read anew from the file if it is asked for
+  /// after all. Does nothing for bytes that do not come from a file.
+  void let_go(Span part) const;
 
   /// Line and column of an offset (clamped to the file's size).
   Position position(uint64_t offset) const;
@@ -62,13 +64,13 @@ class Source {
   explicit Source(std::string path) : path_(std::move(path)) {}
   void index() const;
   void find_marks() const;
+  void advise(Span part, int advice) const;
 
   std::string path_;
   std::string owned_;
   std::string_view bytes_;
   void* mapping_ = nullptr;
   size_t mapping_size_ = 0;
-  mutable uint64_t let_go_ = 0;  // bytes before this have been given back once
   // Offsets of every 256th line only, built at the first question: a gigabyte of motion costs a few megabytes.
   mutable std::once_flag indexed_;
   mutable std::vector<uint64_t> marks_;

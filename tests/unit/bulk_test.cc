@@ -22,12 +22,12 @@ std::vector<Passed> walk(const std::string& bytes, Passed (*pass)(std::string_vi
 }
 
 struct EveryTarget {
-  ~EveryTarget() { choose_bulk_target(0); }
+  ~EveryTarget() { choose_bulk_variant(nullptr); }
   template <typename Check>
   void each(const Check& check) const {
-    for (const int64_t target : bulk_targets()) {
-      choose_bulk_target(target);
-      check(target);
+    for (const BulkVariant& variant : bulk_variants()) {
+      choose_bulk_variant(&variant);
+      check(variant.name);
     }
   }
 };
@@ -55,9 +55,9 @@ std::string random_text(std::mt19937& random, size_t length) {
 }  // namespace
 
 TEST_CASE("every kind of vector passes over the same lines as single bytes", "[bulk]") {
-  REQUIRE_FALSE(bulk_targets().empty());
+  REQUIRE_FALSE(bulk_variants().empty());
   const EveryTarget targets;
-  targets.each([](int64_t target) {
+  targets.each([](std::string_view target) {
     INFO("target " << target);
     std::mt19937 random(12345);
     size_t different = 0;
@@ -77,7 +77,7 @@ TEST_CASE("files are passed over alike by every kind of vector", "[bulk]") {
     for (const std::string& path : test::files_below(test::repository(folder))) files.push_back(test::read_file(path));
   }
   REQUIRE(files.size() > 400);
-  targets.each([&](int64_t target) {
+  targets.each([&](std::string_view target) {
     INFO("target " << target);
     for (const std::string& bytes : files) CHECK(walk(bytes, pass_plain_lines) == walk(bytes, pass_plain_lines_scalar));
   });

@@ -63,8 +63,8 @@ TEST_CASE("operands stand before their operators", "[expressions]") {
   REQUIRE(parsed.id != kNoExpr);
   for (ExprId id = 0; id < parsed.pool.size(); ++id) {
     const Expr& e = parsed.pool[id];
-    if (e.left != kNoExpr) CHECK(e.left < id);
-    if (e.right != kNoExpr) CHECK(e.right < id);
+    if (e.left() != kNoExpr) CHECK(e.left() < id);
+    if (e.right() != kNoExpr) CHECK(e.right() < id);
   }
   CHECK(parsed.pool[parsed.id].op == Operator::kMinus);
   CHECK(parsed.parser.cursor == parsed.line.size());

@@ -15,7 +15,7 @@ uint32_t line_of(const Program& p, StatementId id) { return id == kNoStatement ?
 /// `keyword label opener-[parts]end<parent's opener`, 0 for none.
 std::string shape(const Block& b, const Program& p) {
   std::string parts;
-  for (const StatementId part : b.parts) parts += fmt::format("{},", line_of(p, part));
+  for (const StatementId part : p.parts[static_cast<size_t>(&b - p.blocks.data())]) parts += fmt::format("{},", line_of(p, part));
   const uint32_t parent = b.parent == kNoBlock ? 0 : line_of(p, p.blocks[b.parent].opener);
   return fmt::format("{} {} {}-{}{}<{}", spelling(b.kind), p.name(b.label), line_of(p, b.opener), parts, line_of(p, b.end), parent);
 }
