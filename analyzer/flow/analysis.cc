@@ -8,6 +8,8 @@
 namespace owlint::flow {
 
 void Analysis::start() {
+  called_calmly_.resize(program_.size());
+  if (level_ >= kCoarse) machine_.set_coarse();
   State state;
   Frame main(&memory_);
   if (program_.sub_file) {
@@ -143,15 +145,35 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
   state.record = record;
   if (++result_.statistics.steps >= kPatience[level_].steps) {
     ++level_;
-    if (level_ >= kCoarse) machine_.set_coarse();
+    called_calmly_.resize(program_.size());
+  if (level_ >= kCoarse) machine_.set_coarse();
   }
   if (at_file_end) return end_of_file(state);
-  if (const CalmStretch* stretch = machine_.pass_over(state)) {
-    for (StatementId id = stretch->first; id < stretch->last; ++id) result_.executed[id] = true;
+  if (const CalmStretch* stretch = machine_.pass_over(state, frames_[state.context].info.depth > 0)) {
+    mark_executed(*stretch);
     return successor(std::move(state));
   }
   const Context context = frames_[state.context].info;
   machine_.step(std::move(state), context, *this);
+}
+
+void Analysis::mark_executed(const CalmStretch& stretch) {
+  const auto definitions = machine_.defined_in(stretch);
+  auto defined = definitions.begin();
+  for (StatementId id = stretch.first; id < stretch.last; ++id) {
+    result_.executed[id] = true;
+    if (defined == definitions.end() || *defined != id) continue;
+    // Of a definition only its two ends are executed; its lines are when it is called.
+    id = program_.regions[program_.region_of[id]].end;
+    result_.executed[id] = true;
+    ++defined;
+  }
+  for (const StatementId opener : machine_.called_in(stretch)) {
+    if (called_calmly_[opener]) continue;
+    called_calmly_[opener] = true;
+    const Region& region = program_.regions[program_.region_of[opener]];
+    for (StatementId id = opener; id <= region.end; ++id) result_.executed[id] = true;
+  }
 }
 
 ContextId Analysis::context_for(const Context& callee, const State& entry, bool* merged) {
@@ -256,11 +278,7 @@ void Analysis::leave(const State& at) {
   }
   frame.exits.push_back(exit);
   frame.exit_hashes.push_back(hash);
-  const ContextId id = at.context;
-  for (size_t i = 0; i < frames_[id].callers.size(); ++i) {
-    const Caller caller = frames_[id].callers[i];
-    resume_one(caller, exit, frames_[id]);
-  }
+  for (const Caller& caller : frame.callers) resume_one(caller, exit, frame);
 }
 
 std::vector<std::string> Analysis::computed_calls() const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <list>
 #include <map>
 #include <memory>
 #include <memory_resource>
@@ -28,13 +29,16 @@ struct Patience {
 };
 inline constexpr Patience kPatience[] = {{60'000, 64, 32}, {160'000, 8, 4}, {UINT64_MAX, 1, 1}};
 inline constexpr size_t kCoarse = 2;  // from this level on, constants are not told apart either
+// Programs with more statements are analysed like that from the start: most of their lines would be so anyway, and what
+// has been told apart by then would have to be carried through all of them.
+inline constexpr size_t kTooLarge = 500'000;
 
 inline constexpr uint32_t kNormalEnd = 0;
 
 class Analysis final : public Listener {
  public:
   Analysis(const Linked& linked, const Profile& profile)
-      : linked_(linked), program_(linked.program()), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
+      : linked_(linked), program_(linked.program()), level_(program_.size() > kTooLarge ? kCoarse : 0), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
         trace_(std::make_shared<Trace>()) {
     result_.executed.resize(program_.size());
   }
@@ -81,7 +85,7 @@ class Analysis final : public Listener {
 
     Context info;
     bool outside = false;  ///< called from outside the file: its return ends the run
-    std::pmr::vector<Caller> callers;
+    std::pmr::list<Caller> callers;  ///< a list: going through it while calls are added is safe
     std::pmr::unordered_set<uint64_t> caller_hashes;
     std::pmr::vector<State> exits;
     std::pmr::vector<uint64_t> exit_hashes;
@@ -116,6 +120,7 @@ class Analysis final : public Listener {
   void arrive(State state);
   void execute(State state, Group& group, uint64_t hash);
   void execute_joined(uint32_t index);
+  void mark_executed(const CalmStretch& stretch);
   void end_of_file(const State& state);
   void add_stop(RecordId record, FlowStop stop);
   void resume_one(const Caller& caller, const State& exit, Frame& frame);
@@ -132,6 +137,7 @@ class Analysis final : public Listener {
 
   const Linked& linked_;
   const Program& program_;
+  size_t level_;
   PersistentMap::Pool pool_;
   Machine machine_;
   // Groups and frames are many and small, and all are let go at once.
@@ -147,8 +153,8 @@ class Analysis final : public Listener {
   std::vector<State> waiting_;
   std::vector<uint32_t> free_;
   std::vector<uint32_t> dirty_;  // groups with a join to execute
+  std::vector<bool> called_calmly_;  // by opener: the sub is called from a calm stretch, its lines are marked
   uint64_t order_ = 0;
-  size_t level_ = 0;
   std::shared_ptr<Trace> trace_;
   std::map<StopKey, StopInfo> stops_;
   std::map<std::tuple<HazardKind, StatementId, StatementId, uint32_t>, Hazard> hazards_;

@@ -27,34 +27,40 @@ class Marks {
 
 }  // namespace
 
-class CalmStretches::Builder {
+class CalmBuilder {
  public:
-  Builder(CalmStretches& out, const Program& program, const Structure& structure, const Evaluator& evaluator)
+  CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const Evaluator& evaluator)
       : out_(out), program_(program), structure_(structure), evaluator_(evaluator), read_(program.syntax.names.size()),
-        written_(program.syntax.names.size()), assigned_(program.syntax.names.size()) {}
+        written_(program.syntax.names.size()), assigned_(program.syntax.names.size()), subs_(program.regions.size()),
+        noted_(program.regions.size()) {}
 
   void run() {
     const auto count = static_cast<StatementId>(program_.size());
     find_jumps();
-    // Harmless lines, counted, so that a block can be asked for all of its lines at once.
-    std::vector<uint32_t> harmful(count + 1);
-    for (StatementId id = 0; id < count; ++id) harmful[id + 1] = harmful[id] + (harmless(id) ? 0 : 1);
     find_escapes();
-    const auto calm_until = [&](StatementId id) {  // the end of the line, or of the block that it opens; id: not calm
-      if (harmful[id + 1] != harmful[id]) return id;
-      if (program_.at(id).kind == LineKind::kWords) return id + 1;
-      const BlockId block = program_.block_of[id];
-      if (program_.blocks[block].opener != id) return id;  // a part of a block that is not calm as a whole
-      const StatementId end = program_.blocks[block].end + 1;
-      return harmful[end] == harmful[id] && jumps_to_[block] >= id ? end : id;
-    };
+    // Harmful lines, counted, so that a block or a sub can be asked for all of its lines at once.
+    harmful_.resize(count + 1);
+    stopping_.resize(count + 1);
+    call_ = program_.calls.begin();
+    auto call = program_.calls.begin();
+    for (StatementId id = 0; id < count; ++id) {
+      const RegionId region = program_.region_of[id];
+      if (region != kMainRegion && program_.regions[region].end == id) look_at_sub(region);
+      while (call != program_.calls.end() && call->statement < id) ++call;
+      const bool calls = call != program_.calls.end() && call->statement == id;
+      stopping_[id + 1] = stopping_[id] + (stops_when_skipped(program_.at(id)) ? 1 : 0);
+      harmful_[id + 1] = harmful_[id] + (calls ? !harmless_call(*call) : !harmless(id));
+    }
+    // Not longer than this: the analysis may come to know of stretches in the middle of one.
+    constexpr StatementId kMaxLines = 256;
     for (StatementId id = 0; id < count;) {
       StatementId last = id;
-      for (StatementId next = id; last < count && (next = calm_until(last)) != last;) last = next;
+      for (StatementId next = id; last < count && last - id < kMaxLines && (next = calm_until(last)) != last;) last = next;
       if (last - id > 1) add(id, last);
-      id = last + 1;
+      id = std::max(last, id + 1);
     }
-    out_.stretches_.push_back({count, count, false, static_cast<uint32_t>(out_.reads_.size()), static_cast<uint32_t>(out_.writes_.size())});
+    out_.stretches_.emplace_back();
+    end_lists(out_.stretches_.back());
   }
 
  private:
@@ -64,6 +70,21 @@ class CalmStretches::Builder {
       jumps_ = jumps_ || s.is(Keyword::kBreak) || s.is(Keyword::kContinue);
       do_loops_ = do_loops_ || s.is(Keyword::kDo);
     }
+  }
+
+  /// The end of the line, block or definition that begins at `id`; `id` if it is not calm.
+  StatementId calm_until(StatementId id) const {
+    const Statement& s = program_.at(id);
+    if (s.is(Keyword::kSub)) {
+      const RegionId region = program_.region_of[id];
+      return program_.regions[region].opener == id && subs_[region].calm_definition ? program_.regions[region].end + 1 : id;
+    }
+    if (harmful_[id + 1] != harmful_[id]) return id;
+    if (s.kind == LineKind::kWords || s.is(Keyword::kCall)) return id + 1;
+    const BlockId block = program_.block_of[id];
+    if (program_.blocks[block].opener != id) return id;  // a part of a block that is not calm as a whole
+    const StatementId end = program_.blocks[block].end + 1;
+    return harmful_[end] == harmful_[id] && jumps_to_[block] >= id ? end : id;
   }
 
   /// How far out the jumps in each block lead: a block that a `break` of a loop around it leaves is not calm.
@@ -110,6 +131,22 @@ class CalmStretches::Builder {
       default:
         return false;
     }
+  }
+
+  bool stops_when_skipped(const Statement& s) const {
+    if (s.kind == LineKind::kPercent || s.kind == LineKind::kFileEnd) return true;
+    return s.error != UINT32_MAX && program_.syntax.errors[s.error].kind < StopKind::kKeywordUnknown;
+  }
+
+  bool harmless_call(const Call& call) {
+    const Statement& s = program_.at(call.statement);
+    if (!s.is(Keyword::kCall) || s.error != UINT32_MAX || call.target == UINT32_MAX || !structure_.shallow_calls) return false;
+    const CalmSub& sub = subs_[call.target];  // of a later one nothing is known yet
+    if (!sub.calm || sub.arguments > s.value_count) return false;
+    for (uint32_t i = 0; i < s.value_count; ++i) {
+      if (!look(program_.syntax.values[s.first + i]).safe) return false;
+    }
+    return true;
   }
 
   bool harmless_words(const Statement& s) {
@@ -192,35 +229,150 @@ class CalmStretches::Builder {
     for (; undo_.size() > branches_.back(); undo_.pop_back()) assigned_[undo_.back()] = 0;
   }
 
+  void end_lists(CalmStretch& stretch) const {
+    stretch.reads = static_cast<uint32_t>(out_.reads_.size());
+    stretch.writes = static_cast<uint32_t>(out_.writes_.size());
+    stretch.called = static_cast<uint32_t>(out_.called_.size());
+    stretch.defined = static_cast<uint32_t>(out_.defined_.size());
+  }
+
   void add(StatementId first, StatementId last) {
-    ++stretch_;
     out_.begins_[first] = static_cast<uint32_t>(out_.stretches_.size());
-    CalmStretch& stretch = out_.stretches_.emplace_back();
-    stretch = {first, last, false, static_cast<uint32_t>(out_.reads_.size()), static_cast<uint32_t>(out_.writes_.size())};
+    CalmStretch stretch{.first = first, .last = last};
+    end_lists(stretch);
+    go_through(first, last, &stretch);
+    out_.stretches_.push_back(stretch);
+  }
+
+  /// Notes what the lines read, write, call and define, behind what is in the lists of `out_`.
+  void go_through(StatementId first, StatementId last, CalmStretch* stretch) {
+    ++stretch_;
     undo_.clear();
     branches_.clear();
     for (StatementId id = first; id < last; ++id) {
       const Statement& s = program_.at(id);
       if (s.kind == LineKind::kWords) {
-        for (uint32_t i = 0; i < s.item_count; ++i) note_reads(program_.syntax.items[s.first + i].value);
-        for (uint32_t i = 0; i < s.item_count; ++i) {
-          const Item& item = program_.syntax.items[s.first + i];
-          if (item.target_name != kNoName) note_write({item.target_name, true}, branches_.empty());
-          if (item.target != kNoExpr) note_write({number_of(item.target), false}, branches_.empty());
-        }
+        note_words(s);
         continue;
       }
-      const Block& block = program_.blocks[program_.block_of[id]];
-      if (s.is(Keyword::kElse) || s.is(Keyword::kElseif)) leave_branch();
-      if (s.is(Keyword::kIf)) stretch.tests = true;
-      if (s.value_count > 0) note_reads(program_.syntax.values[s.first]);
-      if (block.opener == id) {
-        branches_.push_back(undo_.size());
-      } else if (block.end == id) {
-        leave_branch();
-        branches_.pop_back();
+      for (uint32_t i = 0; i < s.value_count; ++i) {
+        if (!s.is(Keyword::kElseif)) note_reads(program_.syntax.values[s.first + i]);
+      }
+      if (s.is(Keyword::kSub)) {
+        out_.defined_.push_back(id);
+        stretch->ends_defining = true;
+        id = program_.regions[program_.region_of[id]].end;
+      } else if (s.is(Keyword::kCall)) {
+        note_call(id, stretch);
+      } else {
+        note_block(id, stretch);
       }
     }
+  }
+
+  void note_words(const Statement& s) {
+    for (uint32_t i = 0; i < s.item_count; ++i) note_reads(program_.syntax.items[s.first + i].value);
+    for (uint32_t i = 0; i < s.item_count; ++i) {
+      const Item& item = program_.syntax.items[s.first + i];
+      if (item.target_name != kNoName) note_write({item.target_name, true}, branches_.empty());
+      if (item.target != kNoExpr) note_write({number_of(item.target), false}, branches_.empty());
+    }
+  }
+
+  void note_block(StatementId id, CalmStretch* stretch) {
+    const Statement& s = program_.at(id);
+    const Block& block = program_.blocks[program_.block_of[id]];
+    if (s.is(Keyword::kElse) || s.is(Keyword::kElseif)) leave_branch();
+    if (s.is(Keyword::kElseif)) note_reads(program_.syntax.values[s.first]);
+    if (s.is(Keyword::kIf)) stretch->tests = true;
+    if (block.opener == id) {
+      branches_.push_back(undo_.size());
+    } else if (block.end == id) {
+      leave_branch();
+      branches_.pop_back();
+    }
+  }
+
+  void note_sub(RegionId region) {
+    if (noted_[region] == stretch_) return;
+    noted_[region] = stretch_;
+    out_.called_.push_back(program_.regions[region].opener);
+  }
+
+  void note_call(StatementId id, CalmStretch* stretch) {
+    // Stretches are looked at in the order of their lines, but bodies of subs before, out of turn.
+    if (call_ == program_.calls.end() || call_->statement > id) call_ = program_.calls.begin();
+    call_ = std::ranges::lower_bound(call_, program_.calls.end(), id, {}, &Call::statement);
+    const CalmSub& sub = subs_[call_->target];
+    note_sub(call_->target);
+    for (const StatementId opener : sub.called) note_sub(program_.region_of[opener]);
+    for (const ParameterId p : sub.reads) note_read(p);
+    for (const CalmWrite& write : sub.writes) note_write(write.parameter, write.certain && branches_.empty());
+    stretch->tests = stretch->tests || sub.tests;
+    stretch->calls = true;
+    stretch->ends_defining = false;
+  }
+
+  static bool is_local(const Program& program, ParameterId p) {
+    return p.named ? !program.name(p.id).starts_with("_") : p.id < static_cast<uint32_t>(kFirstGlobalNumber);
+  }
+
+  /// Whether passing over a definition does nothing but define the sub.
+  bool is_calm_definition(const Region& region) const {
+    if (!structure_.regular || region.opener == kNoStatement || region.enclosing != kNoBlock || region.name >= program_.by_label.size()) return false;
+    const Statement& opener = program_.at(region.opener);
+    const Statement& end = program_.at(region.end);
+    if (opener.error != UINT32_MAX || end.error != UINT32_MAX || !end.is(Keyword::kEndsub)) return false;
+    if (stopping_[region.end] != stopping_[region.opener] || program_.name(region.name).find('/') != std::string::npos) return false;
+    // Other lines with its label are looked at on the way.
+    const auto lines = program_.by_label[region.name];
+    const auto own = std::ranges::lower_bound(lines, region.opener);
+    if (own == lines.end() || own + 1 == lines.end() || own[1] != region.end) return false;
+    // The value is computed when the definition is passed over, too: harmless where nothing is computed.
+    if (end.value_count == 0) return true;
+    const Operator op = program_.syntax.exprs[program_.syntax.values[end.first]].op;
+    return (op == Operator::kNumber || op == Operator::kNamed || op == Operator::kParameter) && look(program_.syntax.values[end.first]).safe;
+  }
+
+  /// Looks at the sub whose end has been reached: its definition, and what a call of it does.
+  void look_at_sub(RegionId number) {
+    const Region& region = program_.regions[number];
+    subs_[number].calm_definition = is_calm_definition(region);
+    if (!subs_[number].calm_definition || harmful_[region.end] != harmful_[region.opener + 1]) return;
+    const auto definitions = std::ranges::count_if(program_.by_label[region.name], [&](StatementId id) { return program_.at(id).opens_sub(); });
+    if (definitions != 1) return;
+    const Statement& end = program_.at(region.end);
+    CalmStretch body;
+    end_lists(body);
+    go_through(region.opener + 1, region.end, &body);
+    if (end.value_count > 0) note_reads(program_.syntax.values[end.first]);
+    CalmSub& sub = subs_[number];
+    sub.calm = true;
+    sub.tests = body.tests;
+    constexpr size_t kMaxNoted = 64;  // more would make every call expensive
+    for (size_t i = body.reads; i < out_.reads_.size(); ++i) {
+      const ParameterId p = out_.reads_[i];
+      if (!is_local(program_, p)) {
+        sub.reads.push_back(p);
+      } else if (p.named) {
+        sub.calm = false;  // it is not assigned in the sub
+      } else {
+        sub.arguments = std::max(sub.arguments, p.id);
+      }
+    }
+    for (size_t i = body.writes; i < out_.writes_.size(); ++i) {
+      if (!is_local(program_, out_.writes_[i].parameter)) sub.writes.push_back(out_.writes_[i]);
+    }
+    sub.called.assign(out_.called_.begin() + body.called, out_.called_.end());
+    if (sub.reads.size() + sub.writes.size() + sub.called.size() > kMaxNoted) sub.calm = false;
+    if (!sub.calm) {
+      sub = CalmSub();
+      sub.calm_definition = true;
+    }
+    out_.reads_.resize(body.reads);
+    out_.writes_.resize(body.writes);
+    out_.called_.resize(body.called);
+    out_.defined_.resize(body.defined);
   }
 
   CalmStretches& out_;
@@ -230,16 +382,21 @@ class CalmStretches::Builder {
   bool jumps_ = false;
   bool do_loops_ = false;
   std::vector<StatementId> jumps_to_;  // by block: the foremost opener of a loop that a line in it leaves or goes on with
-  uint32_t stretch_ = 0;            // number of the stretch being noted, from 1
+  std::vector<uint32_t> harmful_;      // by statement: how many harmful lines come before it
+  std::vector<uint32_t> stopping_;     // the same for lines that matter even where they are skipped
+  uint32_t stretch_ = 0;            // number of the stretch or sub being noted, from 1
   Marks read_, written_;            // by parameter: the last stretch that reads, writes it
   Marks assigned_;                  // the same: assigned on every way to the line that is looked at
   std::vector<ParameterId> undo_;   // in the order in which they were assigned
   std::vector<size_t> branches_;    // size of `undo_` where each open branch began
+  std::vector<CalmSub> subs_;       // by region
+  std::vector<uint32_t> noted_;     // by region: the last stretch that calls it
+  std::vector<Call>::const_iterator call_;
 };
 
 CalmStretches::CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator, bool warn_only)
     : begins_(program.size(), kNone) {
-  if (!warn_only) Builder(*this, program, structure, evaluator).run();
+  if (!warn_only) CalmBuilder(*this, program, structure, evaluator).run();
 }
 
 }  // namespace owlint::flow

@@ -1,6 +1,7 @@
 // Stretches of lines in which nothing can go wrong, whatever the outcome of their conditions: they cannot stop, never
-// end, jump out, call, or leave anything behind but assigned parameters. Most lines of a large program are in one.
-// Where the analysis does not tell constants apart any more (kCoarse), it passes over such a stretch in one step.
+// end or jump out, and all that they leave behind are assigned parameters and defined subs. Most lines of a large
+// program are in one. Where the analysis does not tell constants apart any more (kCoarse), it passes over such a stretch
+// in one step.
 #pragma once
 
 #include <span>
@@ -11,22 +12,37 @@
 
 namespace owlint::flow {
 
+struct CalmWrite {
+  ParameterId parameter;
+  bool certain = false;  ///< on every way through the stretch
+};
+
 struct CalmStretch {
   StatementId first = 0;
   StatementId last = 0;  ///< one past the last line
   bool tests = false;    ///< has an `if`: afterwards, "a branch has been taken"
-  // Into CalmStretches' lists, up to those of the next stretch.
+  bool calls = false;
+  bool ends_defining = false;  ///< a definition comes behind the last call
+  // Into the lists of CalmStretches, up to those of the next stretch.
   uint32_t reads = 0;
   uint32_t writes = 0;
+  uint32_t called = 0;
+  uint32_t defined = 0;
+};
+
+/// What a calm sub does to its caller.
+struct CalmSub {
+  bool calm_definition = false;        ///< passing over it does nothing but define it
+  bool calm = false;                   ///< so is a call of it
+  bool tests = false;
+  uint32_t arguments = 0;              ///< the highest of #1 to #30 that it reads
+  std::vector<ParameterId> reads;      ///< global parameters
+  std::vector<CalmWrite> writes;       ///< global parameters
+  std::vector<StatementId> called;     ///< the subs that it calls, and those that they call, by their openers
 };
 
 class CalmStretches {
  public:
-  struct Write {
-    ParameterId parameter;
-    bool certain = false;  ///< on every way through the stretch
-  };
-
   /// `warn_only`: under FEATURE 0x20 nothing is calm.
   CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator, bool warn_only);
 
@@ -34,16 +50,21 @@ class CalmStretches {
   const CalmStretch* at(StatementId id) const { return begins_[id] == kNone ? nullptr : &stretches_[begins_[id]]; }
   /// What is read before the stretch itself has assigned it.
   std::span<const ParameterId> reads(const CalmStretch& s) const { return {reads_.data() + s.reads, reads_.data() + (&s + 1)->reads}; }
-  std::span<const Write> writes(const CalmStretch& s) const { return {writes_.data() + s.writes, writes_.data() + (&s + 1)->writes}; }
+  std::span<const CalmWrite> writes(const CalmStretch& s) const { return {writes_.data() + s.writes, writes_.data() + (&s + 1)->writes}; }
+  /// Openers of the subs that the stretch calls, directly or not. They must be known, unless it defines them itself.
+  std::span<const StatementId> called(const CalmStretch& s) const { return {called_.data() + s.called, called_.data() + (&s + 1)->called}; }
+  /// Openers of the subs that it defines, and that must not be known yet.
+  std::span<const StatementId> defined(const CalmStretch& s) const { return {defined_.data() + s.defined, defined_.data() + (&s + 1)->defined}; }
 
  private:
-  class Builder;
+  friend class CalmBuilder;
   static constexpr uint32_t kNone = UINT32_MAX;
 
   std::vector<uint32_t> begins_;        // by statement: index of the stretch
   std::vector<CalmStretch> stretches_;  // the last one is only an end
   std::vector<ParameterId> reads_;
-  std::vector<Write> writes_;
+  std::vector<CalmWrite> writes_;
+  std::vector<StatementId> called_, defined_;
 };
 
 }  // namespace owlint::flow

@@ -124,7 +124,7 @@ void Machine::set_coarse() {
   calm_.emplace(program_, structure_, evaluator_, profile_.warn_only());
 }
 
-const CalmStretch* Machine::pass_over(State& state) const {
+const CalmStretch* Machine::pass_over(State& state, bool called) {
   if (!calm_ || state.skip != kNoLabel || state.defining != kNoName || state.looped) return nullptr;
   const CalmStretch* stretch = calm_->at(state.position);
   if (stretch == nullptr) return nullptr;
@@ -132,8 +132,20 @@ const CalmStretch* Machine::pass_over(State& state) const {
   for (const ParameterId p : calm_->reads(*stretch)) {
     if (!evaluator_.is_plain(p, state.parameters)) return nullptr;
   }
-  for (const CalmStretches::Write& write : calm_->writes(*stretch)) evaluator_.assign_unknown(write.parameter, write.certain, state.parameters);
+  const auto label_of_sub = [&](StatementId opener) { return full_label(kGlobalScope, program_.at(opener).label); };
+  const auto defined = calm_->defined(*stretch);
+  if (called && !defined.empty()) return nullptr;
+  for (const StatementId opener : calm_->called(*stretch)) {
+    if (opener < stretch->first && state.table.get(label_of_sub(opener)) != Definers::one(opener)) return nullptr;
+  }
+  for (const StatementId opener : defined) {
+    if (state.table.get(label_of_sub(opener)) != 0) return nullptr;
+  }
+  const PersistentMap::Pool::Batch batch(pool_);
+  for (const CalmWrite& write : calm_->writes(*stretch)) evaluator_.assign_unknown(write.parameter, write.certain, state.parameters);
+  for (const StatementId opener : defined) state.table.set(pool_, label_of_sub(opener), Definers::one(opener));
   if (stretch->tests) state.executed = kYes;
+  if (!called && (stretch->calls || stretch->ends_defining)) state.returned = stretch->ends_defining ? kNo : kYes;
   state.position = stretch->last;
   state.branch = 0;
   return stretch;

@@ -110,7 +110,10 @@ class Machine {
   /// one step: for very large programs.
   void set_coarse();
   /// Passes over such a stretch. Null, and nothing done, where there is none.
-  const CalmStretch* pass_over(State& state) const;
+  const CalmStretch* pass_over(State& state, bool called);
+  /// Openers of the subs that a stretch defines, and that it calls.
+  std::span<const StatementId> defined_in(const CalmStretch& stretch) const { return calm_->defined(stretch); }
+  std::span<const StatementId> called_in(const CalmStretch& stretch) const { return calm_->called(stretch); }
 
   /// The next position at which a skipping state has something to do.
   StatementId next_stop(const State& state, StatementId from) const;

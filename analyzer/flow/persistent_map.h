@@ -18,17 +18,40 @@ inline uint64_t mix(uint64_t key, uint64_t value) {
 
 class PersistentMap {
  public:
-  union Node {
-    std::array<const Node*, 16> children{};  // inner nodes
-    std::array<uint32_t, 16> values;         // leaves; all zero is all empty in both readings
+  struct Node {
+    union {
+      std::array<Node*, 16> children{};  // inner nodes
+      std::array<uint32_t, 16> values;   // leaves; all zero is all empty in both readings
+    };
+    uint32_t batch = 0;  // in which it was made; 0: in none
   };
 
   class Pool {
    public:
-    Node* copy(const Node* node) { return &nodes_.emplace_back(node == nullptr ? Node{} : *node); }
+    Node* copy(const Node* node) {
+      Node& made = nodes_.emplace_back(node == nullptr ? Node{} : *node);
+      made.batch = batch_;
+      return &made;
+    }
+    /// A node to write to: the same one where it was made in this batch and nobody else has it.
+    Node* own(Node* node) { return node != nullptr && batch_ != 0 && node->batch == batch_ ? node : copy(node); }
+
+    /// While it lives, several values are set in one map, which is not copied meanwhile: each node is copied once.
+    class Batch {
+     public:
+      explicit Batch(Pool& pool) : pool_(pool) { pool_.batch_ = ++pool_.batches_; }
+      ~Batch() { pool_.batch_ = 0; }
+      Batch(const Batch&) = delete;
+      Batch& operator=(const Batch&) = delete;
+
+     private:
+      Pool& pool_;
+    };
 
    private:
     std::deque<Node> nodes_;
+    uint32_t batch_ = 0;
+    uint32_t batches_ = 0;
   };
 
   uint32_t get(uint32_t key) const {
@@ -42,10 +65,10 @@ class PersistentMap {
     const uint32_t old = get(key);
     if (old == value) return;
     while (!fits(key)) grow(pool);
-    Node* node = pool.copy(root_);
+    Node* node = pool.own(root_);
     root_ = node;
     for (int level = height_; level > 0; --level) {
-      Node* child = pool.copy(node->children[digit(key, level)]);
+      Node* child = pool.own(node->children[digit(key, level)]);
       node->children[digit(key, level)] = child;
       node = child;
     }
@@ -86,7 +109,7 @@ class PersistentMap {
 
   // Recursion depth is the height of the tree, at most 7.
   template <typename Join>
-  const Node* merge_nodes(Pool& pool, const Node* a, const Node* b, int level, uint32_t prefix, const Join& join) {
+  Node* merge_nodes(Pool& pool, Node* a, Node* b, int level, uint32_t prefix, const Join& join) {
     if (a == b) return a;
     static const Node kEmpty{};
     const Node& left = a == nullptr ? kEmpty : *a;
@@ -95,7 +118,7 @@ class PersistentMap {
     for (uint32_t i = 0; i < 16; ++i) {
       const uint32_t key = prefix * 16 + i;
       if (level > 0) {
-        const Node* child = merge_nodes(pool, left.children[i], right.children[i], level - 1, key, join);
+        Node* child = merge_nodes(pool, left.children[i], right.children[i], level - 1, key, join);
         if (child == left.children[i]) continue;
         if (out == nullptr) out = pool.copy(&left);
         out->children[i] = child;
@@ -110,7 +133,7 @@ class PersistentMap {
     return out == nullptr ? a : out;
   }
 
-  const Node* root_ = nullptr;
+  Node* root_ = nullptr;
   uint64_t hash_ = 0;
   int height_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 
 namespace owlint {
@@ -20,17 +21,30 @@ inline constexpr std::array<std::string_view, 15> kKeywordSpellings = {
     "sub", "endsub", "call", "do", "while", "repeat", "if", "elseif", "else", "endif",
     "break", "continue", "endwhile", "endrepeat", "return"};
 
-/// The keyword that `text`, in small letters, begins with; kUnknown if none.
-inline Keyword keyword_of(std::string_view text) {
-  for (size_t i = 0; i < kKeywordSpellings.size() && !text.empty(); ++i) {
-    if (kKeywordSpellings[i][0] == text[0] && text.starts_with(kKeywordSpellings[i])) return static_cast<Keyword>(i);
-  }
-  return Keyword::kUnknown;
-}
-
 inline std::string_view spelling(Keyword keyword) {
   const auto index = static_cast<size_t>(keyword);
   return index < kKeywordSpellings.size() ? kKeywordSpellings[index] : std::string_view{};
+}
+
+/// The keyword that `text`, in small letters, begins with; kUnknown if none.
+inline Keyword keyword_of(std::string_view text) {
+  const auto first_of = [text](std::initializer_list<Keyword> keywords) {
+    for (const Keyword k : keywords) {
+      if (text.starts_with(spelling(k))) return k;
+    }
+    return Keyword::kUnknown;
+  };
+  switch (text.empty() ? '\0' : text[0]) {
+    case 'b': return first_of({Keyword::kBreak});
+    case 'c': return first_of({Keyword::kCall, Keyword::kContinue});
+    case 'd': return first_of({Keyword::kDo});
+    case 'e': return first_of({Keyword::kEndsub, Keyword::kElseif, Keyword::kElse, Keyword::kEndif, Keyword::kEndwhile, Keyword::kEndrepeat});
+    case 'i': return first_of({Keyword::kIf});
+    case 'r': return first_of({Keyword::kRepeat, Keyword::kReturn});
+    case 's': return first_of({Keyword::kSub});
+    case 'w': return first_of({Keyword::kWhile});
+    default: return Keyword::kUnknown;
+  }
 }
 
 /// `if`, `while`, `do`, `repeat`: opens a block. (`while` may also close a `do`.)

@@ -26,11 +26,14 @@ StopKind LineText::assign(std::string_view raw, uint64_t offset) {
   while (!raw.empty() && is_space(raw.back())) raw.remove_suffix(1);
   end_ = static_cast<uint16_t>(raw.size());
   for (size_t i = 0; i < raw.size(); ++i) {
-    const char plain = kPlain[static_cast<unsigned char>(raw[i])];
-    if (plain != '\0') {
-      keep(plain, i);
-      continue;
+    size_t length = length_;
+    char plain = 0;
+    for (; i < raw.size() && (plain = kPlain[static_cast<unsigned char>(raw[i])]) != '\0'; ++i, ++length) {
+      text_[length] = plain;
+      at_[length] = static_cast<uint16_t>(i);
     }
+    length_ = length;
+    if (i == raw.size()) break;
     switch (raw[i]) {
       case ' ': case '\t':
         break;
