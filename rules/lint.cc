@@ -67,7 +67,7 @@ class Check {
 
   ProgramReport run(const std::shared_ptr<const Program>& program) {
     Linked linked(program, profile_, library_);
-    const std::vector<FlowResult> flow = analyze_flow(linked, profile_);
+    const std::vector<FlowResult> flow = analyze_flow(linked, profile_, options_.detail);
     ProgramReport report;
     report.sub_file = program->sub_file;
     report.only_definitions = program->regions.size() > 1 && does_nothing(*program);

@@ -16,6 +16,7 @@ struct LintOptions {
   std::vector<std::string> extend_select;  ///< added to those
   std::vector<std::string> ignore;         ///< taken away again; the longest prefix that fits decides
   std::map<std::string, Severity, std::less<>> severity;
+  Detail detail = Detail::kBySize;
   bool all_versions = false;  ///< every supported LinuxCNC version, not only the profile's
 };
 

@@ -33,6 +33,7 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("--color", line.color, "colours in the text")->check(CLI::IsMember({"auto", "always", "never"}))->type_name("auto|always|never")->capture_default_str()->group("Output");
   app.add_option("--stdin-filename", line.stdin_filename, "what standard input is called in the report")->type_name("NAME")->group("Output");
   app.add_flag("--statistics", line.statistics, "count the findings by rule, on standard error")->group("Output");
+  app.add_flag("--coarse", line.coarse, "analyse every program like a very large one")->group("");  // for tests, not shown
   app.add_flag("-q,--quiet", line.quiet, "no summary line")->group("Output");
   app.add_option("--jobs", line.jobs, "files checked at the same time (default: one per core)")->type_name("N")->group("Output");
 }

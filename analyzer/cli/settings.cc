@@ -279,6 +279,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
       }
     }
   }
+  if (line_.coarse) options.detail = Detail::kCoarse;
   if (version && *version == "all") {
     options.all_versions = true;
   } else if (version) {

@@ -27,6 +27,7 @@ struct CommandLine {
   bool isolated = false;
   bool statistics = false;
   bool quiet = false;
+  bool coarse = false;   ///< for tests: analyse every program like a very large one
   bool find_ini = true;  ///< look for a machine INI above the programs
 };
 

@@ -9,7 +9,7 @@ namespace owlint::flow {
 
 void Analysis::start() {
   called_calmly_.resize(program_.size());
-  if (level_ >= kCoarse) machine_.set_coarse();
+  if (level_ >= kCoarse) machine_.set_coarse(passes_over_);
   State state;
   Frame main(&memory_);
   if (program_.sub_file) {
@@ -145,8 +145,7 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
   state.record = record;
   if (++result_.statistics.steps >= kPatience[level_].steps) {
     ++level_;
-    called_calmly_.resize(program_.size());
-  if (level_ >= kCoarse) machine_.set_coarse();
+    if (level_ >= kCoarse) machine_.set_coarse(passes_over_);
   }
   if (at_file_end) return end_of_file(state);
   if (const CalmStretch* stretch = machine_.pass_over(state, frames_[state.context].info.depth > 0)) {
@@ -294,10 +293,10 @@ namespace owlint {
 
 Reach FlowResult::reach(StatementId statement) const { return trace->reach(first + statement); }
 
-std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile) {
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail) {
   constexpr int kRounds = 8;  // each knows names that the one before has computed
   for (int round = 1;; ++round) {
-    flow::Analysis analysis(linked, profile);
+    flow::Analysis analysis(linked, profile, detail);
     FlowResult result = analysis.run();
     bool grown = false;
     for (const std::string& name : analysis.computed_calls()) grown |= linked.add(name);

@@ -37,8 +37,9 @@ inline constexpr uint32_t kNormalEnd = 0;
 
 class Analysis final : public Listener {
  public:
-  Analysis(const Linked& linked, const Profile& profile)
-      : linked_(linked), program_(linked.program()), level_(program_.size() > kTooLarge ? kCoarse : 0), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
+  Analysis(const Linked& linked, const Profile& profile, Detail detail)
+      : linked_(linked), program_(linked.program()), passes_over_(detail != Detail::kStepwise),
+        level_(detail != Detail::kBySize || program_.size() > kTooLarge ? kCoarse : 0), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
         trace_(std::make_shared<Trace>()) {
     result_.executed.resize(program_.size());
   }
@@ -137,6 +138,7 @@ class Analysis final : public Listener {
 
   const Linked& linked_;
   const Program& program_;
+  bool passes_over_;
   size_t level_;
   PersistentMap::Pool pool_;
   Machine machine_;

@@ -38,6 +38,7 @@ class CalmBuilder {
     const auto count = static_cast<StatementId>(program_.size());
     find_jumps();
     find_escapes();
+    find_definitions();
     // Harmful lines, counted, so that a block or a sub can be asked for all of its lines at once.
     harmful_.resize(count + 1);
     stopping_.resize(count + 1);
@@ -69,6 +70,16 @@ class CalmBuilder {
     for (const Statement& s : program_.syntax.statements) {
       jumps_ = jumps_ || s.is(Keyword::kBreak) || s.is(Keyword::kContinue);
       do_loops_ = do_loops_ || s.is(Keyword::kDo);
+    }
+  }
+
+  void find_definitions() {
+    std::vector<bool> defined(program_.syntax.names.size());
+    defined_again_.resize(defined.size());
+    for (const Statement& s : program_.syntax.statements) {
+      if (!s.opens_sub() || s.label == kNoName) continue;
+      if (defined[s.label]) defined_again_[s.label] = true;
+      defined[s.label] = true;
     }
   }
 
@@ -320,6 +331,7 @@ class CalmBuilder {
   /// Whether passing over a definition does nothing but define the sub.
   bool is_calm_definition(const Region& region) const {
     if (!structure_.regular || region.opener == kNoStatement || region.enclosing != kNoBlock || region.name >= program_.by_label.size()) return false;
+    if (defined_again_[region.name]) return false;
     const Statement& opener = program_.at(region.opener);
     const Statement& end = program_.at(region.end);
     if (opener.error != UINT32_MAX || end.error != UINT32_MAX || !end.is(Keyword::kEndsub)) return false;
@@ -339,8 +351,6 @@ class CalmBuilder {
     const Region& region = program_.regions[number];
     subs_[number].calm_definition = is_calm_definition(region);
     if (!subs_[number].calm_definition || harmful_[region.end] != harmful_[region.opener + 1]) return;
-    const auto definitions = std::ranges::count_if(program_.by_label[region.name], [&](StatementId id) { return program_.at(id).opens_sub(); });
-    if (definitions != 1) return;
     const Statement& end = program_.at(region.end);
     CalmStretch body;
     end_lists(body);
@@ -389,6 +399,7 @@ class CalmBuilder {
   Marks assigned_;                  // the same: assigned on every way to the line that is looked at
   std::vector<ParameterId> undo_;   // in the order in which they were assigned
   std::vector<size_t> branches_;    // size of `undo_` where each open branch began
+  std::vector<bool> defined_again_;  // by name: there are several definitions
   std::vector<CalmSub> subs_;       // by region
   std::vector<uint32_t> noted_;     // by region: the last stretch that calls it
   std::vector<Call>::const_iterator call_;

@@ -83,8 +83,15 @@ struct FlowResult {
   Reach reach(StatementId statement) const;
 };
 
+/// How closely runs are followed.
+enum class Detail : uint8_t {
+  kBySize,    ///< what a program's size allows
+  kCoarse,    ///< as in a very large program; for tests
+  kStepwise,  ///< the same line by line, passing over nothing; what kCoarse is tested against
+};
+
 /// Runs the machine through all files of `linked`, which grows by files whose names only the run knows. One result
 /// for each file, in the order of `linked.files()`; statement numbers in it are those of the file's own program.
-std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile);
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail = Detail::kBySize);
 
 }  // namespace owlint

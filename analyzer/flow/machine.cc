@@ -118,10 +118,9 @@ void Machine::index() {
   }
 }
 
-void Machine::set_coarse() {
-  if (calm_) return;
+void Machine::set_coarse(bool passes_over) {
   evaluator_.set_coarse();
-  calm_.emplace(program_, structure_, evaluator_, profile_.warn_only());
+  if (passes_over && !calm_) calm_.emplace(program_, structure_, evaluator_, profile_.warn_only());
 }
 
 const CalmStretch* Machine::pass_over(State& state, bool called) {

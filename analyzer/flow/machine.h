@@ -106,9 +106,9 @@ class Machine {
   /// Executes or passes over the line at `state.position`.
   void step(State state, const Context& context, Listener& out);
 
-  /// From now on constants are not told apart, and stretches of lines in which nothing can go wrong are passed over in
+  /// From now on constants are not told apart, and if `passes_over`, stretches of lines in which nothing can go wrong are
   /// one step: for very large programs.
-  void set_coarse();
+  void set_coarse(bool passes_over);
   /// Passes over such a stretch. Null, and nothing done, where there is none.
   const CalmStretch* pass_over(State& state, bool called);
   /// Openers of the subs that a stretch defines, and that it calls.

@@ -1,174 +1,170 @@
 #!/usr/bin/python3
-"""Times owlint on large programs that it makes, and prints the growth for ten times the size.
+"""Times owlint against programs that only read their input, and against itself on ten times as much.
 
-usage: bench.py --owlint build/release/owlint [--runs 3] [--motion MIB]
+usage: bench.py --owlint build/release/owlint [--runs 5] [--json FILE] [--scale F] [--dynamic OWLINT]
 
-Every figure is the median wall time of the whole command. Nothing here passes or fails. At the end a motion program of
-MIB mebibytes (1024) with a few blocks in it is held against `wc -l`, which only looks for line ends: both in turn, files in
-the page cache, one thread.
+Makes its inputs in a temporary folder, then times everything in turn, in one session: each figure is a ratio of medians,
+with the files in the page cache and one thread where nothing else is said. Prints the table as Markdown and writes it as
+JSON. Nothing here passes or fails; the last column says what we want. --scale 0.01 makes everything smaller, to try it.
+--dynamic: a program linked dynamically, to compare the start.
 """
 import argparse
+import json
 import os
-import random
+import platform
+import shutil
 import statistics
 import subprocess
+import sys
 import tempfile
 import time
 
+import inputs
 
-def subs(lines):
-    """400 subs with nested loops and branches that call each other, and as many calls."""
-    groups = max(2, lines // 400 // 12)
-    for s in range(400):
-        yield "o<s%d> sub" % s
-        for b in range(groups):
-            k = 100 + b * 10
-            yield from ("#<v>=#%d" % (1 + b % 3), "o%d if [#1 GT %d]" % (k, b), "  o%d while [#2 LT %d]" % (k + 1, b),
-                        "    #2=[#2+1]", "    o%d if [#2 EQ #3]" % (k + 2), "      o%d break" % (k + 1),
-                        "    o%d endif" % (k + 2), "  o%d endwhile" % (k + 1), "o%d else" % k,
-                        "  o%d repeat [#1]" % (k + 3), "  o%d endrepeat" % (k + 3), "o%d endif" % k)
-        if s % 9:
-            yield "o<s%d> call [#1] [#2] [#3]" % (s - 1)
-        yield "o<s%d> endsub" % s
-    for s in range(400):
-        yield "o<s%d> call [#100] [%d] [3]" % (s, s)
-    yield "M2"
-
-
-def nested(depth):
-    for i in range(depth):
-        yield "o%d if [#%d GT 1]" % (i, 100 + i % 50)
-    for i in reversed(range(depth)):
-        yield "o%d endif" % i
-    yield "M2"
-
-
-def labels(count):
-    for i in range(count):
-        yield "o%d if [#100 GT %d]" % (i, i)
-        yield "o%d endif" % i
-    yield "M2"
-
-
-def redefined(count):
-    """One label opened again and again on paths that exclude each other or not."""
-    for i in range(count):
-        yield from ("o%d if [#%d]" % (i + 10, 100 + i % 900), "o5 if [1]", "o5 endif", "o%d endif" % (i + 10))
-    yield "M2"
-
-
-def calls(count):
-    yield from ("o1 sub", "o2 if [#1]", "o2 endif", "o1 endsub")
-    for i in range(count):
-        yield "o1 call [%d]" % i
-    yield "M2"
-
-
-def doubling_calls(depth):
-    """Each sub calls the one before twice: two to the power of `depth` paths."""
-    for i in range(depth):
-        yield "o%d sub" % i
-        if i:
-            yield "o%d call [#1]" % (i - 1)
-            yield "o%d call [#2]" % (i - 1)
-        yield "o%d endsub" % i
-    yield "o%d call [1] [2]" % (depth - 1)
-    yield "M2"
-
-
-def branches(depth, rounds):
-    for r in range(rounds):
-        for i in range(depth):
-            yield "o%d if [#%d]" % (r * 1000 + i, 100 + r * 1000 + i)
-        for i in reversed(range(depth)):
-            yield "o%d else" % (r * 1000 + i)
-            yield "o%d endif" % (r * 1000 + i)
-    yield "M2"
-
-
-def motion(lines):
-    for i in range(lines):
-        yield "G1 X%.4f Y%.4f F%d" % (i * 0.01 % 300, i * 0.007 % 200, 400 + i % 7)
-    yield "M2"
-
-
-CASES = (
-    ("O-word program, lines", lambda n: subs(n), (100_000, 1_000_000)),
-    ("nested `if`, depth", nested, (10_000, 100_000)),
-    ("labels in one scope", labels, (10_000, 100_000)),
-    ("one label on many paths", redefined, (1_000, 10_000)),
-    ("calls of one sub", calls, (10_000, 100_000)),
-    ("subs that call twice, depth", doubling_calls, (9, 90)),
-    ("motion lines", motion, (100_000, 1_000_000)),
-    ("32 nested branches, rounds", lambda n: branches(32, n), (1,)),
-    ("64 nested branches, rounds", lambda n: branches(64, n), (2,)),
+MOTION, DENSE, FILES = 1024, 100, 20_000  # MiB, MB, files
+GROWTH = (
+    ("dense O-words", "MB", inputs.dense, (1, 10, 100)),
+    ("nested `if`", "deep", inputs.nested, (1_000, 10_000, 100_000, 1_000_000)),
+    ("labels in one scope", "labels", inputs.labels, (1_000, 10_000, 100_000, 1_000_000)),
+    ("subs that call the next", "subs", inputs.chain, (1_000, 10_000, 100_000, 1_000_000)),
+    ("subs called one by one", "subs", inputs.fan, (1_000, 10_000, 100_000, 1_000_000)),
+    ("calls of one sub", "calls", inputs.calls, (1_000, 10_000, 100_000, 1_000_000)),
+    ("one label on many paths", "blocks", inputs.redefined, (1_000, 10_000)),
+    ("subs that call twice", "deep", inputs.doubling, (9, 90)),
+    ("one line", "MB", inputs.long_line, (1, 10, 100)),
 )
 
 
-def motion(mebibytes, write):
-    """A CAM program: an O-word block now and then, else positions."""
-    rng = random.Random(1)
-    place = lambda: "X%.4f Y%.4f Z%.4f\n" % (rng.uniform(0, 300), rng.uniform(0, 200), rng.uniform(-20, 5))
-    piece = "".join(("G1 " if i % 10 == 0 else "") + place() for i in range(40000))
-    write("%\nG21 G90\n")
-    pieces = (mebibytes << 20) // len(piece) + 1
-    for number in range(pieces):
-        if number % max(1, pieces // 20) == 0:
-            write("o%d if [#%d GT 0]\n  G0 Z5\no%d endif\n" % (100 + number, 500, 100 + number))
-        write(piece)
-    write("M2\n%\n")
+class Bench:
+    def __init__(self, options, folder):
+        self.owlint, self.runs, self.folder, self.scale = options.owlint, options.runs, folder, options.scale
+        self.dynamic = options.dynamic
+        self.rows = []
+
+    def write(self, name, lines):
+        path = os.path.join(self.folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="ascii") as f:
+            for line in lines:
+                f.write(line + "\n")
+        return path
+
+    def check(self, *paths, jobs=1, program=None):
+        return [program or self.owlint, "check", "--isolated", "--no-find-ini", "--quiet", "--jobs", str(jobs), *paths]
+
+    def time(self, commands, runs=None):
+        """Runs the commands in turn: -> [(median seconds, peak MiB)]."""
+        measured = [[] for _ in commands]
+        for round_ in range((runs or self.runs) + 1):
+            for command, times in zip(commands, measured):
+                seconds, memory = timed(command)
+                if round_ > 0:  # the first one only fills the page cache
+                    times.append((seconds, memory))
+        return [(statistics.median(s for s, _ in m), max(m for _, m in m)) for m in measured]
+
+    def add(self, what, figure, ratio, wanted, **more):
+        self.rows.append({"input": what, "figure": figure, "ratio": round(ratio, 3), "wanted": wanted, **more})
+        print("| %s | %s | %s |" % (what, figure, wanted), flush=True)
+
+    def small_size(self, size):
+        return max(1, int(size * self.scale))
+
+    # --- the table ---
+
+    def motion(self):
+        size = self.small_size(MOTION)
+        path = self.write("motion.ngc", inputs.motion(size))
+        (wc, _), (one, memory), (two, _) = self.time([["wc", "-l", path], self.check(path), self.check(path, jobs=2)])
+        what = "%d MiB of CAM motion, 20 O-word blocks in it" % size
+        self.add(what, "%.2f x `wc -l` (%.3f s), %.0f MiB of memory" % (one / wc, one, memory), one / wc, "at most 3.0 x, 64 MiB",
+                 seconds=one, reference_seconds=wc, memory_mib=memory)
+        self.add("the same, `--jobs 2`", "%.2f x `wc -l`" % (two / wc), two / wc, "at most 1.8 x", seconds=two, reference_seconds=wc)
+        os.remove(path)
+
+    def dense(self):
+        path = self.write("dense.ngc", inputs.dense(self.small_size(DENSE)))
+        (seconds, memory), = self.time([self.check(path)])
+        speed = os.path.getsize(path) / seconds / 1e6
+        self.add("%d MB of dense O-words" % self.small_size(DENSE), "%.0f MB/s, %.0f MiB of memory" % (speed, memory), speed, "at least 100 MB/s",
+                 seconds=seconds, memory_mib=memory)
+        os.remove(path)
+
+    def interpreter(self):
+        if shutil.which("rs274") is None:
+            return
+        path = self.write("part.ngc", inputs.motion(max(1, self.small_size(12))))
+        (rs274, _), (owlint, _) = self.time([["rs274", "-g", path], self.check(path)], 3)
+        self.add("12 MiB of CAM motion: `rs274 -g` runs it, owlint checks it", "%.0f x as fast" % (rs274 / owlint), rs274 / owlint, "", seconds=owlint,
+                 reference_seconds=rs274)
+
+    def files(self):
+        count = self.small_size(FILES)
+        tree = os.path.join(self.folder, "shop")
+        for number in range(count):
+            self.write("shop/%03d/p%05d.ngc" % (number // 100, number), inputs.small(number))
+        wc = ["sh", "-c", "find '%s' -name '*.ngc' -print0 | xargs -0 wc -l" % tree]
+        (reference, _), (owlint, memory) = self.time([wc, self.check(tree, jobs=2)])
+        self.add("%d files of 4 KiB, `--jobs 2`" % count, "%.2f x `find ... | xargs wc -l` (%.2f s)" % (owlint / reference, owlint), owlint / reference,
+                 "at most 2 x", seconds=owlint, reference_seconds=reference, memory_mib=memory)
+        shutil.rmtree(tree)
+
+    def start(self):
+        path = self.write("twenty.ngc", inputs.twenty_lines())
+        commands = [["cat", path], self.check(path)]
+        if self.dynamic:
+            commands.append(self.check(path, program=self.dynamic))
+        measured = self.time(commands, 100)
+        cat, owlint = measured[0][0], measured[1][0]
+        self.add("one program of 20 lines", "%.2f x `cat` (%.2f ms)" % (owlint / cat, owlint * 1e3), owlint / cat, "at most 5 x", seconds=owlint,
+                 reference_seconds=cat)
+        if self.dynamic:
+            dynamic = measured[2][0]
+            self.add("the same, linked dynamically", "%.2f x `cat`" % (dynamic / cat), dynamic / cat, "", seconds=dynamic, reference_seconds=cat)
+
+    def growth(self):
+        for name, unit, make, sizes in GROWTH:
+            sizes = [max(1, int(size * self.scale)) for size in sizes] if self.scale < 1 and sizes[-1] > 1000 else sizes
+            paths = [self.write("growth%d.ngc" % i, make(size)) for i, size in enumerate(sizes)]
+            times = [seconds for seconds, _ in self.time([self.check(path) for path in paths], 3)]
+            steps = [later / earlier for earlier, later in zip(times, times[1:])]
+            self.add("%s: %s %s" % (name, ", ".join("{:,}".format(size) for size in sizes), unit),
+                     "%s s: steps of %s" % (", ".join("%.3f" % t for t in times), ", ".join("%.1f x" % s for s in steps)), max(steps), "at most 11 x",
+                     seconds=times)
+            for path in paths:
+                os.remove(path)
 
 
 def timed(command):
     """-> (seconds, peak memory in MiB)"""
-    started = time.monotonic()
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, _, usage = os.wait4(process.pid, 0)
-    return time.monotonic() - started, usage.ru_maxrss / 1024
-
-
-def against_wc(options, folder):
-    path = os.path.join(folder, "motion.ngc")
-    with open(path, "w", encoding="ascii") as f:
-        motion(options.motion, f.write)
-    commands = {"wc -l": ["wc", "-l", path], "owlint": [options.owlint, "check", "--isolated", "--no-find-ini", "--jobs", "1", path]}
-    runs = {name: [] for name in commands}
-    for _ in range(options.runs + 2):
-        for name, command in commands.items():
-            runs[name].append(timed(command))
-    print("\n%d MiB of motion" % options.motion)
-    base = statistics.median(seconds for seconds, _ in runs["wc -l"])
-    for name, measured in runs.items():
-        seconds = statistics.median(seconds for seconds, _ in measured)
-        print("  %-8s %8.3f s  %5.2f x wc -l  %6.1f MiB of memory" % (name, seconds, seconds / base, max(m for _, m in measured)))
+    # spawned, not forked: the size of this process must not count
+    quiet = [(os.POSIX_SPAWN_OPEN, fd, os.devnull, os.O_WRONLY, 0) for fd in (1, 2)]
+    program = shutil.which(command[0])
+    started = time.perf_counter()
+    process = os.posix_spawn(program, command, os.environ, file_actions=quiet)
+    _, _, usage = os.wait4(process, 0)
+    return time.perf_counter() - started, usage.ru_maxrss / 1024
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--owlint", required=True)
-    parser.add_argument("--runs", type=int, default=3)
-    parser.add_argument("--motion", type=int, default=1024, metavar="MIB")
+    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--json", metavar="FILE")
+    parser.add_argument("--scale", type=float, default=1.0)
+    parser.add_argument("--dynamic", metavar="OWLINT")
     options = parser.parse_args()
-    print("%-30s %10s %10s %10s %8s" % ("program", "size", "lines", "seconds", "growth"))
-    with tempfile.TemporaryDirectory() as folder:
-        for name, make, sizes in CASES:
-            before = None
-            for size in sizes:
-                path = os.path.join(folder, "program.ngc")
-                lines = list(make(size))
-                with open(path, "w", encoding="ascii") as f:
-                    f.write("\n".join(lines) + "\n")
-                times = []
-                for _ in range(options.runs):
-                    started = time.monotonic()
-                    subprocess.run([options.owlint, "check", "--isolated", "--format", "jsonl", path],
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
-                    times.append(time.monotonic() - started)
-                seconds = statistics.median(times)
-                growth = "" if before is None else "%.1f x" % (seconds / before)
-                print("%-30s %10d %10d %10.3f %8s" % (name, size, len(lines), seconds, growth), flush=True)
-                before = seconds
-        against_wc(options, folder)
+    version = subprocess.run([options.owlint, "--version"], capture_output=True, text=True, check=True).stdout.strip()
+    with tempfile.TemporaryDirectory(prefix="owlint-bench-") as folder:
+        bench = Bench(options, folder)
+        print("| input | figure | wanted |\n|---|---|---|")
+        for part in (bench.motion, bench.dense, bench.interpreter, bench.files, bench.start, bench.growth):
+            part()
+        if options.json:
+            report = {"schema": "owlint-bench-1", "version": version, "processor": platform.processor() or platform.machine(),
+                      "cores": os.cpu_count(), "runs": options.runs, "rows": bench.rows}
+            with open(options.json, "w", encoding="utf-8") as f:
+                json.dump(report, f, indent=2)
+            print("written to %s" % options.json, file=sys.stderr)
 
 
 if __name__ == "__main__":
