@@ -2,6 +2,7 @@
 // Rests on: an unknown sub is looked for as a file on the search path, then by reading ahead to the end of the
 // file that calls it; not found is an error there.
 #include <algorithm>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -33,7 +34,8 @@ void check(const Input& in, Reporter& out) {
   constexpr size_t kMaxListings = 50;      // misspelt names for which all files of the search path are looked through
   std::vector<std::string> known;
   std::unordered_map<std::string, const Region*> by_name;
-  for (const Region& region : p.regions) {
+  const bool suggests = in.index.by_code.contains(out.rule().code);
+  for (const Region& region : suggests ? std::span(p.regions) : std::span<const Region>{}) {
     if (region.name == kNoName || !by_name.emplace(p.name(region.name), &region).second) continue;
     if (known.size() < kMaxCandidates) known.push_back(p.name(region.name));
   }

@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
-#include "analyzer/syntax/arithmetic.h"
-#include "analyzer/syntax/line_parser.h"
+#include "analyzer/flow/calm_lines.h"
 
 namespace owlint::flow {
 namespace {
-
-/// What an expression may do, with every parameter unknown.
-struct Look {
-  bool safe = true;      ///< it cannot fail
-  bool constant = false;
-  double value = 0;
-};
 
 /// For each parameter, in which stretch it was last noted: forgets all of them by counting on.
 class Marks {
@@ -25,19 +17,36 @@ class Marks {
   std::vector<uint32_t> numbers_, names_;
 };
 
+/// A part of a list that many share.
+struct Piece {
+  uint32_t first = 0;
+  uint32_t count = 0;
+
+  template <typename T>
+  std::span<const T> of(const std::vector<T>& list) const { return std::span(list).subspan(first, count); }
+};
+
+/// What a calm sub does to its caller.
+struct CalmSub {
+  bool calm_definition = false;  ///< passing over it does nothing but define it
+  bool calm = false;             ///< so is a call of it
+  bool tests = false;
+  uint32_t arguments = 0;        ///< the highest of #1 to #30 that it reads
+  Piece reads, writes;           ///< global parameters
+  Piece called;                  ///< the subs that it calls, and those that they call, by their openers
+};
+
 }  // namespace
 
 class CalmBuilder {
  public:
   CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const Evaluator& evaluator)
-      : out_(out), program_(program), structure_(structure), evaluator_(evaluator), read_(program.syntax.names.size()),
+      : out_(out), program_(program), structure_(structure), lines_(program, structure, evaluator), read_(program.syntax.names.size()),
         written_(program.syntax.names.size()), assigned_(program.syntax.names.size()), subs_(program.regions.size()),
         noted_(program.regions.size()) {}
 
   void run() {
     const auto count = static_cast<StatementId>(program_.size());
-    find_jumps();
-    find_escapes();
     find_definitions();
     // Harmful lines, counted, so that a block or a sub can be asked for all of its lines at once.
     harmful_.resize(count + 1);
@@ -49,8 +58,8 @@ class CalmBuilder {
       if (region != kMainRegion && program_.regions[region].end == id) look_at_sub(region);
       while (call != program_.calls.end() && call->statement < id) ++call;
       const bool calls = call != program_.calls.end() && call->statement == id;
-      stopping_[id + 1] = stopping_[id] + (stops_when_skipped(program_.at(id)) ? 1 : 0);
-      harmful_[id + 1] = harmful_[id] + (calls ? !harmless_call(*call) : !harmless(id));
+      stopping_[id + 1] = stopping_[id] + (lines_.stop_when_skipped(id) ? 1 : 0);
+      harmful_[id + 1] = harmful_[id] + (calls ? !harmless_call(*call) : !lines_.harmless(id));
     }
     // Not longer than this: the analysis may come to know of stretches in the middle of one.
     constexpr StatementId kMaxLines = 256;
@@ -65,14 +74,6 @@ class CalmBuilder {
   }
 
  private:
-  /// `break` and `do` together leave flags behind (OW501, OW509): calm is only one of them, everywhere.
-  void find_jumps() {
-    for (const Statement& s : program_.syntax.statements) {
-      jumps_ = jumps_ || s.is(Keyword::kBreak) || s.is(Keyword::kContinue);
-      do_loops_ = do_loops_ || s.is(Keyword::kDo);
-    }
-  }
-
   void find_definitions() {
     std::vector<bool> defined(program_.syntax.names.size());
     defined_again_.resize(defined.size());
@@ -95,58 +96,7 @@ class CalmBuilder {
     const BlockId block = program_.block_of[id];
     if (program_.blocks[block].opener != id) return id;  // a part of a block that is not calm as a whole
     const StatementId end = program_.blocks[block].end + 1;
-    return harmful_[end] == harmful_[id] && jumps_to_[block] >= id ? end : id;
-  }
-
-  /// How far out the jumps in each block lead: a block that a `break` of a loop around it leaves is not calm.
-  void find_escapes() {
-    jumps_to_.assign(program_.blocks.size(), static_cast<StatementId>(program_.size()));
-    if (!jumps_) return;
-    std::vector<BlockId> open;
-    for (StatementId id = 0; id < program_.size(); ++id) {
-      const Statement& s = program_.at(id);
-      const BlockId block = program_.block_of[id];
-      if (s.kind != LineKind::kOWord || block == kNoBlock || !structure_.structured[block]) continue;
-      if (program_.blocks[block].opener == id) {
-        open.push_back(block);
-      } else if (program_.blocks[block].end == id) {
-        open.pop_back();
-        if (!open.empty()) jumps_to_[open.back()] = std::min(jumps_to_[open.back()], jumps_to_[block]);
-      } else if (!open.empty() && (s.is(Keyword::kBreak) || s.is(Keyword::kContinue))) {
-        jumps_to_[open.back()] = std::min(jumps_to_[open.back()], program_.blocks[block].opener);
-      }
-    }
-  }
-
-  bool harmless(StatementId id) {
-    const Statement& s = program_.at(id);
-    if (s.error != UINT32_MAX) return false;
-    if (s.kind == LineKind::kWords) return harmless_words(s);
-    if (s.kind != LineKind::kOWord || s.label == kNoName) return false;
-    const BlockId block = program_.block_of[id];
-    if (block == kNoBlock || !structure_.structured[block]) return false;
-    switch (s.keyword) {
-      case Keyword::kIf: case Keyword::kElseif: case Keyword::kWhile: case Keyword::kRepeat: {
-        if (s.value_count != 1) return false;
-        const Look condition = look(program_.syntax.values[s.first]);
-        return condition.safe && !condition.constant;
-      }
-      case Keyword::kElse: case Keyword::kEndif: case Keyword::kEndwhile: case Keyword::kEndrepeat:
-        return true;
-      case Keyword::kDo:
-        return !jumps_;
-      case Keyword::kBreak: case Keyword::kContinue: {
-        const Block& loop = program_.blocks[block];
-        return !do_loops_ && loop.kind == Keyword::kWhile && loop.opener < id && id < loop.end;
-      }
-      default:
-        return false;
-    }
-  }
-
-  bool stops_when_skipped(const Statement& s) const {
-    if (s.kind == LineKind::kPercent || s.kind == LineKind::kFileEnd) return true;
-    return s.error != UINT32_MAX && program_.syntax.errors[s.error].kind < StopKind::kKeywordUnknown;
+    return harmful_[end] == harmful_[id] && lines_.jumps_to(block) >= id ? end : id;
   }
 
   bool harmless_call(const Call& call) {
@@ -155,53 +105,9 @@ class CalmBuilder {
     const CalmSub& sub = subs_[call.target];  // of a later one nothing is known yet
     if (!sub.calm || sub.arguments > s.value_count) return false;
     for (uint32_t i = 0; i < s.value_count; ++i) {
-      if (!look(program_.syntax.values[s.first + i]).safe) return false;
+      if (!lines_.look(program_.syntax.values[s.first + i]).safe) return false;
     }
     return true;
-  }
-
-  bool harmless_words(const Statement& s) {
-    for (uint32_t i = 0; i < s.item_count; ++i) {
-      const Item& item = program_.syntax.items[s.first + i];
-      if (!look(item.value).safe) return false;
-      if (item.target_name != kNoName && predefined_name(program_.name(item.target_name))) return false;
-      if (item.target != kNoExpr) {
-        const Look target = look(item.target);
-        long number = 0;
-        if (!target.safe || !target.constant || !to_integer(target.value, &number)) return false;
-        if (number < 1 || number > kLastNumber || read_only_number(number)) return false;
-      }
-    }
-    return true;
-  }
-
-  // Depth is bounded by the length of a line, here and in note_reads().
-  Look look(ExprId id) const {
-    const Expr& expr = program_.syntax.exprs[id];
-    switch (expr.op) {
-      case Operator::kNumber: return {true, true, expr.value()};
-      case Operator::kNamed: return {!program_.name(expr.name()).starts_with("_") || evaluator_.always_there(expr.name()), false, 0};
-      case Operator::kExistsNamed: case Operator::kExistsNumbered: return {false, false, 0};
-      case Operator::kParameter: {
-        const Look index = look(expr.left());
-        long number = 0;
-        const bool known = index.safe && index.constant && to_integer(index.value, &number);
-        return {known && number >= 1 && number <= kLastNumber, false, 0};
-      }
-      default: break;
-    }
-    const Look left = look(expr.left());
-    const Look right = expr.right() == kNoExpr ? left : look(expr.right());
-    Look out{left.safe && right.safe, left.constant && right.constant, 0};
-    if (out.constant) {
-      out.safe = out.safe && apply(expr.op, left.value, right.value, &out.value) == nullptr;
-    } else if (left.constant || right.constant) {
-      // One known side may decide or fail by itself: left to the evaluator.
-      const double known = left.constant ? left.value : right.value;
-      if (expr.op == Operator::kAnd || expr.op == Operator::kOr) out.safe = false;
-      if (expr.op == Operator::kDivide && right.constant && known == 0) out.safe = false;
-    }
-    return out;
   }
 
   void note_read(ParameterId p) {
@@ -210,18 +116,13 @@ class CalmBuilder {
     out_.reads_.push_back(p);
   }
 
+  // Depth is bounded by the length of a line.
   void note_reads(ExprId id) {
     const Expr& expr = program_.syntax.exprs[id];
     if (expr.op == Operator::kNamed) return note_read({expr.name(), true});
-    if (expr.op == Operator::kParameter) return note_read({number_of(expr.left()), false});
+    if (expr.op == Operator::kParameter) return note_read({lines_.number_of(expr.left()), false});
     if (expr.left() != kNoExpr) note_reads(expr.left());
     if (expr.right() != kNoExpr) note_reads(expr.right());
-  }
-
-  uint32_t number_of(ExprId index) const {
-    long number = 0;
-    to_integer(look(index).value, &number);
-    return static_cast<uint32_t>(number);
   }
 
   void note_write(ParameterId p, bool certain) {
@@ -286,7 +187,7 @@ class CalmBuilder {
     for (uint32_t i = 0; i < s.item_count; ++i) {
       const Item& item = program_.syntax.items[s.first + i];
       if (item.target_name != kNoName) note_write({item.target_name, true}, branches_.empty());
-      if (item.target != kNoExpr) note_write({number_of(item.target), false}, branches_.empty());
+      if (item.target != kNoExpr) note_write({lines_.number_of(item.target), false}, branches_.empty());
     }
   }
 
@@ -316,12 +217,19 @@ class CalmBuilder {
     call_ = std::ranges::lower_bound(call_, program_.calls.end(), id, {}, &Call::statement);
     const CalmSub& sub = subs_[call_->target];
     note_sub(call_->target);
-    for (const StatementId opener : sub.called) note_sub(program_.region_of[opener]);
-    for (const ParameterId p : sub.reads) note_read(p);
-    for (const CalmWrite& write : sub.writes) note_write(write.parameter, write.certain && branches_.empty());
+    for (const StatementId opener : sub.called.of(sub_called_)) note_sub(program_.region_of[opener]);
+    for (const ParameterId p : sub.reads.of(sub_reads_)) note_read(p);
+    for (const CalmWrite& write : sub.writes.of(sub_writes_)) note_write(write.parameter, write.certain && branches_.empty());
     stretch->tests = stretch->tests || sub.tests;
     stretch->calls = true;
     stretch->ends_defining = false;
+  }
+
+  template <typename T>
+  static Piece keep(std::vector<T>& list, std::span<const T> items) {
+    const Piece piece{static_cast<uint32_t>(list.size()), static_cast<uint32_t>(items.size())};
+    list.insert(list.end(), items.begin(), items.end());
+    return piece;
   }
 
   static bool is_local(const Program& program, ParameterId p) {
@@ -343,7 +251,7 @@ class CalmBuilder {
     // The value is computed when the definition is passed over, too: harmless where nothing is computed.
     if (end.value_count == 0) return true;
     const Operator op = program_.syntax.exprs[program_.syntax.values[end.first]].op;
-    return (op == Operator::kNumber || op == Operator::kNamed || op == Operator::kParameter) && look(program_.syntax.values[end.first]).safe;
+    return (op == Operator::kNumber || op == Operator::kNamed || op == Operator::kParameter) && lines_.look(program_.syntax.values[end.first]).safe;
   }
 
   /// Looks at the sub whose end has been reached: its definition, and what a call of it does.
@@ -356,14 +264,16 @@ class CalmBuilder {
     end_lists(body);
     go_through(region.opener + 1, region.end, &body);
     if (end.value_count > 0) note_reads(program_.syntax.values[end.first]);
-    CalmSub& sub = subs_[number];
-    sub.calm = true;
+    std::vector<ParameterId> reads;
+    std::vector<CalmWrite> writes;
+    CalmSub sub;
+    sub.calm_definition = sub.calm = true;
     sub.tests = body.tests;
     constexpr size_t kMaxNoted = 64;  // more would make every call expensive
     for (size_t i = body.reads; i < out_.reads_.size(); ++i) {
       const ParameterId p = out_.reads_[i];
       if (!is_local(program_, p)) {
-        sub.reads.push_back(p);
+        reads.push_back(p);
       } else if (p.named) {
         sub.calm = false;  // it is not assigned in the sub
       } else {
@@ -371,13 +281,14 @@ class CalmBuilder {
       }
     }
     for (size_t i = body.writes; i < out_.writes_.size(); ++i) {
-      if (!is_local(program_, out_.writes_[i].parameter)) sub.writes.push_back(out_.writes_[i]);
+      if (!is_local(program_, out_.writes_[i].parameter)) writes.push_back(out_.writes_[i]);
     }
-    sub.called.assign(out_.called_.begin() + body.called, out_.called_.end());
-    if (sub.reads.size() + sub.writes.size() + sub.called.size() > kMaxNoted) sub.calm = false;
-    if (!sub.calm) {
-      sub = CalmSub();
-      sub.calm_definition = true;
+    const std::span<const StatementId> called = std::span(out_.called_).subspan(body.called);
+    if (sub.calm && reads.size() + writes.size() + called.size() <= kMaxNoted) {
+      sub.reads = keep(sub_reads_, std::span<const ParameterId>(reads));
+      sub.writes = keep(sub_writes_, std::span<const CalmWrite>(writes));
+      sub.called = keep(sub_called_, called);
+      subs_[number] = sub;
     }
     out_.reads_.resize(body.reads);
     out_.writes_.resize(body.writes);
@@ -388,10 +299,7 @@ class CalmBuilder {
   CalmStretches& out_;
   const Program& program_;
   const Structure& structure_;
-  const Evaluator& evaluator_;
-  bool jumps_ = false;
-  bool do_loops_ = false;
-  std::vector<StatementId> jumps_to_;  // by block: the foremost opener of a loop that a line in it leaves or goes on with
+  CalmLines lines_;
   std::vector<uint32_t> harmful_;      // by statement: how many harmful lines come before it
   std::vector<uint32_t> stopping_;     // the same for lines that matter even where they are skipped
   uint32_t stretch_ = 0;            // number of the stretch or sub being noted, from 1
@@ -401,6 +309,9 @@ class CalmBuilder {
   std::vector<size_t> branches_;    // size of `undo_` where each open branch began
   std::vector<bool> defined_again_;  // by name: there are several definitions
   std::vector<CalmSub> subs_;       // by region
+  std::vector<ParameterId> sub_reads_;
+  std::vector<CalmWrite> sub_writes_;
+  std::vector<StatementId> sub_called_;
   std::vector<uint32_t> noted_;     // by region: the last stretch that calls it
   std::vector<Call>::const_iterator call_;
 };

@@ -30,17 +30,6 @@ struct CalmStretch {
   uint32_t defined = 0;
 };
 
-/// What a calm sub does to its caller.
-struct CalmSub {
-  bool calm_definition = false;        ///< passing over it does nothing but define it
-  bool calm = false;                   ///< so is a call of it
-  bool tests = false;
-  uint32_t arguments = 0;              ///< the highest of #1 to #30 that it reads
-  std::vector<ParameterId> reads;      ///< global parameters
-  std::vector<CalmWrite> writes;       ///< global parameters
-  std::vector<StatementId> called;     ///< the subs that it calls, and those that they call, by their openers
-};
-
 class CalmStretches {
  public:
   /// `warn_only`: under FEATURE 0x20 nothing is calm.

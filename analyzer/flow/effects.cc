@@ -34,11 +34,10 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
 
 }  // namespace
 
-EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular) : program_(program), regular_(regular), calls_(program.regions.size()) {
-  for (RegionId r = 1; r < program.regions.size(); ++r) {
-    regions_[program.regions[r].name].push_back(r);
-  }
-  for (const Call& call : program.calls) calls_[call.caller].push_back(call.statement);
+EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular) : program_(program), regular_(regular) {
+  const auto name_of = [&](RegionId r) { return r == kMainRegion ? kNoName : program.regions[r].name; };
+  regions_.assign(program.syntax.names.size(), static_cast<uint32_t>(program.regions.size()), name_of);
+  calls_.assign(program.regions.size(), static_cast<uint32_t>(program.calls.size()), [&](uint32_t i) { return program.calls[i].caller; });
 }
 
 const Effects& EffectsOfSubs::of(NameId sub) {
@@ -52,14 +51,11 @@ const Effects& EffectsOfSubs::of(NameId sub) {
     todo.pop_back();
     if (!effects.subs.insert(name).second) continue;
     if (effects.subs.size() > kMaxReached) effects.everything = true;
-    const auto found = regions_.find(name);
-    if (found == regions_.end()) continue;
-    for (const RegionId r : found->second) {
+    if (name >= regions_.size()) continue;  // a computed one
+    for (const RegionId r : regions_[name]) {
       const Region& region = program_.regions[r];
       for (StatementId id = region.opener; id < region.last; ++id) add_line(program_, program_.at(id), effects);
-      for (const StatementId call : calls_[r]) {
-        todo.push_back(program_.at(call).label);
-      }
+      for (const uint32_t call : calls_[r]) todo.push_back(program_.calls[call].callee);
     }
   }
   return effects;

@@ -27,9 +27,9 @@ class EffectsOfSubs {
  private:
   const Program& program_;
   bool regular_;
-  std::unordered_map<NameId, std::vector<RegionId>> regions_;
+  Grouped regions_;  ///< by name of the sub
   std::unordered_map<NameId, Effects> known_;
-  std::vector<std::vector<StatementId>> calls_;  ///< by region
+  Grouped calls_;    ///< by region: indices into Program::calls
 };
 
 }  // namespace owlint::flow

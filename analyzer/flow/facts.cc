@@ -87,13 +87,15 @@ void Evaluator::find_facts() {
     if (crowded) continue;
     const Fact fact{next++, global};
     for (const uint32_t key : keys) facts_of_[global][key].push_back(fact.id);
-    for (const ExprId condition : test.conditions) facts_.emplace(condition, fact);
+    for (const ExprId condition : test.conditions) {
+      if (condition >= facts_.size()) facts_.resize(std::max<size_t>(condition + 1, facts_.size() * 2));
+      facts_[condition] = fact;
+    }
   }
 }
 
 Fact Evaluator::fact(ExprId condition) const {
-  const auto found = facts_.find(condition);
-  return found == facts_.end() ? Fact{} : found->second;
+  return condition < facts_.size() ? facts_[condition] : Fact{};
 }
 
 int Evaluator::known(const Parameters& p, Fact fact) {

@@ -221,6 +221,16 @@ const std::string& Machine::name(NameId id) const {
 }
 
 FullLabel Machine::full_label(NameId scope, NameId label) {
+  // Labels of subs are asked for at every call and definition.
+  if (scope == kGlobalScope && label != kNoName) {
+    if (label >= sub_labels_.size()) sub_labels_.resize(std::max<size_t>(label + 1, program_.syntax.names.size()), kNoLabel);
+    FullLabel& known = sub_labels_[label];
+    if (known == kNoLabel) {
+      known = static_cast<FullLabel>(labels_.size());
+      labels_.emplace_back(scope, label);
+    }
+    return known;
+  }
   const uint64_t key = static_cast<uint64_t>(scope) << 32 | label;
   const auto [entry, added] = label_ids_.emplace(key, static_cast<FullLabel>(labels_.size()));
   if (added) labels_.emplace_back(scope, label);

@@ -170,7 +170,8 @@ class Machine {
   EffectsOfSubs effects_;
   std::optional<CalmStretches> calm_;  // there from set_coarse() on
   std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
-  std::unordered_map<uint64_t, FullLabel> label_ids_;
+  std::unordered_map<uint64_t, FullLabel> label_ids_;  // by scope and label, but for subs
+  std::vector<FullLabel> sub_labels_;                  // by label
   // Positions at which a skip may be interrupted, each sorted.
   std::vector<StatementId> computed_, always_errors_, unknown_keywords_, definitions_, percents_, file_ends_;
   Names computed_names_;  // numbered behind the program's own

@@ -144,13 +144,13 @@ void Linked::follow(size_t from) {
     const size_t level_end = files_.size();
     for (; from < level_end; ++from) {
       const auto program = files_[from].program;
+      std::vector<bool> looked(program->syntax.names.size());
       for (const Call& call : program->calls) {
-        if (call.callee == kNoName) continue;
+        if (call.callee == kNoName || looked[call.callee] || files_.size() >= kMaxFiles) continue;
+        looked[call.callee] = true;
         const std::string& name = program->name(call.callee);
-        if (targets_.contains(name) || files_.size() >= kMaxFiles) continue;
-        CallTarget target{CallTarget::kNotFound, leaves_folders(name) || expands(name)};
-        if (const auto found = search_path_->find(name)) target.file = add_file(*found);
-        targets_.emplace(name, target);
+        if (targets_.contains(name)) continue;
+        if (const auto found = search_path_->find(name)) targets_.emplace(name, CallTarget{add_file(*found), false});
       }
     }
   }
@@ -159,10 +159,9 @@ void Linked::follow(size_t from) {
 bool Linked::add(const std::string& name) {
   if (targets_.contains(name)) return false;
   const auto found = search_path_->find(name);
-  targets_.emplace(name, CallTarget{CallTarget::kNotFound, leaves_folders(name) || expands(name)});
   if (!found) return false;
   const size_t before = files_.size();
-  targets_[name].file = add_file(*found);
+  targets_.emplace(name, CallTarget{add_file(*found), false});
   follow(before);
   join();
   return true;

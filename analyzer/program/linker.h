@@ -51,7 +51,7 @@ class Linked {
 
   std::vector<LinkedFile> files_;
   std::unordered_map<std::string, uint32_t> by_path_;
-  std::unordered_map<std::string, CallTarget> targets_;
+  std::unordered_map<std::string, CallTarget> targets_;  // those that have a file
   std::shared_ptr<const SearchPath> search_path_;
   std::shared_ptr<const Program> joined_;
   Library& library_;

@@ -39,7 +39,7 @@ constexpr auto kClasses = make_classes();
 
 // Lines are passed over in stretches, and each stretch is let go when it is over: a file of gigabytes is never in
 // memory as a whole.
-constexpr size_t kStretch = 8 << 20;  // bytes
+constexpr size_t kStretch = 4 << 20;  // bytes
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -135,12 +135,14 @@ struct Stretch {
   uint64_t end = 0;
 };
 
-std::vector<Stretch> cut(std::string_view bytes) {
+std::vector<Stretch> cut(const Source& source) {
+  const std::string_view bytes = source.bytes();
   std::vector<Stretch> stretches;
   for (size_t at = 0; at < bytes.size();) {
     const size_t feed = at + kStretch < bytes.size() ? bytes.find('\n', at + kStretch) : std::string_view::npos;
     const size_t end = feed == std::string_view::npos ? bytes.size() : feed + 1;
     stretches.push_back({at, end});
+    if (bytes.size() > kStretch) source.let_go({at, end});  // looking at one byte can bring in half a megabyte
     at = end;
   }
   return stretches;
@@ -278,7 +280,7 @@ Syntax scan(const Source& source) {
   Syntax out;
   const std::string_view bytes = source.bytes();
   Reader reader(out, bytes);
-  const std::vector<Stretch> stretches = cut(bytes);
+  const std::vector<Stretch> stretches = cut(source);
   const auto look_at = [&](size_t i, const auto& take) {
     const Span span{stretches[i].begin, stretches[i].end};
     if (stretches.size() > 1) source.will_read(span);

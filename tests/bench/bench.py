@@ -53,14 +53,14 @@ class Bench:
         return [program or self.owlint, "check", "--isolated", "--no-find-ini", "--quiet", "--jobs", str(jobs), *paths]
 
     def time(self, commands, runs=None):
-        """Runs the commands in turn: -> [(median seconds, peak MiB)]."""
+        """Runs the commands in turn: -> their median seconds."""
         measured = [[] for _ in commands]
         for round_ in range((runs or self.runs) + 1):
             for command, times in zip(commands, measured):
-                seconds, memory = timed(command)
+                seconds = spawn(command, (1, 2))
                 if round_ > 0:  # the first one only fills the page cache
-                    times.append((seconds, memory))
-        return [(statistics.median(s for s, _ in m), max(m for _, m in m)) for m in measured]
+                    times.append(seconds)
+        return [statistics.median(times) for times in measured]
 
     def add(self, what, figure, ratio, wanted, **more):
         self.rows.append({"input": what, "figure": figure, "ratio": round(ratio, 3), "wanted": wanted, **more})
@@ -74,7 +74,8 @@ class Bench:
     def motion(self):
         size = self.small_size(MOTION)
         path = self.write("motion.ngc", inputs.motion(size))
-        (wc, _), (one, memory), (two, _) = self.time([["wc", "-l", path], self.check(path), self.check(path, jobs=2)])
+        wc, one, two = self.time([["wc", "-l", path], self.check(path), self.check(path, jobs=2)])
+        memory = max(peak_memory(self.check(path)), peak_memory(self.check(path, jobs=2)))
         what = "%d MiB of CAM motion, 20 O-word blocks in it" % size
         self.add(what, "%.2f x `wc -l` (%.3f s), %.0f MiB of memory" % (one / wc, one, memory), one / wc, "at most 3.0 x, 64 MiB",
                  seconds=one, reference_seconds=wc, memory_mib=memory)
@@ -83,7 +84,8 @@ class Bench:
 
     def dense(self):
         path = self.write("dense.ngc", inputs.dense(self.small_size(DENSE)))
-        (seconds, memory), = self.time([self.check(path)])
+        seconds, = self.time([self.check(path)])
+        memory = peak_memory(self.check(path))
         speed = os.path.getsize(path) / seconds / 1e6
         self.add("%d MB of dense O-words" % self.small_size(DENSE), "%.0f MB/s, %.0f MiB of memory" % (speed, memory), speed, "at least 100 MB/s",
                  seconds=seconds, memory_mib=memory)
@@ -92,8 +94,8 @@ class Bench:
     def interpreter(self):
         if shutil.which("rs274") is None:
             return
-        path = self.write("part.ngc", inputs.motion(max(1, self.small_size(12))))
-        (rs274, _), (owlint, _) = self.time([["rs274", "-g", path], self.check(path)], 3)
+        path = self.write("part.ngc", inputs.motion(self.small_size(12)))
+        rs274, owlint = self.time([["rs274", "-g", path], self.check(path)], 3)
         self.add("12 MiB of CAM motion: `rs274 -g` runs it, owlint checks it", "%.0f x as fast" % (rs274 / owlint), rs274 / owlint, "", seconds=owlint,
                  reference_seconds=rs274)
 
@@ -103,7 +105,8 @@ class Bench:
         for number in range(count):
             self.write("shop/%03d/p%05d.ngc" % (number // 100, number), inputs.small(number))
         wc = ["sh", "-c", "find '%s' -name '*.ngc' -print0 | xargs -0 wc -l" % tree]
-        (reference, _), (owlint, memory) = self.time([wc, self.check(tree, jobs=2)])
+        reference, owlint = self.time([wc, self.check(tree, jobs=2)])
+        memory = peak_memory(self.check(tree, jobs=2))
         self.add("%d files of 4 KiB, `--jobs 2`" % count, "%.2f x `find ... | xargs wc -l` (%.2f s)" % (owlint / reference, owlint), owlint / reference,
                  "at most 2 x", seconds=owlint, reference_seconds=reference, memory_mib=memory)
         shutil.rmtree(tree)
@@ -114,18 +117,18 @@ class Bench:
         if self.dynamic:
             commands.append(self.check(path, program=self.dynamic))
         measured = self.time(commands, 100)
-        cat, owlint = measured[0][0], measured[1][0]
+        cat, owlint = measured[:2]
         self.add("one program of 20 lines", "%.2f x `cat` (%.2f ms)" % (owlint / cat, owlint * 1e3), owlint / cat, "at most 5 x", seconds=owlint,
                  reference_seconds=cat)
         if self.dynamic:
-            dynamic = measured[2][0]
+            dynamic = measured[2]
             self.add("the same, linked dynamically", "%.2f x `cat`" % (dynamic / cat), dynamic / cat, "", seconds=dynamic, reference_seconds=cat)
 
     def growth(self):
         for name, unit, make, sizes in GROWTH:
             sizes = [max(1, int(size * self.scale)) for size in sizes] if self.scale < 1 and sizes[-1] > 1000 else sizes
             paths = [self.write("growth%d.ngc" % i, make(size)) for i, size in enumerate(sizes)]
-            times = [seconds for seconds, _ in self.time([self.check(path) for path in paths], 3)]
+            times = self.time([self.check(path) for path in paths], 3)
             steps = [later / earlier for earlier, later in zip(times, times[1:])]
             self.add("%s: %s %s" % (name, ", ".join("{:,}".format(size) for size in sizes), unit),
                      "%s s: steps of %s" % (", ".join("%.3f" % t for t in times), ", ".join("%.1f x" % s for s in steps)), max(steps), "at most 11 x",
@@ -134,15 +137,20 @@ class Bench:
                 os.remove(path)
 
 
-def timed(command):
-    """-> (seconds, peak memory in MiB)"""
-    # spawned, not forked: the size of this process must not count
-    quiet = [(os.POSIX_SPAWN_OPEN, fd, os.devnull, os.O_WRONLY, 0) for fd in (1, 2)]
+def spawn(command, quiet):
+    """-> seconds"""
+    streams = [(os.POSIX_SPAWN_OPEN, fd, os.devnull, os.O_WRONLY, 0) for fd in quiet]
     program = shutil.which(command[0])
     started = time.perf_counter()
-    process = os.posix_spawn(program, command, os.environ, file_actions=quiet)
-    _, _, usage = os.wait4(process, 0)
-    return time.perf_counter() - started, usage.ru_maxrss / 1024
+    os.waitpid(os.posix_spawn(program, command, os.environ, file_actions=streams), 0)
+    return time.perf_counter() - started
+
+
+def peak_memory(command):
+    """In MiB, as GNU time tells it: asked from here, this process's own memory would be counted."""
+    with tempfile.NamedTemporaryFile("r") as answer:
+        spawn(["time", "-f", "%M", "-o", answer.name, *command], (1, 2))
+        return int(answer.read().split()[-1]) / 1024
 
 
 def main():

@@ -43,7 +43,7 @@ def motion(mebibytes, blocks=20):
     piece = "\n".join(("G1 " if i % 10 == 0 else "") + place() for i in range(40000))
     pieces = (mebibytes << 20) // len(piece) + 1
     yield "%"
-    yield "G21 G90"
+    yield "G21 G90 F800"
     for number in range(pieces):
         if number % max(1, pieces // blocks) == 0:
             yield "o%d if [#%d GT 0]\n  G0 Z5\no%d endif" % (100 + number, 500, 100 + number)

@@ -1,0 +1,46 @@
+// Which lines can do no harm by themselves, whatever the values of parameters: they cannot stop, and jump only within
+// their own loop. Used by calm.cc, which puts them together to stretches.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/flow/structured.h"
+#include "analyzer/flow/values.h"
+
+namespace owlint::flow {
+
+/// What an expression may do, with every parameter unknown.
+struct Look {
+  bool safe = true;      ///< it cannot fail
+  bool constant = false;
+  double value = 0;      ///< of a constant
+};
+
+class CalmLines {
+ public:
+  CalmLines(const Program& program, const Structure& structure, const Evaluator& evaluator);
+
+  /// Of a part of a block: harmless if the whole block is. Calls and subs are not asked for here.
+  bool harmless(StatementId id) const;
+  /// Whether a line matters even where lines are skipped.
+  bool stop_when_skipped(StatementId id) const;
+  /// How far out the jumps in a block lead: the foremost opener of a loop that a line in it leaves or goes on with.
+  StatementId jumps_to(BlockId block) const { return jumps_to_[block]; }
+  Look look(ExprId id) const;
+  /// The number of a parameter whose index is safe and constant.
+  uint32_t number_of(ExprId index) const;
+
+ private:
+  void find_escapes();
+  bool harmless_words(const Statement& s) const;
+
+  const Program& program_;
+  const Structure& structure_;
+  const Evaluator& evaluator_;
+  // `break` and `do` together leave flags behind (OW501, OW509): calm is only one of them, everywhere.
+  bool jumps_ = false;
+  bool do_loops_ = false;
+  std::vector<StatementId> jumps_to_;  // by block
+};
+
+}  // namespace owlint::flow
