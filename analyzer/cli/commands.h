@@ -11,6 +11,9 @@ enum ExitStatus : int { kClean = 0, kFindings = 1, kUsage = 2, kInternal = 3 };
 
 int check_command(const CommandLine& line);
 int graph_command(const CommandLine& line, const std::string& format);
+int lsp_command();
+/// `check`: change nothing, exit with 1 where something would change; `diff`: print the changes instead of making them.
+int format_command(const CommandLine& line, bool check, bool diff);
 int explain_command(const std::string& code_or_name);
 int rules_command(const std::string& format);
 

@@ -13,7 +13,7 @@ namespace {
 
 using owlint::cli::CommandLine;
 
-constexpr std::array<std::string_view, 4> kCommands = {"check", "graph", "explain", "rules"};
+constexpr std::array<std::string_view, 6> kCommands = {"check", "graph", "explain", "rules", "fmt", "lsp"};
 
 void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("PATH", line.paths, "programs, folders (searched for *.ngc *.nc *.tap *.cnc *.gcode), or - for standard input")->required();
@@ -60,6 +60,17 @@ int run(std::vector<std::string> arguments) {
   graph->add_flag("--find-ini,!--no-find-ini", graph_line.find_ini, "without --ini, use the one machine INI in the nearest folder above (default)");
   graph->add_flag("--isolated", graph_line.isolated, "use no owlint.toml");
 
+  CommandLine format_line;
+  bool format_check = false;
+  bool format_diff = false;
+  CLI::App* format = app.add_subcommand("fmt", "indent programs by their subs and blocks; nothing else changes");
+  format->add_option("PATH", format_line.paths, "programs, folders, or - for standard input, which is written to standard output")->required();
+  format->add_flag("--check", format_check, "change nothing; exit with 1 where something would change");
+  format->add_flag("--diff", format_diff, "change nothing; print what would change");
+
+  CLI::App* lsp = app.add_subcommand("lsp", "language server on standard input and output, for editors");
+  lsp->add_flag_function("--stdio", [](std::int64_t) {}, "as always; some editors say it");
+
   std::string code;
   CLI::App* explain = app.add_subcommand("explain", "what a rule finds, why, an example, and how to mend it");
   explain->add_option("CODE", code, "code or name of a rule, as OW104 or if-label-reused")->required();
@@ -86,6 +97,8 @@ int run(std::vector<std::string> arguments) {
   }
   if (check->parsed()) return owlint::cli::check_command(line);
   if (graph->parsed()) return owlint::cli::graph_command(graph_line, graph_format);
+  if (format->parsed()) return owlint::cli::format_command(format_line, format_check, format_diff);
+  if (lsp->parsed()) return owlint::cli::lsp_command();
   if (explain->parsed()) return owlint::cli::explain_command(code);
   return owlint::cli::rules_command(rules_format);
 }

@@ -95,6 +95,8 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
     program.sub_file ? drop_guesses(program.own) : drop_ends(program.own);
   });
 
+  for (ProgramReport& program : programs) result.calls.push_back(program.calls);
+
   std::map<std::string, size_t> place;  // of a file's report
   for (size_t i = 0; i < files.size(); ++i) {
     if (programs[i].own.source == nullptr) continue;

@@ -13,6 +13,7 @@ namespace owlint::cli {
 
 struct RunResult {
   std::vector<FileReport> reports;  ///< of the files in their order, then of called files and INIs by path
+  std::vector<std::vector<std::string>> calls;  ///< by file: the paths of the files that it calls
   std::vector<std::string> errors;  ///< by file: why it could not be read, or empty
   std::vector<std::string> notes;   ///< what users should know besides findings
 };

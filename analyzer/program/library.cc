@@ -1,6 +1,12 @@
 #include "analyzer/program/library.h"
 
 namespace owlint {
+
+void Library::forget(const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  slots_.erase(file_key(path));
+}
+
 std::shared_ptr<Library::Slot> Library::slot(const std::string& path, bool for_call) {
   const std::lock_guard lock(mutex_);
   auto& entry = slots_[file_key(path)];
@@ -18,7 +24,7 @@ std::shared_ptr<const Program> Library::load_called(const std::string& path) {
   std::call_once(entry->once, [&] {
     ++parsed_;
     std::string error;
-    auto source = Source::map(path, &error);
+    auto source = open_(path, &error);
     if (source == nullptr) source = Source::own(path, "");
     entry->program = build_program(std::move(source));
   });

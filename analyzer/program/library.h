@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -14,6 +15,14 @@ namespace owlint {
 
 class Library {
  public:
+  using Open = std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>;
+
+  /// `open` reads files; an editor gives its unsaved buffers instead.
+  explicit Library(Open open = Source::map) : open_(std::move(open)) {}
+
+  /// A file has changed: it is read anew when it is asked for.
+  void forget(const std::string& path);
+
   /// The program in the file that a call found; an empty one, named `path`, where there is nothing that LinuxCNC could
   /// read (a folder, a device, a file that has vanished). Never null.
   std::shared_ptr<const Program> load_called(const std::string& path);
@@ -36,6 +45,7 @@ class Library {
     bool called = false;
   };
   std::shared_ptr<Slot> slot(const std::string& path, bool for_call);
+  Open open_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Slot>> slots_;
   std::map<std::string, std::shared_ptr<const SearchPath>> folders_;

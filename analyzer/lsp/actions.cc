@@ -1,0 +1,107 @@
+// Quick fixes, `source.fixAll.owlint` with the safe ones, and for every finding: explain it, silence it here.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analyzer/lsp/features.h"
+#include "analyzer/report/report.h"
+#include "rules/rule.h"
+
+namespace owlint::lsp {
+namespace {
+
+Json text_edits(const Document& document, const std::vector<Edit>& edits) {
+  Json out = Json::array();
+  for (const Edit& edit : edits) out.push_back({{"range", document.range(edit.span)}, {"newText", edit.text}});
+  return out;
+}
+
+Json workspace_edit(const Document& document, Json edits) {
+  const Json version = document.version ? Json(*document.version) : Json(nullptr);
+  return {{"documentChanges", Json::array({{{"textDocument", {{"uri", document.uri()}, {"version", version}}}, {"edits", std::move(edits)}}})}};
+}
+
+/// A comment on a line of its own, with the indentation of the line that it speaks of.
+Json silence(const Document& document, const Finding& f) {
+  const Span line = document.line_at(f.span.begin);
+  const std::string_view text = std::string_view(document.text()).substr(line.begin, line.end - line.begin);
+  const std::string indent(text.substr(0, std::min(text.find_first_not_of(" \t"), text.size())));
+  const Span here{line.begin, line.begin};
+  return text_edits(document, {{here, fmt::format("{}(owlint: ignore {} -- reason)\n", indent, f.code)}});
+}
+
+bool wanted(const Json& context, std::string_view kind) {
+  if (!context.contains("only")) return true;
+  return std::ranges::any_of(context.at("only"), [&](const Json& only) {
+    const std::string prefix = only.get<std::string>();
+    return kind == prefix || kind.starts_with(prefix + ".");
+  });
+}
+
+/// The safe fixes of all findings that do not touch each other.
+std::vector<Edit> safe_edits(const std::vector<Finding>& findings) {
+  std::vector<Edit> out;
+  for (const Finding& f : findings) {
+    const auto fix = std::ranges::find(f.fixes, true, &Fix::safe);
+    if (fix == f.fixes.end()) continue;
+    const bool clash = std::ranges::any_of(fix->edits, [&](const Edit& edit) {
+      return std::ranges::any_of(out, [&](const Edit& other) { return edit.span.begin <= other.span.end && other.span.begin <= edit.span.end; });
+    });
+    if (!clash) out.insert(out.end(), fix->edits.begin(), fix->edits.end());
+  }
+  return out;
+}
+
+Json diagnostic_in(const Json& context, const Finding& f, const Document& document) {
+  Json out = Json::array();
+  const Json range = document.range(f.span);
+  for (const Json& d : context.value("diagnostics", Json::array())) {
+    if (d.value("code", Json()) == f.code && d.value("range", Json()) == range) out.push_back(d);
+  }
+  return out;
+}
+
+}  // namespace
+
+Json code_action(Workspace& workspace, const Json& params) {
+  const std::string uri = params.at("textDocument").at("uri");
+  const Document& document = workspace.document(uri);
+  const Span span = document.span(params.at("range"));
+  const Json context = params.value("context", Json::object());
+  const Checked* known = workspace.checked(uri);
+  const Checked checked = known != nullptr ? *known : workspace.check_alone(document.path());
+  Json out = Json::array();
+  for (const Finding& f : checked.findings) {
+    if (f.span.begin > span.end || f.span.end < span.begin || !wanted(context, "quickfix")) continue;
+    const Json diagnostics = diagnostic_in(context, f, document);
+    const auto add = [&](Json action) {
+      action["kind"] = "quickfix";
+      if (!diagnostics.empty()) action["diagnostics"] = diagnostics;
+      out.push_back(std::move(action));
+    };
+    bool first = true;
+    for (const Fix& fix : f.fixes) {
+      add({{"title", printable(fix.title)}, {"isPreferred", first && fix.safe}, {"edit", workspace_edit(document, text_edits(document, fix.edits))}});
+      first = false;
+    }
+    add({{"title", fmt::format("silence {} here", f.code)}, {"edit", workspace_edit(document, silence(document, f))}});
+    add({{"title", fmt::format("explain {} {}", f.code, f.rule)},
+         {"command", {{"title", fmt::format("explain {}", f.code)}, {"command", "owlint.explain"}, {"arguments", {f.code}}}}});
+  }
+  if (wanted(context, "source.fixAll.owlint")) {
+    const std::vector<Edit> edits = safe_edits(checked.findings);
+    if (!edits.empty()) out.push_back({{"title", "mend all that owlint can mend safely"}, {"kind", "source.fixAll.owlint"}, {"edit", workspace_edit(document, text_edits(document, edits))}});
+  }
+  return out;
+}
+
+Json execute_command(Workspace&, const Json& params) {
+  if (params.at("command") != "owlint.explain") throw ResponseError{ErrorCode::kInvalidParams, "no such command"};
+  const std::string code = params.at("arguments").at(0);
+  const Rule* rule = find_rule(code);
+  if (rule == nullptr) throw ResponseError{ErrorCode::kInvalidParams, "no such rule: " + code};
+  const Page& page = rule->page;
+  return fmt::format("# {} {}\n\n{}\n\n{}\n\n```\n{}```\n\n{}\n\n```\n{}```\n", rule->code, rule->name, page.what, page.why, page.bad, page.fix, page.good);
+}
+
+}  // namespace owlint::lsp

@@ -1,0 +1,210 @@
+#include "analyzer/lsp/places.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "analyzer/lsp/lexer.h"
+
+namespace owlint::lsp {
+namespace {
+
+bool is_sub_word(const Statement& s) { return (s.kind == LineKind::kOWord && global_label(s.keyword)) || s.kind == LineKind::kM98; }
+
+std::string file_stem(const std::string& path) { return small_letters(std::filesystem::path(path).stem().string()); }
+
+StatementId definition_in(const Document& document, const std::string& name) {
+  const Program& p = document.program();
+  const NameId id = p.syntax.names.find(name);
+  if (id == kNoName || id >= p.by_label.size()) return kNoStatement;
+  for (const StatementId at : p.by_label[id]) {
+    if (p.at(at).opens_sub() && p.regions[p.region_of[at]].opener == at) return at;
+  }
+  return kNoStatement;
+}
+
+void add_sub_words(const Document& document, const std::string& name, std::vector<Occurrence>& out) {
+  const Program& p = document.program();
+  const NameId id = p.syntax.names.find(name);
+  if (id == kNoName) return;
+  for (StatementId at = 0; at < p.size(); ++at) {
+    const Statement& s = p.at(at);
+    if (s.label == id && is_sub_word(s)) out.push_back({&document, s.label_span(), s.opens_sub()});
+  }
+}
+
+}  // namespace
+
+Place place_of(Workspace& workspace, const Json& params) {
+  const Document& document = workspace.document(params.at("textDocument").at("uri"));
+  return {document, document.offset(params.at("position"))};
+}
+
+std::optional<Target> target_at(const Document& document, uint64_t offset) {
+  const Span line = document.line_at(offset);
+  const std::string_view text = std::string_view(document.text()).substr(line.begin, line.end - line.begin);
+  for (const Token& token : tokenize(text)) {
+    if (token.kind != TokenKind::kParameter || offset < line.begin + token.begin || offset > line.begin + token.end) continue;
+    std::string name = parameter_name(text.substr(token.begin, token.end - token.begin));
+    if (name.empty()) break;
+    return Target{Target::Kind::kParameter, {line.begin + token.begin, line.begin + token.end}, kNoStatement, kNoBlock, std::move(name)};
+  }
+  const StatementId id = document.statement_at(offset);
+  if (id == kNoStatement) return std::nullopt;
+  const Program& p = document.program();
+  const Statement& s = p.at(id);
+  const Span head = s.kind == LineKind::kM98 ? s.label_span() : s.head_span();
+  if (s.label == kNoName || offset < head.begin || offset > head.end) return std::nullopt;
+  if (is_sub_word(s)) return Target{Target::Kind::kSub, s.label_span(), id, kNoBlock, p.name(s.label)};
+  if (s.kind != LineKind::kOWord || p.block_of[id] == kNoBlock) return std::nullopt;
+  return Target{Target::Kind::kBlock, s.label_span(), id, p.block_of[id], p.name(s.label)};
+}
+
+Sub find_sub(Workspace& workspace, const Document& document, const std::string& name) {
+  Sub sub{name};
+  if (const StatementId own = definition_in(document, name); own != kNoStatement) {
+    sub.document = &document;
+    sub.opener = own;
+  } else if (const std::string path = workspace.called_file(document, name); !path.empty()) {
+    if (const Document* other = workspace.document_of_path(path)) {
+      const StatementId opener = definition_in(*other, name);
+      if (opener != kNoStatement) {
+        sub.document = other;
+        sub.opener = opener;
+      }
+    }
+  }
+  sub.own_file = sub.document != nullptr && file_stem(sub.document->path()) == name;
+  return sub;
+}
+
+std::vector<Occurrence> sub_occurrences(Workspace& workspace, const Document& document, const std::string& name) {
+  const Sub sub = find_sub(workspace, document, name);
+  std::vector<Occurrence> out;
+  if (sub.document != nullptr) add_sub_words(*sub.document, name, out);
+  if (sub.document != &document) add_sub_words(document, name, out);
+  if (!sub.own_file) return out;
+  for (const std::string& path : workspace.program_files()) {
+    const Document* other = workspace.document_of_path(path);
+    if (other == nullptr || other == sub.document || other == &document || definition_in(*other, name) != kNoStatement) continue;
+    if (other->program().syntax.names.find(name) == kNoName) continue;
+    const std::string called = workspace.called_file(*other, name);
+    if (!called.empty() && file_key(called) == file_key(sub.document->path())) add_sub_words(*other, name, out);
+  }
+  return out;
+}
+
+std::vector<Occurrence> block_occurrences(const Document& document, BlockId block) {
+  const Program& p = document.program();
+  std::vector<Occurrence> out;
+  const Block& b = p.blocks[block];
+  for (const StatementId at : p.by_label[b.label]) {
+    if (p.block_of[at] == block) out.push_back({&document, p.at(at).label_span(), at == b.opener});
+  }
+  return out;
+}
+
+std::vector<Occurrence> parameter_occurrences(const Document& document, uint64_t offset, const std::string& name) {
+  const bool global = name.starts_with("<_") || (name[0] != '<' && (name.size() > 2 || std::stoi(name) > 30));
+  const RegionId region = region_at(document, offset);
+  std::vector<Occurrence> out;
+  const std::string_view text = document.text();
+  for (size_t line = 0; line < document.lines().count(); ++line) {
+    const Span span = document.lines().line(text, line);
+    const std::string_view bytes = text.substr(span.begin, span.end - span.begin);
+    if (bytes.find('#') == std::string_view::npos) continue;
+    if (!global && region_at(document, span.begin) != region) continue;
+    const std::vector<Token> tokens = tokenize(bytes);
+    for (const Token& token : tokens) {
+      if (token.kind != TokenKind::kParameter || parameter_name(bytes.substr(token.begin, token.end - token.begin)) != name) continue;
+      size_t next = token.end;
+      while (next < bytes.size() && (bytes[next] == ' ' || bytes[next] == '\t')) ++next;
+      out.push_back({&document, {span.begin + token.begin, span.begin + token.end}, next < bytes.size() && bytes[next] == '='});
+    }
+  }
+  return out;
+}
+
+std::vector<Occurrence> occurrences(Workspace& workspace, const Document& document, const Target& target, uint64_t offset) {
+  switch (target.kind) {
+    case Target::Kind::kBlock: return block_occurrences(document, target.block);
+    case Target::Kind::kSub: return sub_occurrences(workspace, document, target.name);
+    case Target::Kind::kParameter: return parameter_occurrences(document, offset, target.name);
+  }
+  return {};
+}
+
+RegionId region_at(const Document& document, uint64_t offset) {
+  const Program& p = document.program();
+  const auto& statements = p.syntax.statements;
+  // The last statement that begins before; a sub reaches to the end of its `endsub` line.
+  const auto after = std::ranges::upper_bound(statements, offset, {}, &Statement::offset);
+  if (after == statements.begin()) return kMainRegion;
+  const auto id = static_cast<StatementId>(after - statements.begin()) - 1;
+  const RegionId region = p.region_of[id];
+  return p.regions[region].end == id && offset > p.at(id).end() ? kMainRegion : region;
+}
+
+std::string label_text(const std::string& name) {
+  const bool number = !name.empty() && name.find_first_not_of("-0123456789") == std::string::npos;
+  return number ? "o" + name : "o<" + name + ">";
+}
+
+std::string leading_comment(const Document& document, StatementId opener) {
+  const std::string_view text = document.text();
+  const size_t line = document.lines().line_of(document.program().at(opener).offset);
+  const auto comment_of = [&](size_t number) {
+    const Span span = document.lines().line(text, number);
+    std::string_view bytes = text.substr(span.begin, span.end - span.begin);
+    const size_t first = bytes.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return std::string();
+    bytes = bytes.substr(first);
+    const size_t last = bytes.find_last_not_of(" \t\r");
+    bytes = bytes.substr(0, last + 1);
+    if (bytes[0] == ';') return std::string(bytes.substr(std::min(bytes.find_first_not_of("; \t"), bytes.size())));
+    const bool whole = bytes[0] == '(' && bytes.find(')') == bytes.size() - 1;
+    return whole ? std::string(bytes.substr(1, bytes.size() - 2)) : std::string();
+  };
+  std::string out;
+  size_t first = line;
+  while (first > 0 && !comment_of(first - 1).empty()) --first;
+  for (size_t at = first; at < line; ++at) out += comment_of(at) + "\n";
+  for (size_t at = line + 1; out.empty() && at < document.lines().count(); ++at) {
+    std::string comment = comment_of(at);
+    if (comment.empty()) break;
+    for (; !comment.empty(); comment = ++at < document.lines().count() ? comment_of(at) : std::string()) out += comment + "\n";
+  }
+  if (!out.empty()) out.pop_back();
+  return out;
+}
+
+uint32_t arguments_read(const Document& document, StatementId opener) {
+  const Program& p = document.program();
+  const Region& region = p.regions[p.region_of[opener]];
+  uint32_t highest = 0;
+  const StatementId last = std::min<StatementId>(region.last, static_cast<StatementId>(p.size()));
+  const std::string_view text = document.text();
+  const uint64_t end = last > opener ? p.at(last - 1).end() : p.at(opener).end();
+  for (size_t line = document.lines().line_of(p.at(opener).offset); line < document.lines().count() && document.lines().start(line) < end; ++line) {
+    const Span span = document.lines().line(text, line);
+    const std::string_view bytes = text.substr(span.begin, span.end - span.begin);
+    if (bytes.find('#') == std::string_view::npos) continue;
+    for (const Token& token : tokenize(bytes)) {
+      if (token.kind != TokenKind::kParameter) continue;
+      const std::string name = parameter_name(bytes.substr(token.begin, token.end - token.begin));
+      if (name.empty() || name[0] == '<' || name.size() > 2) continue;
+      const auto number = static_cast<uint32_t>(std::stoi(name));
+      if (number <= 30) highest = std::max(highest, number);
+    }
+  }
+  return highest;
+}
+
+std::string condition_text(const Document& document, StatementId id) {
+  const Statement& s = document.program().at(id);
+  const std::string_view line = std::string_view(document.text()).substr(s.offset, s.length);
+  const size_t open = line.find('[', s.keyword_to);
+  const size_t close = line.rfind(']');
+  return open == std::string_view::npos || close == std::string_view::npos || close < open ? std::string() : std::string(line.substr(open, close + 1 - open));
+}
+
+}  // namespace owlint::lsp

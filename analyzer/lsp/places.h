@@ -1,0 +1,64 @@
+// What stands at a place, and where else it stands: blocks with all their parts, subs with their calls in all files,
+// parameters in their scope. Navigation, rename, hover and the call hierarchy are made of this.
+#pragma once
+
+#include <optional>
+
+#include "analyzer/lsp/workspace.h"
+
+namespace owlint::lsp {
+
+/// A document and a position in it, from a request's params.
+struct Place {
+  const Document& document;
+  uint64_t offset;
+};
+Place place_of(Workspace& workspace, const Json& params);
+
+/// One place in one document.
+struct Occurrence {
+  const Document* document;
+  Span span;
+  bool definition = false;
+};
+
+/// A sub as it is called by name, wherever it is defined.
+struct Sub {
+  std::string name;
+  const Document* document = nullptr;  ///< that defines it; null: nobody known
+  StatementId opener = kNoStatement;
+  bool own_file = false;               ///< the file carries its name, so that others call it
+};
+
+/// What a position points at.
+struct Target {
+  enum class Kind : uint8_t { kBlock, kSub, kParameter } kind;
+  Span span;                ///< the label or parameter under the cursor
+  StatementId statement = kNoStatement;
+  BlockId block = kNoBlock;
+  std::string name;         ///< of a sub or parameter
+};
+
+std::optional<Target> target_at(const Document& document, uint64_t offset);
+
+/// The sub that a label means in a document.
+Sub find_sub(Workspace& workspace, const Document& document, const std::string& name);
+/// Labels of a sub: its definition, ends and returns, and its calls in all files.
+std::vector<Occurrence> sub_occurrences(Workspace& workspace, const Document& document, const std::string& name);
+std::vector<Occurrence> block_occurrences(const Document& document, BlockId block);
+/// Within the sub that `statement_offset` stands in for local ones, else in the document.
+std::vector<Occurrence> parameter_occurrences(const Document& document, uint64_t offset, const std::string& name);
+std::vector<Occurrence> occurrences(Workspace& workspace, const Document& document, const Target& target, uint64_t offset);
+
+/// The region that a byte stands in.
+RegionId region_at(const Document& document, uint64_t offset);
+/// Label as it stands in calls: `o100` or `o<name>`.
+std::string label_text(const std::string& name);
+/// The comment lines right above a sub, or right below its first line.
+std::string leading_comment(const Document& document, StatementId opener);
+/// The highest of #1 to #30 that a sub reads.
+uint32_t arguments_read(const Document& document, StatementId opener);
+/// The condition or arguments of a statement as they are written.
+std::string condition_text(const Document& document, StatementId id);
+
+}  // namespace owlint::lsp

@@ -1,0 +1,40 @@
+// JSON-RPC over a pair of streams, framed as LSP 3.17 "Base Protocol" says: headers, a blank line, a body of
+// Content-Length bytes.
+#pragma once
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace owlint::lsp {
+
+using Json = nlohmann::json;
+
+/// Codes of the protocol.
+enum class ErrorCode : int {
+  kParseError = -32700,
+  kInvalidRequest = -32600,
+  kMethodNotFound = -32601,
+  kInvalidParams = -32602,
+  kInternalError = -32603,
+  kServerNotInitialized = -32002,
+  kRequestCancelled = -32800,
+  kRequestFailed = -32803,
+};
+
+/// What a request is answered with instead of a result.
+struct ResponseError {
+  ErrorCode code;
+  std::string message;
+};
+
+/// Reads one message's body. Nothing at the end of the stream; `*problem` says what is wrong where the stream cannot be
+/// read on: a header that is none, a length that is missing or too large, an end in the middle of a message.
+std::optional<std::string> read_message(std::FILE* in, std::string* problem);
+
+/// Writes one message. False when nobody reads any more.
+bool write_message(std::FILE* out, const Json& message);
+
+}  // namespace owlint::lsp

@@ -1,0 +1,60 @@
+// The language server: takes messages, knows what each method needs, and answers. LSP 3.17, "Lifecycle Messages" and
+// "General Messages". What the methods do is in a file for each feature, see features.h.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <set>
+
+#include "analyzer/lsp/workspace.h"
+
+namespace owlint::lsp {
+
+class Server {
+ public:
+  Server(std::FILE* in, std::FILE* out) : in_(in), out_(out) {}
+
+  /// Serves until `exit` or the end of the stream. Returns the exit status: 0 after `shutdown` and `exit`, else 1.
+  int run();
+
+ private:
+  enum class State : uint8_t { kNew, kInitialized, kShutDown, kExited };
+
+  void read_messages();
+  void handle(Json message);
+  void request(const Json& id, const std::string& method, const Json& params);
+  void notification(const std::string& method, const Json& params);
+  Json initialize(const Json& params);
+  void initialized();
+  void changed(const Json& params);
+  void publish(const std::vector<std::string>& uris);
+  void check_all();
+  bool more_changes_wait(const std::string& uri);
+  void answer(const Json& id, Json result);
+  void refuse(const Json& id, const ResponseError& error);
+  void notify(const std::string& method, Json params);
+  void ask(const std::string& method, Json params);
+
+  std::FILE* in_;
+  std::FILE* out_;
+  State state_ = State::kNew;
+  Workspace workspace_;
+  bool pulls_ = false;          // the client asks for diagnostics itself
+  bool refreshes_ = false;      // and can be told to ask again
+  bool progress_ = false;
+  bool watches_ = false;
+  int64_t asked_ = 0;           // our own requests
+  std::set<std::string> published_;
+  int exit_status_ = 1;
+
+  // Messages that have been read and wait, so that what a cancellation or a later change makes needless is not done.
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::deque<std::string> waiting_;
+  std::set<std::string> cancelled_;
+  bool ended_ = false;
+};
+
+}  // namespace owlint::lsp

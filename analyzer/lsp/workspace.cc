@@ -1,0 +1,214 @@
+#include "analyzer/lsp/workspace.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "analyzer/cli/run.h"
+#include "analyzer/cli/walk.h"
+
+namespace owlint::lsp {
+namespace {
+
+/// Findings in one number, so that the client can be told that nothing has changed.
+std::string fingerprint(const std::vector<Finding>& findings) {
+  size_t hash = findings.size();
+  const auto add = [&hash](auto value) { hash = hash * 0x9E3779B97F4A7C15ULL + std::hash<decltype(value)>()(value); };
+  for (const Finding& f : findings) {
+    add(f.code);
+    add(f.span.begin);
+    add(f.span.end);
+    add(static_cast<int>(f.severity));
+    add(std::string_view(f.message));
+    for (const Related& r : f.related) add(r.span.begin);
+  }
+  return fmt::format("{:x}", hash);
+}
+
+}  // namespace
+
+Workspace::Workspace() { forget_files(); }
+
+void Workspace::configure(const Json& settings) {
+  line_ = {};
+  const auto text = [&](const char* key, std::optional<std::string>* into) {
+    if (settings.contains(key) && settings.at(key).is_string() && !settings.at(key).get<std::string>().empty()) *into = settings.at(key).get<std::string>();
+  };
+  const auto list = [&](const char* key, std::vector<std::string>* into) {
+    if (!settings.contains(key) || !settings.at(key).is_array()) return;
+    for (const Json& entry : settings.at(key)) {
+      if (entry.is_string()) into->push_back(entry.get<std::string>());
+    }
+  };
+  if (settings.is_object()) {
+    text("ini", &line_.ini);
+    text("feature", &line_.feature);
+    text("linuxcnc", &line_.linuxcnc);
+    text("config", &line_.config);
+    list("select", &line_.select);
+    list("extend-select", &line_.extend_select);
+    list("ignore", &line_.ignore);
+  }
+  forget_files();
+}
+
+void Workspace::add_folder(const std::string& uri) {
+  const std::string path = path_of_uri(uri);
+  if (std::ranges::find(folders_, path) == folders_.end()) folders_.push_back(path);
+}
+
+void Workspace::remove_folder(const std::string& uri) { std::erase(folders_, path_of_uri(uri)); }
+
+Document& Workspace::open(std::string uri, std::string text, std::optional<int64_t> version) {
+  const std::string path = path_of_uri(uri);
+  auto& document = open_[uri];
+  document = std::make_unique<Document>(uri, path, std::move(text), encoding);
+  document->version = version;
+  uri_of_[file_key(path)] = uri;
+  forget_files();
+  return *document;
+}
+
+void Workspace::close(const std::string& uri) {
+  const auto found = open_.find(uri);
+  if (found == open_.end()) return;
+  uri_of_.erase(file_key(found->second->path()));
+  open_.erase(found);
+  checked_.erase(uri);
+  sent_tokens.erase(uri);
+  forget_files();
+}
+
+Document* Workspace::find_open(const std::string& uri) {
+  const auto found = open_.find(uri);
+  return found == open_.end() ? nullptr : found->second.get();
+}
+
+const Document& Workspace::document(const std::string& uri) {
+  if (const Document* found = find_open(uri)) return *found;
+  if (const Document* found = document_of_path(path_of_uri(uri))) return *found;
+  throw ResponseError{ErrorCode::kRequestFailed, "no such file: " + uri};
+}
+
+const Document* Workspace::document_of_path(const std::string& path) {
+  if (const auto shadow = uri_of_.find(file_key(path)); shadow != uri_of_.end()) return open_.at(shadow->second).get();
+  auto& document = on_disk_[path];
+  if (document == nullptr) {
+    std::string error;
+    const auto source = Source::map(path, &error);
+    if (source == nullptr) {
+      on_disk_.erase(path);
+      return nullptr;
+    }
+    document = std::make_unique<Document>(uri_of_path(path), path, std::string(source->bytes()), encoding);
+  }
+  return document.get();
+}
+
+std::vector<Document*> Workspace::open_documents() {
+  std::vector<Document*> all;
+  for (const auto& [uri, document] : open_) all.push_back(document.get());
+  return all;
+}
+
+void Workspace::forget_files() {
+  on_disk_.clear();
+  configuration_ = std::make_unique<cli::Configuration>(line_);
+  library_ = std::make_unique<Library>([this](const std::string& path, std::string* error) { return read(path, error); });
+}
+
+std::shared_ptr<const Source> Workspace::read(const std::string& path, std::string* error) {
+  const auto shadow = uri_of_.find(file_key(path));
+  return shadow == uri_of_.end() ? Source::map(path, error) : open_.at(shadow->second)->source();
+}
+
+std::vector<std::string> Workspace::program_files() {
+  std::vector<std::string> files = cli::walk(folders_).files;
+  std::set<std::string> known;
+  for (const std::string& file : files) known.insert(file_key(file));
+  for (const auto& [key, uri] : uri_of_) {
+    if (known.insert(key).second) files.push_back(open_.at(uri)->path());
+  }
+  return files;
+}
+
+std::set<std::string> Workspace::related(const Document& document) const {
+  std::set<std::string> uris{document.uri()};
+  const std::string key = file_key(document.path());
+  for (const auto& [uri, checked] : checked_) {
+    for (const std::string& path : checked.calls) {
+      const auto callee = uri_of_.find(file_key(path));
+      if (file_key(path) == key) uris.insert(uri);
+      if (uri == document.uri() && callee != uri_of_.end()) uris.insert(callee->second);
+    }
+  }
+  return uris;
+}
+
+bool Workspace::settings_for(const std::string& path, cli::Settings* settings) {
+  std::string error;
+  return configuration_->settings_for(path, settings, &error);
+}
+
+std::vector<std::string> Workspace::check(const std::string& uri) {
+  const Document* changed = find_open(uri);
+  if (changed == nullptr) return {};
+  const std::set<std::string> uris = related(*changed);
+  std::vector<std::string> files;
+  std::vector<cli::Settings> settings(uris.size());
+  std::vector<const cli::Settings*> wanted;
+  for (const std::string& one : uris) {
+    const std::string& path = open_.at(one)->path();
+    library_->forget(path);
+    wanted.push_back(settings_for(path, &settings[files.size()]) ? &settings[files.size()] : nullptr);
+    files.push_back(path);
+  }
+  const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
+  cli::RunResult result = cli::run_checks(files, wanted, open, *library_);
+  for (const std::string& one : uris) checked_[one] = {};
+  for (FileReport& report : result.reports) {
+    const auto found = uri_of_.find(file_key(report.source->path()));
+    if (found == uri_of_.end() || !uris.contains(found->second)) continue;
+    checked_[found->second].findings = std::move(report.findings);
+  }
+  size_t number = 0;
+  for (const std::string& one : uris) {
+    Checked& checked = checked_[one];
+    checked.calls = std::move(result.calls[number++]);
+    checked.result_id = fingerprint(checked.findings);
+  }
+  return {uris.begin(), uris.end()};
+}
+
+const Checked* Workspace::checked(const std::string& uri) const {
+  const auto found = checked_.find(uri);
+  return found == checked_.end() ? nullptr : &found->second;
+}
+
+Checked Workspace::check_alone(const std::string& path) {
+  Checked checked;
+  cli::Settings settings;
+  if (!settings_for(path, &settings)) return checked;
+  const auto open = [this](const std::string& file, std::string* error) { return read(file, error); };
+  cli::RunResult result = cli::run_checks({path}, {&settings}, open, *library_);
+  if (!result.reports.empty() && file_key(result.reports[0].source->path()) == file_key(path)) checked.findings = std::move(result.reports[0].findings);
+  checked.calls = std::move(result.calls[0]);
+  checked.result_id = fingerprint(checked.findings);
+  return checked;
+}
+
+std::shared_ptr<const SearchPath> Workspace::search_path(const Document& from) {
+  cli::Settings settings;
+  if (settings_for(from.path(), &settings) && settings.profile.setup != nullptr) return settings.profile.setup->search_path;
+  const std::string folder = std::filesystem::path(from.path()).parent_path().string();
+  return library_->beside(folder.empty() ? "." : folder);
+}
+
+std::string Workspace::called_file(const Document& from, const std::string& name) {
+  const auto found = search_path(from)->find(name);
+  return found && found->regular ? found->path : std::string();
+}
+
+std::vector<std::string> Workspace::callable_files(const Document& from) { return search_path(from)->names(); }
+
+}  // namespace owlint::lsp

@@ -1,0 +1,86 @@
+// What the server knows: the open documents, the folders, the files on disk that are read on the way, and what was found
+// in them. Open documents shadow files: a sub file that is being edited counts as it stands in the editor.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analyzer/cli/settings.h"
+#include "analyzer/lsp/document.h"
+#include "rules/lint.h"
+
+namespace owlint::lsp {
+
+/// Findings of one document, as they were last sent.
+struct Checked {
+  std::vector<Finding> findings;
+  std::vector<std::string> calls;  ///< paths of the files that the program calls
+  std::string result_id;           ///< of the pull model: changes when the findings do
+};
+
+/// The last full answer to a question for semantic tokens.
+struct SentTokens {
+  uint64_t id = 0;
+  std::vector<uint32_t> data;
+};
+
+class Workspace {
+ public:
+  Workspace();
+
+  std::map<std::string, SentTokens> sent_tokens;  ///< by uri
+
+  Encoding encoding = Encoding::kUtf16;
+  /// The client's settings, taken for command line options: `ini`, `linuxcnc`, `feature`, `select`, `extend-select`, `ignore`.
+  void configure(const Json& settings);
+
+  void add_folder(const std::string& uri);
+  void remove_folder(const std::string& uri);
+  const std::vector<std::string>& folders() const { return folders_; }  ///< paths
+
+  Document& open(std::string uri, std::string text, std::optional<int64_t> version);
+  void close(const std::string& uri);
+  Document* find_open(const std::string& uri);
+  /// An open document, or the file on disk. Throws ResponseError where there is neither.
+  const Document& document(const std::string& uri);
+  const Document* document_of_path(const std::string& path);
+  std::vector<Document*> open_documents();
+
+  /// Files have changed on disk: nothing that was read is true any more.
+  void forget_files();
+  /// The programs below the workspace folders, and those that are open; by path.
+  std::vector<std::string> program_files();
+
+  /// Checks a document and, with it, the open ones that call it or that it calls. Returns the uris of all that were
+  /// checked; findings() then has them.
+  std::vector<std::string> check(const std::string& uri);
+  const Checked* checked(const std::string& uri) const;
+  /// Checks a file that need not be open.
+  Checked check_alone(const std::string& path);
+
+  /// The file that a call of `name` in a document leads to; empty if there is none.
+  std::string called_file(const Document& from, const std::string& name);
+  /// The names of all files that a document could call.
+  std::vector<std::string> callable_files(const Document& from);
+  const std::vector<std::string>& notes() const { return configuration_->notes(); }
+
+ private:
+  std::shared_ptr<const SearchPath> search_path(const Document& from);
+  std::shared_ptr<const Source> read(const std::string& path, std::string* error);
+  std::set<std::string> related(const Document& document) const;
+  bool settings_for(const std::string& path, cli::Settings* settings);
+
+  cli::CommandLine line_;
+  std::unique_ptr<cli::Configuration> configuration_;
+  std::vector<std::string> folders_;
+  std::map<std::string, std::unique_ptr<Document>> open_;       // by uri
+  std::map<std::string, std::string> uri_of_;                   // of open documents, by file key
+  std::map<std::string, std::unique_ptr<Document>> on_disk_;    // by path
+  std::map<std::string, Checked> checked_;                      // by uri
+  std::unique_ptr<Library> library_;  // the files that are called, parsed once for many checks
+};
+
+}  // namespace owlint::lsp
