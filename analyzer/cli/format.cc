@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -109,6 +110,9 @@ int format_command(const CommandLine& line, bool check, bool diff) {
   return (check || diff) && changed > 0 ? kFindings : kClean;
 }
 
-int lsp_command() { return lsp::Server(stdin, stdout).run(); }
+int lsp_command() {
+  std::signal(SIGPIPE, SIG_IGN);  // that the client has gone is told by writing
+  return lsp::Server(stdin, stdout).run();
+}
 
 }  // namespace owlint::cli

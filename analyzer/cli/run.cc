@@ -56,7 +56,7 @@ void drop_ends(FileReport& report) {
 
 RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     Library& library) {
+                     Library& library, const std::set<std::string>& called_elsewhere) {
   RunResult result;
   result.errors.resize(files.size());
   const std::set<std::string> by_machines = called_by_machines(settings);
@@ -71,7 +71,7 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
   });
 
   // Files that others turned out to call are no programs, whatever else stands in them.
-  std::set<std::string> called;
+  std::set<std::string> called = called_elsewhere;
   for (size_t i = 0; i < files.size(); ++i) {
     for (const std::string& path : programs[i].calls) {
       if (file_key(path) != file_key(files[i])) called.insert(file_key(path));

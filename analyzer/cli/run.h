@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ struct RunResult {
   std::vector<std::string> notes;   ///< what users should know besides findings
 };
 
-/// `settings` has one entry for each of `files`; null where the file is not to be checked.
+/// `settings` has one entry for each of `files`; null where the file is not to be checked. `called_elsewhere`: keys of
+/// files that programs outside of this run call.
 RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     Library& library);
+                     Library& library, const std::set<std::string>& called_elsewhere = {});
 
 }  // namespace owlint::cli

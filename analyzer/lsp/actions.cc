@@ -26,8 +26,9 @@ Json silence(const Document& document, const Finding& f) {
   const Span line = document.line_at(f.span.begin);
   const std::string_view text = std::string_view(document.text()).substr(line.begin, line.end - line.begin);
   const std::string indent(text.substr(0, std::min(text.find_first_not_of(" \t"), text.size())));
+  const bool crlf = std::string_view(document.text()).substr(line.end).starts_with("\r\n");
   const Span here{line.begin, line.begin};
-  return text_edits(document, {{here, fmt::format("{}(owlint: ignore {} -- reason)\n", indent, f.code)}});
+  return text_edits(document, {{here, fmt::format("{}(owlint: ignore {} -- reason){}", indent, f.code, crlf ? "\r\n" : "\n")}});
 }
 
 bool wanted(const Json& context, std::string_view kind) {

@@ -124,10 +124,19 @@ class Completion {
 
   void subs(size_t begin) {
     constexpr size_t kMost = 500;
+    // What stands behind the cursor already is taken in, or not written again.
+    std::string_view rest = std::string_view(document_.text()).substr(offset_, line_.end - offset_);
+    Span replaced = from(begin);
+    if (rest.starts_with(">")) {
+      ++replaced.end;
+      rest.remove_prefix(1);
+    }
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    const std::string call = keyword_of(small_letters(rest.substr(0, 8))) == Keyword::kUnknown ? " call" : "";
     std::set<std::string> known;
     const auto add = [&](const std::string& name, const std::string& where) {
       if (out_.size() >= kMost || !known.insert(name).second) return;
-      out_.push_back(item(document_, label_text(name) + " call", kFunction, label_text(name) + " call", from(begin), where));
+      out_.push_back(item(document_, label_text(name) + call, kFunction, label_text(name) + call, replaced, where));
     };
     for (const Region& r : program_.regions) {
       if (r.opener != kNoStatement) add(program_.name(r.name), "line " + std::to_string(program_.at(r.opener).line));

@@ -66,11 +66,9 @@ Json workspace_diagnostic(Workspace& workspace, const Json& params) {
   std::map<std::string, std::string> previous;
   for (const Json& entry : params.value("previousResultIds", Json::array())) previous[entry.at("uri")] = entry.at("value");
   Json items = Json::array();
-  for (const std::string& path : workspace.program_files()) {
+  for (const auto& [path, checked] : workspace.check_everything()) {
     const Document* document = workspace.document_of_path(path);
     if (document == nullptr) continue;
-    const Checked* known = workspace.checked(document->uri());
-    const Checked checked = known != nullptr ? *known : workspace.check_alone(path);
     Json item{{"uri", document->uri()}, {"version", document->version ? Json(*document->version) : Json(nullptr)}, {"resultId", checked.result_id}};
     const auto before = previous.find(document->uri());
     if (before != previous.end() && before->second == checked.result_id) {

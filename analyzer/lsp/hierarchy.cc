@@ -38,7 +38,7 @@ Json prepare_call_hierarchy(Workspace& workspace, const Json& params) {
     const Sub sub = find_sub(workspace, document, target->name);
     if (sub.document != nullptr) return Json::array({item(*sub.document, sub.document->program().region_of[sub.opener])});
   }
-  return Json::array({item(document, region_at(document, offset))});
+  return nullptr;
 }
 
 Json incoming_calls(Workspace& workspace, const Json& params) {

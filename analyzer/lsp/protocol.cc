@@ -1,5 +1,6 @@
 #include "analyzer/lsp/protocol.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -59,10 +60,17 @@ std::optional<std::string> read_message(std::FILE* in, std::string* problem) {
     *problem = "a message without a usable Content-Length";
     return std::nullopt;
   }
-  std::string body(length, '\0');
-  if (std::fread(body.data(), 1, length, in) != length) {
-    *problem = "the stream ends inside a message";
-    return std::nullopt;
+  // Memory grows with what arrives, not with what the header says.
+  constexpr size_t kPiece = 1 << 20;
+  std::string body;
+  while (body.size() < length) {
+    const size_t have = body.size();
+    const size_t piece = std::min(std::max(kPiece, have), length - have);
+    body.resize(have + piece);
+    if (std::fread(body.data() + have, 1, piece, in) != piece) {
+      *problem = "the stream ends inside a message";
+      return std::nullopt;
+    }
   }
   return body;
 }

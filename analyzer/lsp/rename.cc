@@ -18,17 +18,19 @@ std::string bare_name(std::string text) {
   const auto drop = [&](std::string_view prefix) {
     if (text.starts_with(prefix)) text.erase(0, prefix.size());
   };
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
   text = small_letters(text);
+  if (text == "o" || text == "#") return {};
   if (text.size() > 1 && text[0] == 'o' && (text[1] == '<' || is_number(text.substr(1)))) drop("o");
   drop("#");
   if (text.size() > 2 && text.front() == '<' && text.back() == '>') text = text.substr(1, text.size() - 2);
   return text;
 }
 
+constexpr std::string_view kNever = " \t<>[]()#;\n\r";
+
 void check_name(const std::string& name) {
   if (name.empty()) refuse("the new name is empty");
-  if (name.find_first_of("<>[]()#;\n\r") != std::string::npos) refuse("a name cannot have `" + name.substr(name.find_first_of("<>[]()#;\n\r"), 1) + "` in it");
+  if (name.find_first_of(kNever) != std::string::npos) refuse("a name cannot have `" + name.substr(name.find_first_of(kNever), 1) + "` in it");
 }
 
 void check_block_label(const Document& document, BlockId block, const std::string& name) {

@@ -95,18 +95,38 @@ Json at_path(const Json& json, std::initializer_list<const char*> path) {
 
 bool is_true(const Json& json) { return json.is_boolean() && json.get<bool>(); }
 
+void read_messages(std::FILE* in, const std::shared_ptr<Inbox>& inbox) {
+  std::string problem;
+  while (auto body = read_message(in, &problem)) {
+    // Cancellations overtake what they cancel.
+    const bool may_cancel = body->find("$/cancelRequest") != std::string::npos;
+    const Json message = may_cancel ? Json::parse(*body, nullptr, false) : Json();
+    const std::lock_guard lock(inbox->mutex);
+    if (at_path(message, {"method"}) == "$/cancelRequest") {
+      inbox->cancelled.insert(at_path(message, {"params", "id"}).dump());
+    } else {
+      inbox->waiting.push_back(std::move(*body));
+    }
+    inbox->arrived.notify_one();
+  }
+  if (!problem.empty()) std::cerr << "owlint: " << problem << '\n';
+  const std::lock_guard lock(inbox->mutex);
+  inbox->ended = true;
+  inbox->arrived.notify_one();
+}
+
 }  // namespace
 
 int Server::run() {
-  std::thread reader([this] { read_messages(); });
+  std::thread(read_messages, in_, inbox_).detach();
   while (state_ != State::kExited) {
     std::string body;
     {
-      std::unique_lock lock(mutex_);
-      arrived_.wait(lock, [this] { return !waiting_.empty() || ended_; });
-      if (waiting_.empty()) break;
-      body = std::move(waiting_.front());
-      waiting_.pop_front();
+      std::unique_lock lock(inbox_->mutex);
+      inbox_->arrived.wait(lock, [this] { return !inbox_->waiting.empty() || inbox_->ended; });
+      if (inbox_->waiting.empty()) return 1;  // the client has gone without a word
+      body = std::move(inbox_->waiting.front());
+      inbox_->waiting.pop_front();
     }
     Json message = Json::parse(body, nullptr, false);
     if (message.is_discarded()) {
@@ -115,33 +135,7 @@ int Server::run() {
       handle(std::move(message));
     }
   }
-  const bool clean = state_ == State::kExited;
-  if (clean) {
-    reader.detach();  // it waits for input that does not come any more; the process is about to end
-  } else {
-    reader.join();
-  }
-  return clean ? exit_status_ : 1;
-}
-
-void Server::read_messages() {
-  std::string problem;
-  while (auto body = read_message(in_, &problem)) {
-    // Cancellations overtake what they cancel.
-    const bool may_cancel = body->find("$/cancelRequest") != std::string::npos;
-    const Json message = may_cancel ? Json::parse(*body, nullptr, false) : Json();
-    const std::lock_guard lock(mutex_);
-    if (message.is_object() && message.value("method", "") == "$/cancelRequest") {
-      cancelled_.insert(at_path(message, {"params", "id"}).dump());
-    } else {
-      waiting_.push_back(std::move(*body));
-    }
-    arrived_.notify_one();
-  }
-  if (!problem.empty()) std::cerr << "owlint: " << problem << '\n';
-  const std::lock_guard lock(mutex_);
-  ended_ = true;
-  arrived_.notify_one();
+  return exit_status_;
 }
 
 void Server::handle(Json message) {
@@ -168,8 +162,8 @@ void Server::handle(Json message) {
 
 void Server::request(const Json& id, const std::string& method, const Json& params) {
   {
-    const std::lock_guard lock(mutex_);
-    if (cancelled_.erase(id.dump()) > 0) return refuse(id, {ErrorCode::kRequestCancelled, "cancelled"});
+    const std::lock_guard lock(inbox_->mutex);
+    if (inbox_->cancelled.erase(id.dump()) > 0) return refuse(id, {ErrorCode::kRequestCancelled, "cancelled"});
   }
   try {
     if (state_ == State::kShutDown) throw ResponseError{ErrorCode::kInvalidRequest, "the server is shut down"};
@@ -253,6 +247,30 @@ Json Server::initialize(const Json& params) {
 }
 
 void Server::initialized() {
+  watch_files();
+  read_workspace();
+}
+
+/// A large workspace takes a while: the client is shown how far it is.
+void Server::read_workspace() {
+  if (workspace_.folders().empty()) return;
+  const std::string token = "owlint-reading";
+  constexpr size_t kEvery = 200;  // files
+  bool begun = false;
+  const auto tell = [&](Json value) { notify("$/progress", {{"token", token}, {"value", std::move(value)}}); };
+  workspace_.read_all([&](size_t done, size_t of) {
+    if (!progress_ || of < kEvery || done % kEvery != 0) return;
+    if (!begun) {
+      ask("window/workDoneProgress/create", {{"token", token}});
+      tell({{"kind", "begin"}, {"title", "owlint reads programs"}, {"percentage", 0}});
+    }
+    begun = true;
+    tell({{"kind", "report"}, {"message", std::to_string(done) + " of " + std::to_string(of)}, {"percentage", 100 * done / of}});
+  });
+  if (begun) tell({{"kind", "end"}});
+}
+
+void Server::watch_files() {
   if (!watches_) return;
   Json watchers = Json::array();
   for (const char* glob : {"**/*.{ngc,nc,tap,cnc,gcode,NGC,NC,TAP,CNC,GCODE}", "**/*.{ini,INI}", "**/{owlint,.owlint}.toml"}) watchers.push_back({{"globPattern", glob}});
@@ -271,13 +289,15 @@ void Server::changed(const Json& params) {
 
 /// Whether the next message changes the same document again: then its diagnostics would be out of date at once.
 bool Server::more_changes_wait(const std::string& uri) {
-  const std::lock_guard lock(mutex_);
-  if (waiting_.empty() || waiting_.front().find("textDocument/didChange") == std::string::npos) return false;
-  const Json next = Json::parse(waiting_.front(), nullptr, false);
+  const std::lock_guard lock(inbox_->mutex);
+  if (inbox_->waiting.empty() || inbox_->waiting.front().find("textDocument/didChange") == std::string::npos) return false;
+  const Json next = Json::parse(inbox_->waiting.front(), nullptr, false);
   return at_path(next, {"method"}) == "textDocument/didChange" && at_path(next, {"params", "textDocument", "uri"}) == uri;
 }
 
+/// A client that asks for diagnostics itself would show pushed ones twice.
 void Server::publish(const std::vector<std::string>& uris) {
+  if (pulls_) return;
   for (const std::string& uri : uris) {
     const Document* document = workspace_.find_open(uri);
     const Checked* checked = workspace_.checked(uri);
@@ -300,18 +320,23 @@ void Server::check_all() {
   if (refreshes_) ask("workspace/diagnostic/refresh", nullptr);
 }
 
-void Server::answer(const Json& id, Json result) { write_message(out_, {{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}); }
-
-void Server::refuse(const Json& id, const ResponseError& error) {
-  write_message(out_, {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
+/// A client that does not read any more has gone.
+void Server::send(const Json& message) {
+  if (!write_message(out_, message)) state_ = State::kExited;
 }
 
-void Server::notify(const std::string& method, Json params) { write_message(out_, {{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}); }
+void Server::answer(const Json& id, Json result) { send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}); }
+
+void Server::refuse(const Json& id, const ResponseError& error) {
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
+}
+
+void Server::notify(const std::string& method, Json params) { send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}); }
 
 void Server::ask(const std::string& method, Json params) {
   Json message{{"jsonrpc", "2.0"}, {"id", "owlint-" + std::to_string(++asked_)}, {"method", method}};
   if (!params.is_null()) message["params"] = std::move(params);
-  write_message(out_, message);
+  send(message);
 }
 
 }  // namespace owlint::lsp

@@ -2,15 +2,25 @@
 // "General Messages". What the methods do is in a file for each feature, see features.h.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <set>
 
 #include "analyzer/lsp/workspace.h"
 
 namespace owlint::lsp {
+
+/// Messages that have been read and wait, so that what a cancellation or a later change makes needless is not done. The
+/// thread that reads may outlive the server: after `exit` it still waits for input.
+struct Inbox {
+  std::mutex mutex;
+  std::condition_variable arrived;
+  std::deque<std::string> waiting;
+  std::set<std::string> cancelled;
+  bool ended = false;
+};
 
 class Server {
  public:
@@ -22,16 +32,18 @@ class Server {
  private:
   enum class State : uint8_t { kNew, kInitialized, kShutDown, kExited };
 
-  void read_messages();
   void handle(Json message);
   void request(const Json& id, const std::string& method, const Json& params);
   void notification(const std::string& method, const Json& params);
   Json initialize(const Json& params);
   void initialized();
+  void read_workspace();
+  void watch_files();
   void changed(const Json& params);
   void publish(const std::vector<std::string>& uris);
   void check_all();
   bool more_changes_wait(const std::string& uri);
+  void send(const Json& message);
   void answer(const Json& id, Json result);
   void refuse(const Json& id, const ResponseError& error);
   void notify(const std::string& method, Json params);
@@ -48,13 +60,7 @@ class Server {
   int64_t asked_ = 0;           // our own requests
   std::set<std::string> published_;
   int exit_status_ = 1;
-
-  // Messages that have been read and wait, so that what a cancellation or a later change makes needless is not done.
-  std::mutex mutex_;
-  std::condition_variable arrived_;
-  std::deque<std::string> waiting_;
-  std::set<std::string> cancelled_;
-  bool ended_ = false;
+  std::shared_ptr<Inbox> inbox_ = std::make_shared<Inbox>();
 };
 
 }  // namespace owlint::lsp

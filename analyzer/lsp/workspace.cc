@@ -65,18 +65,19 @@ Document& Workspace::open(std::string uri, std::string text, std::optional<int64
   document = std::make_unique<Document>(uri, path, std::move(text), encoding);
   document->version = version;
   uri_of_[file_key(path)] = uri;
-  forget_files();
+  forget_file(path);
   return *document;
 }
 
 void Workspace::close(const std::string& uri) {
   const auto found = open_.find(uri);
   if (found == open_.end()) return;
-  uri_of_.erase(file_key(found->second->path()));
+  const std::string path = found->second->path();
+  uri_of_.erase(file_key(path));
   open_.erase(found);
   checked_.erase(uri);
   sent_tokens.erase(uri);
-  forget_files();
+  forget_file(path);
 }
 
 Document* Workspace::find_open(const std::string& uri) {
@@ -113,8 +114,14 @@ std::vector<Document*> Workspace::open_documents() {
 
 void Workspace::forget_files() {
   on_disk_.clear();
+  called_files_.reset();
   configuration_ = std::make_unique<cli::Configuration>(line_);
   library_ = std::make_unique<Library>([this](const std::string& path, std::string* error) { return read(path, error); });
+}
+
+void Workspace::forget_file(const std::string& path) {
+  on_disk_.erase(path);
+  library_->forget(path);
 }
 
 std::shared_ptr<const Source> Workspace::read(const std::string& path, std::string* error) {
@@ -150,52 +157,73 @@ bool Workspace::settings_for(const std::string& path, cli::Settings* settings) {
   return configuration_->settings_for(path, settings, &error);
 }
 
+/// Files that others call are no programs, whatever else stands in them: that has to be known of the whole workspace.
+void Workspace::read_all(const std::function<void(size_t done, size_t of)>& progress) {
+  if (called_files_) return;
+  called_files_.emplace();
+  const std::vector<std::string> files = program_files();
+  for (size_t i = 0; i < files.size(); ++i) {
+    const std::string& path = files[i];
+    progress(i, files.size());
+    const Document* document = document_of_path(path);
+    if (document == nullptr) continue;
+    const Program& p = document->program();
+    for (const Call& call : p.calls) {
+      if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+      const std::string called = called_file(*document, p.name(call.callee));
+      if (!called.empty() && file_key(called) != file_key(path)) called_files_->insert(file_key(called));
+    }
+  }
+}
+
+/// The findings of each of `files`, with what those of them that are programs say of the others.
+std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& files) {
+  std::vector<cli::Settings> settings(files.size());
+  std::vector<const cli::Settings*> wanted;
+  for (size_t i = 0; i < files.size(); ++i) wanted.push_back(settings_for(files[i], &settings[i]) ? &settings[i] : nullptr);
+  const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
+  read_all([](size_t, size_t) {});
+  cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_);
+  std::map<std::string, Checked> out;
+  std::map<std::string, std::string> path_of;
+  for (size_t i = 0; i < files.size(); ++i) {
+    // Calls that were written since the workspace was read.
+    for (const std::string& path : result.calls[i]) {
+      if (file_key(path) != file_key(files[i])) called_files_->insert(file_key(path));
+    }
+    out[files[i]].calls = std::move(result.calls[i]);
+    path_of[file_key(files[i])] = files[i];
+  }
+  for (FileReport& report : result.reports) {
+    const auto found = path_of.find(file_key(report.source->path()));
+    if (found != path_of.end()) out[found->second].findings = std::move(report.findings);
+  }
+  for (auto& [path, checked] : out) checked.result_id = fingerprint(checked.findings);
+  return out;
+}
+
 std::vector<std::string> Workspace::check(const std::string& uri) {
   const Document* changed = find_open(uri);
   if (changed == nullptr) return {};
   const std::set<std::string> uris = related(*changed);
   std::vector<std::string> files;
-  std::vector<cli::Settings> settings(uris.size());
-  std::vector<const cli::Settings*> wanted;
   for (const std::string& one : uris) {
-    const std::string& path = open_.at(one)->path();
-    library_->forget(path);
-    wanted.push_back(settings_for(path, &settings[files.size()]) ? &settings[files.size()] : nullptr);
-    files.push_back(path);
+    files.push_back(open_.at(one)->path());
+    library_->forget(files.back());
   }
-  const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
-  cli::RunResult result = cli::run_checks(files, wanted, open, *library_);
-  for (const std::string& one : uris) checked_[one] = {};
-  for (FileReport& report : result.reports) {
-    const auto found = uri_of_.find(file_key(report.source->path()));
-    if (found == uri_of_.end() || !uris.contains(found->second)) continue;
-    checked_[found->second].findings = std::move(report.findings);
-  }
-  size_t number = 0;
-  for (const std::string& one : uris) {
-    Checked& checked = checked_[one];
-    checked.calls = std::move(result.calls[number++]);
-    checked.result_id = fingerprint(checked.findings);
-  }
+  std::map<std::string, Checked> found = run(files);
+  for (const std::string& one : uris) checked_[one] = std::move(found[open_.at(one)->path()]);
   return {uris.begin(), uris.end()};
 }
+
+std::map<std::string, Checked> Workspace::check_everything() { return run(program_files()); }
 
 const Checked* Workspace::checked(const std::string& uri) const {
   const auto found = checked_.find(uri);
   return found == checked_.end() ? nullptr : &found->second;
 }
 
-Checked Workspace::check_alone(const std::string& path) {
-  Checked checked;
-  cli::Settings settings;
-  if (!settings_for(path, &settings)) return checked;
-  const auto open = [this](const std::string& file, std::string* error) { return read(file, error); };
-  cli::RunResult result = cli::run_checks({path}, {&settings}, open, *library_);
-  if (!result.reports.empty() && file_key(result.reports[0].source->path()) == file_key(path)) checked.findings = std::move(result.reports[0].findings);
-  checked.calls = std::move(result.calls[0]);
-  checked.result_id = fingerprint(checked.findings);
-  return checked;
-}
+Checked Workspace::check_alone(const std::string& path) { return run({path})[path]; }
 
 std::shared_ptr<const SearchPath> Workspace::search_path(const Document& from) {
   cli::Settings settings;

@@ -2,6 +2,7 @@
 // in them. Open documents shadow files: a sub file that is being edited counts as it stands in the editor.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -51,6 +52,8 @@ class Workspace {
 
   /// Files have changed on disk: nothing that was read is true any more.
   void forget_files();
+  /// Reads all programs of the workspace, which is done anyway when it is first needed; `progress` is told how far it is.
+  void read_all(const std::function<void(size_t done, size_t of)>& progress);
   /// The programs below the workspace folders, and those that are open; by path.
   std::vector<std::string> program_files();
 
@@ -58,6 +61,8 @@ class Workspace {
   /// checked; findings() then has them.
   std::vector<std::string> check(const std::string& uri);
   const Checked* checked(const std::string& uri) const;
+  /// Checks all programs of the workspace, open or not; by path.
+  std::map<std::string, Checked> check_everything();
   /// Checks a file that need not be open.
   Checked check_alone(const std::string& path);
 
@@ -71,6 +76,8 @@ class Workspace {
   std::shared_ptr<const SearchPath> search_path(const Document& from);
   std::shared_ptr<const Source> read(const std::string& path, std::string* error);
   std::set<std::string> related(const Document& document) const;
+  void forget_file(const std::string& path);
+  std::map<std::string, Checked> run(const std::vector<std::string>& files);
   bool settings_for(const std::string& path, cli::Settings* settings);
 
   cli::CommandLine line_;
@@ -80,6 +87,7 @@ class Workspace {
   std::map<std::string, std::string> uri_of_;                   // of open documents, by file key
   std::map<std::string, std::unique_ptr<Document>> on_disk_;    // by path
   std::map<std::string, Checked> checked_;                      // by uri
+  std::optional<std::set<std::string>> called_files_;  // keys of files that some program of the workspace calls
   std::unique_ptr<Library> library_;  // the files that are called, parsed once for many checks
 };
 

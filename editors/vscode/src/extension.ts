@@ -1,17 +1,22 @@
-// The VS Code side of owlint: starts `owlint lsp` and starts it anew when the settings change. All that is known of
-// G-code is known by the server.
+// The VS Code side of owlint: starts `owlint lsp`, starts it anew when the settings say another program, and shows the
+// rules' pages. All that is known of G-code is known by the server.
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
-import { commands, type ExtensionContext, window, workspace } from "vscode";
+import { commands, type ExtensionContext, type OutputChannel, Uri, window, workspace } from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
 
 let client: LanguageClient | undefined;
+let output: OutputChannel;
 // Starts and stops wait for one another: two settings may change at once.
 let last: Promise<void> = Promise.resolve();
+const pages = new Map<string, string>(); // Markdown, by the path of the Uri under which it is shown
 
 export function activate(context: ExtensionContext): Promise<void> {
+  output = window.createOutputChannel("owlint");
   context.subscriptions.push(
+    output,
     commands.registerCommand("owlint.restart", restart),
+    workspace.registerTextDocumentContentProvider("owlint", { provideTextDocumentContent: (uri) => pages.get(uri.path) }),
     workspace.onDidChangeConfiguration((event) => {
       if (event.affectsConfiguration("owlint.path") || event.affectsConfiguration("owlint.arguments")) void restart();
     }),
@@ -38,29 +43,45 @@ function inTurn(step: () => Promise<void>): Promise<void> {
 async function start(): Promise<void> {
   const settings = workspace.getConfiguration("owlint");
   const command = settings.get<string>("path", "owlint");
-  // Asked for its version first: what the client says of a program that does not start helps nobody.
+  // Asked for its version first: what the client says of a program that is not there helps nobody.
   try {
     await promisify(execFile)(command, ["--version"]);
   } catch (error) {
     void complain(command, error);
     return;
   }
-  // Without `transport`: with it the client would add `--stdio`.
+  // Without `transport`: with it the client would add an argument.
   const server = { command, args: ["lsp", ...settings.get<string[]>("arguments", [])] };
   client = new LanguageClient("owlint", "owlint", server, {
     documentSelector: [
       { language: "linuxcnc", scheme: "file" },
       { language: "linuxcnc", scheme: "untitled" },
     ],
+    initializationOptions: settings,
+    synchronize: { configurationSection: "owlint" },
+    outputChannel: output,
+    middleware: {
+      async executeCommand(name, args, next) {
+        const page: unknown = await next(name, args);
+        if (name === "owlint.explain" && typeof page === "string") await show(`${args[0]}.md`, page);
+        return page;
+      },
+    },
   });
-  await client.start();
+  // The client says itself when a server does not start.
+  await client.start().catch(() => undefined);
 }
 
 async function stop(): Promise<void> {
   const running = client;
   client = undefined;
-  // dispose() also takes a client that did not start, where stop() throws.
-  await running?.dispose();
+  // One whose server did not start, or has ended, cannot be stopped.
+  if (running?.needsStop()) await running.dispose();
+}
+
+async function show(path: string, page: string): Promise<void> {
+  pages.set(path, page);
+  await commands.executeCommand("markdown.showPreviewToSide", Uri.from({ scheme: "owlint", path }));
 }
 
 async function complain(command: string, error: unknown): Promise<void> {

@@ -1,0 +1,63 @@
+#!/usr/bin/python3
+"""`owlint fmt` changes nothing that the interpreter sees: programs end alike before and after.
+
+usage: format.py --owlint build/release/owlint
+
+All programs of the corpus and of the fixtures, run by the interpreter in process, each with all its conditions false and
+with all of them true.
+"""
+import argparse
+import glob
+import os
+import subprocess
+import sys
+
+try:
+    from oracle import Interpreter, scratch
+except ImportError:
+    Interpreter = None
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+SKIPPED = 77
+
+
+def formatted(owlint, text):
+    done = subprocess.run([owlint, "fmt", "-"], input=text, capture_output=True, check=True)
+    return done.stdout
+
+
+def ending(interpreter, text, choices):
+    run = interpreter.run(text.decode("latin-1"), choices)
+    return run.outcome, run.line, run.message
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--owlint", required=True)
+    options = parser.parse_args()
+    if Interpreter is None:
+        print("skipped: LinuxCNC's Python module is not here")
+        return SKIPPED
+    owlint = os.path.abspath(options.owlint)
+    paths = sorted(glob.glob(os.path.join(ROOT, "corpus", "*.ngc")) + glob.glob(os.path.join(ROOT, "tests", "programs", "*", "*.ngc")))
+    interpreter = Interpreter(False, scratch())
+    compared = different = changed = 0
+    for path in paths:
+        with open(path, "rb") as f:
+            before = f.read()
+        after = formatted(owlint, before)
+        changed += after != before
+        for choices in (b"", bytes([1]) * 40):
+            compared += 1
+            ends = ending(interpreter, before, choices), ending(interpreter, after, choices)
+            if ends[0] != ends[1]:
+                different += 1
+                print("%s: %s before, %s after" % (path, *ends))
+    interpreter.close()
+    print("%d programs, %d of them changed, %d runs compared, %d differ" % (len(paths), changed, compared, different))
+    return 1 if different or not changed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
