@@ -16,6 +16,7 @@ int lsp_command();
 int format_command(const CommandLine& line, bool check, bool diff);
 int explain_command(const std::string& code_or_name);
 int rules_command(const std::string& format);
+int rule_pages_command(const std::string& folder);
 
 /// Prints `owlint: message` to stderr.
 void complain(const std::string& message);

@@ -6,6 +6,7 @@
 
 #include "analyzer/cli/commands.h"
 #include "analyzer/report/graph.h"
+#include "analyzer/report/pages.h"
 #include "rules/rule.h"
 
 namespace owlint::cli {
@@ -41,6 +42,13 @@ int explain_command(const std::string& code_or_name) {
   indented(page.good);
   std::cout << fmt::format("\n{}\n", page.fix);
   return kClean;
+}
+
+int rule_pages_command(const std::string& folder) {
+  std::string error;
+  if (write_rule_pages(folder, &error)) return kClean;
+  complain(error);
+  return kUsage;
 }
 
 int rules_command(const std::string& format) {

@@ -79,6 +79,9 @@ int run(std::vector<std::string> arguments) {
   CLI::App* rules = app.add_subcommand("rules", "list all rules");
   rules->add_option("--format", rules_format, "text, json or markdown")->check(CLI::IsMember({"text", "json", "markdown"}))->capture_default_str();
 
+  std::string pages;
+  rules->add_option("--pages", pages, "write a Markdown page for each rule into this folder")->type_name("FOLDER");
+
   if (arguments.empty()) {
     std::cerr << app.help();
     return owlint::cli::kUsage;
@@ -100,6 +103,7 @@ int run(std::vector<std::string> arguments) {
   if (format->parsed()) return owlint::cli::format_command(format_line, format_check, format_diff);
   if (lsp->parsed()) return owlint::cli::lsp_command();
   if (explain->parsed()) return owlint::cli::explain_command(code);
+  if (!pages.empty()) return owlint::cli::rule_pages_command(pages);
   return owlint::cli::rules_command(rules_format);
 }
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "analyzer/lsp/features.h"
+#include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
-#include "rules/rule.h"
 
 namespace owlint::lsp {
 namespace {
@@ -101,8 +101,7 @@ Json execute_command(Workspace&, const Json& params) {
   const std::string code = params.at("arguments").at(0);
   const Rule* rule = find_rule(code);
   if (rule == nullptr) throw ResponseError{ErrorCode::kInvalidParams, "no such rule: " + code};
-  const Page& page = rule->page;
-  return fmt::format("# {} {}\n\n{}\n\n{}\n\n```\n{}```\n\n{}\n\n```\n{}```\n", rule->code, rule->name, page.what, page.why, page.bad, page.fix, page.good);
+  return rule_page(*rule);
 }
 
 }  // namespace owlint::lsp

@@ -1,11 +1,18 @@
 // Findings as diagnostics, pushed and pulled.
 #include "analyzer/lsp/features.h"
+#include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
 
 namespace owlint::lsp {
 namespace {
 
 int severity_number(Severity severity) { return severity == Severity::kError ? 1 : severity == Severity::kWarning ? 2 : 3; }
+
+/// The rule's own page where it is installed, else LinuxCNC's page about O-words.
+std::string page_of(std::string_view code) {
+  const std::string page = installed_rule_page(code);
+  return page.empty() ? "https://linuxcnc.org/docs/html/gcode/o-code.html" : uri_of_path(page);
+}
 
 /// Lines that nothing can reach are shown faded.
 bool is_unnecessary(const Finding& f) { return f.code == "OW316" || f.code == "OW212"; }
@@ -41,7 +48,7 @@ Json diagnostics_of(const Document& document, const std::vector<Finding>& findin
     Json d{{"range", document.range(f.span)},
            {"severity", severity_number(f.severity)},
            {"code", f.code},
-           {"codeDescription", {{"href", "https://linuxcnc.org/docs/html/gcode/o-code.html"}}},
+           {"codeDescription", {{"href", page_of(f.code)}}},
            {"source", kToolName},
            {"message", words(f)},
            {"data", {{"code", f.code}, {"fixes", f.fixes.size()}}}};

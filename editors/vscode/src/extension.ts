@@ -1,13 +1,15 @@
-// The VS Code side of owlint: starts `owlint lsp`, starts it anew when the settings say another program, and shows the
+// The VS Code side of owlint: starts `owlint lsp`, starts it anew when its settings change, and shows the
 // rules' pages. All that is known of G-code is known by the server.
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 import { commands, type ExtensionContext, type OutputChannel, Uri, window, workspace } from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
 
+// `owlint.trace.server` is the client's own; it needs no new server.
+const settingsOfServer = ["path", "arguments", "ini", "linuxcnc"].map((name) => `owlint.${name}`);
 let client: LanguageClient | undefined;
 let output: OutputChannel;
-// Starts and stops wait for one another: two settings may change at once.
+// Starts and stops wait for one another: settings may change while the server starts.
 let last: Promise<void> = Promise.resolve();
 const pages = new Map<string, string>(); // Markdown, by the path of the Uri under which it is shown
 
@@ -18,7 +20,7 @@ export function activate(context: ExtensionContext): Promise<void> {
     commands.registerCommand("owlint.restart", restart),
     workspace.registerTextDocumentContentProvider("owlint", { provideTextDocumentContent: (uri) => pages.get(uri.path) }),
     workspace.onDidChangeConfiguration((event) => {
-      if (event.affectsConfiguration("owlint.path") || event.affectsConfiguration("owlint.arguments")) void restart();
+      if (settingsOfServer.some((name) => event.affectsConfiguration(name))) void restart();
     }),
   );
   return restart();
@@ -58,7 +60,6 @@ async function start(): Promise<void> {
       { language: "linuxcnc", scheme: "untitled" },
     ],
     initializationOptions: settings,
-    synchronize: { configurationSection: "owlint" },
     outputChannel: output,
     middleware: {
       async executeCommand(name, args, next) {

@@ -1,0 +1,18 @@
+// A rule's documentation as a Markdown page: installed with the program, shown by editors.
+#pragma once
+
+#include <string>
+
+#include "rules/rule.h"
+
+namespace owlint {
+
+std::string rule_page(const Rule& rule);
+
+/// Writes one page a rule, `OW104.md`, into a folder that is made if needed. False and a message if that fails.
+bool write_rule_pages(const std::string& folder, std::string* error);
+
+/// Where the page of a rule is installed beside this program; empty if it is not.
+std::string installed_rule_page(std::string_view code);
+
+}  // namespace owlint
