@@ -18,6 +18,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     relate(f, p, end, "the definition ends here");
   }
   f.help = "remove the line, or end the program with `M2`";
+  if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement) f.fixes.push_back({"end the program here with `M2`", false, {{s.head_span(), "M2"}}});
   return &f;
 }
 

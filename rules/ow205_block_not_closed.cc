@@ -20,6 +20,11 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.help = "write `" + end + "`, most likely before line " + std::to_string(block.suggested_line);
     const Span line = p.source->line(block.suggested_line);
     f.related.push_back({line, "`" + end + "` most likely belongs before this line", nullptr});
+    const Statement& opener = p.at(id);
+    if (block.kind != Keyword::kDo) {
+      f.fixes.push_back({"write `" + end + "` before line " + std::to_string(block.suggested_line), false,
+                         {{{line.begin, line.begin}, indent_of(*p.source, opener) + end + line_end(*p.source, opener)}}});
+    }
   }
   return &f;
 }

@@ -16,8 +16,13 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   rest = rest.substr(0, rest.find_first_of("(;"));
   while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.erase(0, 1);
   while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r')) rest.pop_back();
-  f.help = rest.empty() || rest.find_first_of("[]=") != std::string::npos ? "put the " + what + " in brackets, behind `" + word + "`"
-                                                                          : "write `" + word + " [" + rest + "]`";
+  if (rest.empty() || rest.find_first_of("[]=") != std::string::npos) {
+    f.help = "put the " + what + " in brackets, behind `" + word + "`";
+    return &f;
+  }
+  f.help = "write `" + word + " [" + rest + "]`";
+  const uint64_t from = p.source->bytes().find(rest, s.offset + s.keyword_to);
+  f.fixes.push_back({"put the " + what + " in brackets", false, {{{from, from}, "["}, {{from + rest.size(), from + rest.size()}, "]"}}});
   return &f;
 }
 

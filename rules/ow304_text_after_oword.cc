@@ -6,7 +6,7 @@
 namespace owlint::rules {
 namespace {
 
-Finding* report(const Input& in, Reporter& out, StatementId id) {
+Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
   std::string text(p.source->slice(s.rest_span()));
@@ -17,22 +17,26 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const bool number = std::string_view("0123456789#-[,.").find(text[0]) != std::string_view::npos;
   if (!near.empty() && near != written) {
     f.help = "write `" + near + "`";
+    const Span word{s.offset + s.keyword_from, s.offset + s.rest_from + written.size() - spelling(s.keyword).size()};
+    f.fixes.push_back({"write `" + near + "`", false, {{word, near}}});
   } else if (s.is(Keyword::kCall) && number) {
     f.help = "write each argument in brackets of its own: `[4] [5]`";
   } else if ((s.is(Keyword::kReturn) || s.is(Keyword::kEndsub)) && number) {
     f.help = "write the value in brackets: `" + std::string(spelling(s.keyword)) + " [" + text.substr(0, text.find_first_of(" \t(;")) + "]`";
   } else {
     f.help = "put it on a line of its own, or remove it";
+    const Source& source = *p.source;
+    f.fixes.push_back({"put it on a line of its own", stops, {{{s.rest_span().begin, s.rest_span().begin}, line_end(source, s) + indent_of(source, s)}}});
   }
   return &f;
 }
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, true); });
   for_unmet_errors(in, out, [&](StatementId id, const LineError&) {
     if (p.at(id).inner_cr) return;
-    Finding* f = report(in, out, id);
+    Finding* f = report(in, out, id, false);
     f->reach = in.flow.reach(id);
     f->message += "; LinuxCNC drops it here without a word";
   });

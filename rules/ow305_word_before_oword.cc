@@ -6,16 +6,20 @@
 namespace owlint::rules {
 namespace {
 
-Finding* report(const Input& in, Reporter& out, StatementId id) {
+Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   const Statement& s = in.program.at(id);
   Finding& f = out.add(in.program.syntax.error(s)->span, "an O-word must come first on its line");
   f.help = "put it on a line of its own; only `/` and a line number may stand before it";
+  const Source& source = *in.program.source;
+  // A comment before it may stand on the line above as well.
+  const uint64_t at = in.program.syntax.error(s)->span.begin;
+  f.fixes.push_back({"put the O-word on a line of its own", stops, {{{at, at}, line_end(source, s) + indent_of(source, s)}}});
   return &f;
 }
 
 void check(const Input& in, Reporter& out) {
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
-  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = in.flow.reach(id); });
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, true); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id, false)->reach = in.flow.reach(id); });
 }
 
 }  // namespace

@@ -11,6 +11,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const bool nested = error->kind == StopKind::kCommentNested;
   Finding& f = out.add(error->span, nested ? "a comment begins inside another comment" : "the comment is not closed on its line");
   f.help = nested ? "use other brackets inside the comment" : "close it with `)`, or begin it with `;`";
+  // All of the rest is then a comment, as it was meant or not.
+  if (!nested) f.fixes.push_back({"close the comment at the end of the line", false, {{{error->span.end, error->span.end}, ")"}}});
   return &f;
 }
 

@@ -9,6 +9,9 @@ namespace {
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   Finding& f = out.add(in.program.syntax.error(in.program.at(id))->span, "block delete `/` stands behind the line number");
   f.help = "put the `/` before the `N`";
+  const Statement& s = in.program.at(id);
+  const uint64_t first = s.offset + indent_of(*in.program.source, s).size();
+  f.fixes.push_back({"put the `/` before the `N`", true, {{{first, first}, "/"}, {f.span, ""}}});
   return &f;
 }
 

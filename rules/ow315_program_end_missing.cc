@@ -18,6 +18,11 @@ void check(const Input& in, Reporter& out) {
     const Span span = p.source->line(line);
     Finding& f = out.add(span, p.syntax.blank ? "the file is empty" : "the program ends without `M2`, `M30` or `%`");
     f.help = p.syntax.percent ? "end it with `%`" : "end it with `M2`";
+    if (p.syntax.blank) return &f;
+    const std::string_view bytes = p.source->bytes();
+    const std::string end = bytes.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
+    const std::string text = (bytes.ends_with('\n') ? "" : end) + (p.syntax.percent ? "%" : "M2") + end;
+    f.fixes.push_back({f.help, true, {{{bytes.size(), bytes.size()}, text}}});
     return &f;
   });
 }

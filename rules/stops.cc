@@ -181,6 +181,15 @@ std::string line_words(const Input& in, const Elsewhere& place) {
   return words;
 }
 
+std::string line_end(const Source& source, const Statement& statement) {
+  return source.slice(statement.whole()).ends_with('\r') ? "\r\n" : "\n";
+}
+
+std::string indent_of(const Source& source, const Statement& statement) {
+  const std::string_view line = source.slice(statement.whole());
+  return std::string(line.substr(0, std::min(line.find_first_not_of(" \t"), line.size())));
+}
+
 std::string file_name(const Source& source) {
   const std::string& path = source.path();
   return path.substr(path.rfind('/') + 1);

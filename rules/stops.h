@@ -41,6 +41,10 @@ void relate(const Input& in, Finding& finding, const Elsewhere& place, std::stri
 Elsewhere place_of(const Input& in, StatementId here, const Elsewhere& elsewhere);
 /// `line 12`, or `line 12 of probe.ngc`.
 std::string line_words(const Input& in, const Elsewhere& place);
+/// The line end that the statement's line has, for lines that a fix adds.
+std::string line_end(const Source& source, const Statement& statement);
+/// The blanks that the statement's line begins with.
+std::string indent_of(const Source& source, const Statement& statement);
 /// The last part of a file's path.
 std::string file_name(const Source& source);
 

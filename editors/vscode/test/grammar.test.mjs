@@ -36,23 +36,23 @@ function pieces(line) {
 
 const lines = {
   "o100 while [#1 LT 5]": [
-    ["o", "storage.type.o-word"], ["100", "entity.name.label"], ["while", "keyword.control.block"],
+    ["o100", "entity.name.type.label"], ["while", "keyword.control.block"],
     ["#1", "variable.parameter"], ["LT", "keyword.operator.comparison"], ["5", "constant.numeric"],
   ],
   "N20 O<drill> CALL [#<depth>] [#<_safe>]": [
-    ["N20", "constant.other.line-number"], ["O", "storage.type.o-word"], ["<drill>", "entity.name.function"],
+    ["N20", "constant.other.line-number"], ["O<drill>", "entity.name.function"],
     ["CALL", "keyword.control.sub"], ["#<depth>", "variable.other.local"], ["#<_safe>", "variable.other.global"],
   ],
-  "o100sub": [["o", "storage.type.o-word"], ["100", "entity.name.function"], ["sub", "keyword.control.sub"]],
+  "o100sub": [["o100", "entity.name.function"], ["sub", "keyword.control.sub"]],
   "o<a>elseif[1]": [
-    ["o", "storage.type.o-word"], ["<a>", "entity.name.label"], ["elseif", "keyword.control.block"], ["1", "constant.numeric"],
+    ["o<a>", "entity.name.type.label"], ["elseif", "keyword.control.block"], ["1", "constant.numeric"],
   ],
   "o[#1+2] endif": [
-    ["o", "storage.type.o-word"], ["#1", "variable.parameter"], ["+", "keyword.operator.arithmetic"], ["2", "constant.numeric"],
+    ["o", "entity.name.type.label"], ["#1", "variable.parameter"], ["+", "keyword.operator.arithmetic"], ["2", "constant.numeric"],
     ["endif", "keyword.control.block"],
   ],
   "O1234 (PLATE)": [
-    ["O", "storage.type.o-word"], ["1234", "entity.name.label"], ["(PLATE)", "comment.block.parentheses"],
+    ["O1234", "entity.name.type.label"], ["(PLATE)", "comment.block.parentheses"],
   ],
   "G1 X-2.5 Y#31 F[300 MOD 7]": [
     ["G1", "keyword.other.g-code"], ["X", "storage.type.axis"], ["-2.5", "constant.numeric"], ["Y", "storage.type.axis"],

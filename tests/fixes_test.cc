@@ -1,0 +1,66 @@
+// Fixes mend: with any one of them made, the finding that it belongs to is gone; made twice, nothing changes any more.
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "rules/lint.h"
+#include "support/corpus.h"
+#include "support/files.h"
+#include "support/fixture.h"
+
+using namespace owlint;
+
+namespace {
+
+FileReport check(const std::string& text) {
+  LintOptions all;
+  all.extend_select = {"OW"};
+  return lint(Source::own("program.ngc", text), {}, all);
+}
+
+std::string made(const std::string& text, const Fix& fix) {
+  std::string out;
+  size_t at = 0;
+  std::vector<Edit> edits = fix.edits;
+  std::ranges::sort(edits, {}, [](const Edit& e) { return e.span.begin; });
+  for (const Edit& edit : edits) {
+    REQUIRE(edit.span.begin >= at);  // edits of one fix do not overlap
+    REQUIRE(edit.span.begin <= edit.span.end);
+    REQUIRE(edit.span.end <= text.size());
+    out += text.substr(at, edit.span.begin - at) + edit.text;
+    at = edit.span.end;
+  }
+  return out + text.substr(at);
+}
+
+size_t count(const FileReport& report, std::string_view code) {
+  return static_cast<size_t>(std::ranges::count(report.findings, code, &Finding::code));
+}
+
+}  // namespace
+
+TEST_CASE("a fix takes its finding away", "[fixes]") {
+  std::vector<std::string> paths;
+  for (const test::CorpusProgram& c : test::corpus()) paths.push_back(c.path);
+  for (const test::Fixture& f : test::all_fixtures()) {
+    if (!f.bundle) paths.push_back(f.path);
+  }
+  std::map<std::string, size_t> fixes;
+  for (const std::string& path : paths) {
+    const std::string text = test::read_file(path);
+    const FileReport before = check(text);
+    for (const Finding& f : before.findings) {
+      for (const Fix& fix : f.fixes) {
+        ++fixes[std::string(f.code)];
+        const std::string mended = made(text, fix);
+        INFO(path << ": " << f.code << " " << fix.title << "\n" << mended);
+        CHECK(mended != text);
+        CHECK(count(check(mended), f.code) < count(before, f.code));
+      }
+    }
+  }
+  for (const char* code : {"OW101", "OW102", "OW103", "OW104", "OW106", "OW108", "OW204", "OW205", "OW213", "OW216", "OW301", "OW302", "OW304", "OW305", "OW307", "OW308",
+                           "OW311", "OW312", "OW313", "OW315"}) {
+    INFO(code);
+    CHECK(fixes[code] > 0);
+  }
+}
