@@ -213,6 +213,8 @@ void Server::notification(const std::string& method, const Json& params) {
   } else if (method == "workspace/didChangeWorkspaceFolders") {
     for (const Json& folder : params.at("event").at("added")) workspace_.add_folder(folder.at("uri"));
     for (const Json& folder : params.at("event").at("removed")) workspace_.remove_folder(folder.at("uri"));
+    workspace_.forget_files();
+    check_all();
   } else if (method == "workspace/didChangeConfiguration") {
     const Json settings = params.value("settings", Json::object());
     workspace_.configure(settings.is_object() ? settings.value("owlint", settings) : Json::object());

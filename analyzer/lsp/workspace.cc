@@ -115,11 +115,13 @@ std::vector<Document*> Workspace::open_documents() {
 void Workspace::forget_files() {
   on_disk_.clear();
   called_files_.reset();
+  everything_.reset();
   configuration_ = std::make_unique<cli::Configuration>(line_);
   library_ = std::make_unique<Library>([this](const std::string& path, std::string* error) { return read(path, error); });
 }
 
 void Workspace::forget_file(const std::string& path) {
+  everything_.reset();
   on_disk_.erase(path);
   library_->forget(path);
 }
@@ -205,6 +207,7 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
 std::vector<std::string> Workspace::check(const std::string& uri) {
   const Document* changed = find_open(uri);
   if (changed == nullptr) return {};
+  everything_.reset();
   const std::set<std::string> uris = related(*changed);
   std::vector<std::string> files;
   for (const std::string& one : uris) {
@@ -216,7 +219,10 @@ std::vector<std::string> Workspace::check(const std::string& uri) {
   return {uris.begin(), uris.end()};
 }
 
-std::map<std::string, Checked> Workspace::check_everything() { return run(program_files()); }
+const std::map<std::string, Checked>& Workspace::check_everything() {
+  if (!everything_) everything_ = run(program_files());
+  return *everything_;
+}
 
 const Checked* Workspace::checked(const std::string& uri) const {
   const auto found = checked_.find(uri);

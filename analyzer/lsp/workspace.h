@@ -61,8 +61,9 @@ class Workspace {
   /// checked; findings() then has them.
   std::vector<std::string> check(const std::string& uri);
   const Checked* checked(const std::string& uri) const;
-  /// Checks all programs of the workspace, open or not; by path.
-  std::map<std::string, Checked> check_everything();
+  /// Checks all programs of the workspace, open or not; by path. Clients ask every few seconds: what was found is kept until
+  /// something changes.
+  const std::map<std::string, Checked>& check_everything();
   /// Checks a file that need not be open.
   Checked check_alone(const std::string& path);
 
@@ -88,6 +89,7 @@ class Workspace {
   std::map<std::string, std::unique_ptr<Document>> on_disk_;    // by path
   std::map<std::string, Checked> checked_;                      // by uri
   std::optional<std::set<std::string>> called_files_;  // keys of files that some program of the workspace calls
+  std::optional<std::map<std::string, Checked>> everything_;
   std::unique_ptr<Library> library_;  // the files that are called, parsed once for many checks
 };
 
