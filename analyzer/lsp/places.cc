@@ -26,10 +26,17 @@ void add_sub_words(const Document& document, const std::string& name, std::vecto
   const Program& p = document.program();
   const NameId id = p.syntax.names.find(name);
   if (id == kNoName) return;
-  for (StatementId at = 0; at < p.size(); ++at) {
-    const Statement& s = p.at(at);
-    if (s.label == id && is_sub_word(s)) out.push_back({&document, s.label_span(), s.opens_sub()});
+  // O-words by their label; M98 is only among the calls.
+  std::vector<StatementId> lines;
+  for (const StatementId at : p.by_label[id]) {
+    if (is_sub_word(p.at(at))) lines.push_back(at);
   }
+  const size_t words = lines.size();
+  for (const Call& call : p.calls) {
+    if (call.callee == id && p.at(call.statement).kind == LineKind::kM98) lines.push_back(call.statement);
+  }
+  if (lines.size() > words) std::ranges::sort(lines);
+  for (const StatementId at : lines) out.push_back({&document, p.at(at).label_span(), p.at(at).opens_sub()});
 }
 
 }  // namespace

@@ -170,10 +170,12 @@ void Workspace::read_all(const std::function<void(size_t done, size_t of)>& prog
     const Document* document = document_of_path(path);
     if (document == nullptr) continue;
     const Program& p = document->program();
+    if (p.calls.empty()) continue;
+    const auto folders = search_path(*document);
     for (const Call& call : p.calls) {
       if (call.callee == kNoName || call.target != UINT32_MAX) continue;
-      const std::string called = called_file(*document, p.name(call.callee));
-      if (!called.empty() && file_key(called) != file_key(path)) called_files_->insert(file_key(called));
+      const auto called = folders->find(p.name(call.callee));
+      if (called && called->regular && file_key(called->path) != file_key(path)) called_files_->insert(file_key(called->path));
     }
   }
 }
