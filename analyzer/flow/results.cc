@@ -288,6 +288,10 @@ void Analysis::finish() {
 std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
   const auto& files = linked.files();
   std::vector<FlowResult> out(files.size());
+  if (files.size() == 1) {
+    out[0] = std::move(result);
+    return out;
+  }
   for (size_t i = 0; i < files.size(); ++i) {
     const LinkedFile& file = files[i];
     out[i].first = file.first;

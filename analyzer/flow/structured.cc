@@ -54,23 +54,33 @@ bool has_shallow_calls(const Program& program) {
 }
 
 /// A part or end of a block that stands inside another one, opened later, or that belongs to none at all: a skip can
-/// land there.
+/// land there. So is what a sub begins or ends in.
 void mark_entered_sideways(const Program& program, std::vector<bool>& good) {
-  std::vector<BlockId> open;
+  struct Open {
+    BlockId block;
+    uint32_t subs;  ///< how many lines that begin or end a sub came before it
+  };
+  std::vector<Open> open;
+  uint32_t subs = 0;
   for (StatementId id = 0; id < program.size(); ++id) {
-    const BlockId block = program.block_of[id];
     const Statement& s = program.at(id);
-    if (!part_of_block(s)) continue;
-    if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) continue;  // these never end a skip
-    if (block != kNoBlock && program.blocks[block].opener == id) {
-      open.push_back(block);
+    if (!part_of_block(s)) {
+      if (s.opens_sub() || s.is(Keyword::kEndsub) || s.kind == LineKind::kM99) ++subs;
       continue;
     }
-    while (!open.empty() && open.back() != block) {
-      good[open.back()] = false;
+    if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) continue;  // these never end a skip
+    const BlockId block = program.block_of[id];
+    if (block != kNoBlock && program.blocks[block].opener == id) {
+      open.push_back({block, subs});
+      continue;
+    }
+    while (!open.empty() && open.back().block != block) {
+      good[open.back().block] = false;
       open.pop_back();
     }
-    if (!open.empty() && program.blocks[open.back()].end == id) open.pop_back();
+    if (open.empty() || program.blocks[block].end != id) continue;
+    if (open.back().subs != subs) good[block] = false;
+    open.pop_back();
   }
 }
 
@@ -93,6 +103,7 @@ bool mark_shared_labels(const Program& program, bool regular, std::vector<bool>&
   std::vector<BlockId> owner(names);       // by label: the only block that has it in this scope, else kNoBlock
   std::vector<uint32_t> seen_in(names, UINT32_MAX);  // by label: the scope that `owner` speaks of
   for (uint32_t scope = 0; scope <= names; ++scope) {
+    bool shared = false;
     for (const StatementId id : scopes[scope]) {
       const NameId label = program.at(id).label;
       const BlockId block = program.block_of[id];
@@ -102,8 +113,10 @@ bool mark_shared_labels(const Program& program, bool regular, std::vector<bool>&
       } else if (owner[label] != block) {
         if (owner[label] != kNoBlock) good[owner[label]] = false;
         owner[label] = kNoBlock;
+        shared = true;
       }
     }
+    if (!shared) continue;
     for (const StatementId id : scopes[scope]) {
       const BlockId block = program.block_of[id];
       if (block != kNoBlock && owner[program.at(id).label] != block) good[block] = false;
@@ -116,16 +129,9 @@ std::vector<bool> structured_blocks(const Program& program, bool regular) {
   std::vector<bool> good(program.blocks.size(), true);
   mark_entered_sideways(program, good);
   const bool computed = mark_shared_labels(program, regular, good);
-  std::vector<uint32_t> subs_before(program.size() + 1);
-  for (StatementId id = 0; id < program.size(); ++id) {
-    const Statement& s = program.at(id);
-    const bool boundary = s.opens_sub() || s.is(Keyword::kEndsub) || s.kind == LineKind::kM99;
-    subs_before[id + 1] = subs_before[id] + (boundary ? 1 : 0);
-  }
   for (BlockId id = static_cast<BlockId>(program.blocks.size()); id-- > 0;) {
     const Block& block = program.blocks[id];
-    const bool closed = block.end != kNoStatement && block.crossed == kNoBlock && !computed;
-    if (!closed || subs_before[block.end] != subs_before[block.opener]) good[id] = false;
+    if (block.end == kNoStatement || block.crossed != kNoBlock || computed) good[id] = false;
     // Inner blocks come after their parents: by now all of them have been looked at.
     if (!good[id] && block.parent != kNoBlock) good[block.parent] = false;
   }

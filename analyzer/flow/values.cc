@@ -55,27 +55,24 @@ Evaluator::Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::
   find_facts();
 }
 
-/// Marks the parameters that an expression reads; true when one of them is new.
+/// Marks the parameters that an expression reads; true when one of them is new. Recursion is bounded by the length of
+/// one line.
 bool Evaluator::mark(ExprId id) {
-  bool grew = false;
-  to_mark_.assign(1, id);
-  while (!to_mark_.empty()) {
-    const Expr& expr = syntax_.exprs[to_mark_.back()];
-    to_mark_.pop_back();
-    double number = 0;
-    long index = 0;
-    if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) {
-      if (!relevant_name_[expr.name()]) grew = relevant_name_[expr.name()] = true;
-    } else if (expr.op == Operator::kParameter && literal_value(syntax_.exprs, expr.left(), &number)) {
-      if (to_integer(number, &index) && index > 0 && index <= kLastNumber && !relevant_number_[index]) {
-        grew = relevant_number_[index] = true;
-        tracked_numbers_.push_back(static_cast<uint32_t>(index));
-      }
-      continue;
-    }
-    if (expr.left() != kNoExpr) to_mark_.push_back(expr.left());
-    if (expr.right() != kNoExpr) to_mark_.push_back(expr.right());
+  const Expr& expr = syntax_.exprs[id];
+  if (expr.op == Operator::kNumber) return false;
+  if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) {
+    if (relevant_name_[expr.name()]) return false;
+    return relevant_name_[expr.name()] = true;
   }
+  double number = 0;
+  long index = 0;
+  if (expr.op == Operator::kParameter && literal_value(syntax_.exprs, expr.left(), &number)) {
+    if (!to_integer(number, &index) || index <= 0 || index > kLastNumber || relevant_number_[index]) return false;
+    tracked_numbers_.push_back(static_cast<uint32_t>(index));
+    return relevant_number_[index] = true;
+  }
+  bool grew = expr.left() != kNoExpr && mark(expr.left());
+  if (expr.right() != kNoExpr && mark(expr.right())) grew = true;
   return grew;
 }
 

@@ -143,7 +143,6 @@ class Evaluator {
   std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere
   std::vector<bool> kept_;           // names that are assigned, or asked for by EXISTS, anywhere
   std::vector<uint32_t> tracked_numbers_;
-  std::vector<ExprId> to_mark_;  // of mark(); kept for its memory
   std::vector<Fact> facts_;                                          // by condition, as far as there are any
   std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global
   bool computed_targets_ = false;

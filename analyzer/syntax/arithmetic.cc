@@ -15,6 +15,8 @@ double truth(bool value) { return value ? 1.0 : 0.0; }
 
 bool to_integer(double value, long* result) {
   if (!(std::fabs(value) < 2147483648.0)) return false;
+  *result = static_cast<long>(value);
+  if (static_cast<double>(*result) == value) return true;  // as nearly always; rounding down is a call of a function
   const double floor = std::floor(value);
   if (value - floor > 0.9999) {
     *result = static_cast<long>(std::ceil(value));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <string_view>
 
@@ -23,7 +24,11 @@ class LineText {
 
   std::string_view text() const { return {text_.data(), length_}; }
   size_t size() const { return length_; }
-  char operator[](size_t i) const { return i < length_ ? text_[i] : '\0'; }
+  /// The character `i`; behind the last one, at the size, a NUL.
+  char operator[](size_t i) const {
+    assert(i <= length_);
+    return text_[i];
+  }
 
   /// File offset of the line's first byte.
   uint64_t begin() const { return offset_; }
@@ -44,16 +49,17 @@ class LineText {
 
  private:
   StopKind comment(std::string_view raw, size_t* at);
-  StopKind assign_before_nul(std::string_view raw, uint64_t offset);
+  StopKind assign_slowly(std::string_view raw);
+  StopKind assign_before_nul(std::string_view raw);
   void keep(char c, size_t at) {
     text_[length_] = c;
-    at_[length_++] = static_cast<uint16_t>(at);
+    at_[length_++] = static_cast<uint8_t>(at);
   }
 
   std::array<char, 256> text_;
-  std::array<uint16_t, 256> at_;
+  std::array<uint8_t, 256> at_;
   size_t length_ = 0;
-  uint16_t end_ = 0;
+  uint8_t end_ = 0;
   uint64_t offset_ = 0;
   Span error_;
   bool nul_ = false;

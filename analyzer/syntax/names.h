@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <string>
@@ -19,10 +20,14 @@ class Names {
  public:
   NameId intern(std::string_view text) {
     if (const uint32_t number = number_of(text); number != kNoNumber) return intern_number(number);
-    if (const auto found = ids_.find(text); found != ids_.end()) return found->second;
-    const NameId id = add(std::string(text));
-    ids_.emplace(texts_[id], id);
-    return id;
+    NameId& recent = recent_[slot(text)];
+    if (recent != kNoName && texts_[recent] == text) return recent;
+    auto found = ids_.find(text);
+    if (found == ids_.end()) {
+      const NameId id = add(std::string(text));
+      found = ids_.emplace(texts_[id], id).first;
+    }
+    return recent = found->second;
   }
 
   /// The same as interning the number's decimal text.
@@ -60,6 +65,11 @@ class Names {
     return number;
   }
 
+  static size_t slot(std::string_view text) {
+    if (text.empty()) return 0;
+    return (text.size() * 5 + static_cast<unsigned char>(text.front()) * 3U + static_cast<unsigned char>(text.back())) % kRecent;
+  }
+
   NameId add(std::string text) {
     texts_.push_back(std::move(text));
     return static_cast<NameId>(texts_.size() - 1);
@@ -68,6 +78,14 @@ class Names {
   std::deque<std::string> texts_;  // a deque: the map's keys point into it
   std::unordered_map<std::string_view, NameId> ids_;
   std::vector<NameId> numbers_;  // by number
+  // Names that were met just before: most come again soon, and this is faster than hashing them.
+  static constexpr size_t kRecent = 64;
+  std::array<NameId, kRecent> recent_ = nothing();
+  static constexpr std::array<NameId, kRecent> nothing() {
+    std::array<NameId, kRecent> none{};
+    none.fill(kNoName);
+    return none;
+  }
 };
 
 }  // namespace owlint
