@@ -148,7 +148,7 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
     if (level_ >= kCoarse) machine_.set_coarse(passes_over_);
   }
   if (at_file_end) return end_of_file(state);
-  if (const CalmStretch* stretch = machine_.pass_over(state, frames_[state.context].info.depth > 0)) {
+  if (const CalmStretch* stretch = machine_.pass_over(state, frames_[state.context].info)) {
     mark_executed(*stretch);
     return successor(std::move(state));
   }

@@ -123,10 +123,12 @@ void Machine::set_coarse(bool passes_over) {
   if (passes_over && !calm_) calm_.emplace(program_, structure_, evaluator_, profile_.warn_only());
 }
 
-const CalmStretch* Machine::pass_over(State& state, bool called) {
+const CalmStretch* Machine::pass_over(State& state, const Context& context) {
   if (!calm_ || state.skip != kNoLabel || state.defining != kNoName || state.looped) return nullptr;
   const CalmStretch* stretch = calm_->at(state.position);
   if (stretch == nullptr) return nullptr;
+  const bool called = context.depth > 0;
+  if (!structure_.structured_for(program_, program_.region_of[state.position], called ? context.sub : kNoName)) return nullptr;
   // A constant from before, or an argument that is not passed, may make a difference on the way; so may an unassigned name.
   for (const ParameterId p : calm_->reads(*stretch)) {
     if (!evaluator_.is_plain(p, state.parameters)) return nullptr;

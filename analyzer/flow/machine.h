@@ -110,7 +110,7 @@ class Machine {
   /// one step: for very large programs.
   void set_coarse(bool passes_over);
   /// Passes over such a stretch. Null, and nothing done, where there is none.
-  const CalmStretch* pass_over(State& state, bool called);
+  const CalmStretch* pass_over(State& state, const Context& context);
   /// Openers of the subs that a stretch defines, and that it calls.
   std::span<const StatementId> defined_in(const CalmStretch& stretch) const { return calm_->defined(stretch); }
   std::span<const StatementId> called_in(const CalmStretch& stretch) const { return calm_->called(stretch); }

@@ -128,7 +128,8 @@ struct Machine::Step {
   /// Structured blocks are in the table from their opener on, without being written there.
   bool structured() const {
     const BlockId block = m.program_.block_of[here];
-    return block != kNoBlock && m.structure_.structured[block];
+    return block != kNoBlock && m.structure_.structured[block] &&
+           m.structure_.structured_for(m.program_, m.program_.blocks[block].region, called() ? context.sub : kNoName);
   }
   uint32_t entry() const {
     if (!structured()) return state.table.get(label);
