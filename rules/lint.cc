@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "analyzer/flow/known_calls.h"
+
 namespace owlint {
 namespace {
 
@@ -67,24 +69,34 @@ class Check {
 
   ProgramReport run(const std::shared_ptr<const Program>& program) {
     Linked linked(program, profile_, library_);
-    const std::vector<FlowResult> flow = analyze_flow(linked, profile_, options_.detail);
-    ProgramReport report;
-    report.sub_file = program->sub_file;
-    report.only_definitions = program->regions.size() > 1 && does_nothing(*program);
-    report.own = check_file(program, flow[0], linked, true);
-    report.own.statistics = flow[0].statistics;
-    for (size_t i = 1; i < linked.files().size(); ++i) {
-      const LinkedFile& file = linked.files()[i];
-      report.calls.push_back(file.program->source->path());
-      if (flow[i].stops.empty() && flow[i].hazards.empty()) continue;
-      FileReport called = check_file(file.program, flow[i], linked, false);
-      if (!called.findings.empty()) report.called.push_back(std::move(called));
+    flow::KnownCalls* const known = options_.known_calls;
+    if (known == nullptr) return report(program, linked, analyze_flow(linked, profile_, options_.detail));
+    known->next_check();
+    for (;;) {
+      const std::vector<FlowResult> flow = analyze_flow(linked, profile_, options_.detail, known);
+      ProgramReport out = report(program, linked, flow);
+      if (remember(flow[0], *known)) return out;  // the second time at the latest: then nothing was known before
     }
-    if (profile_.may_be_python()) report.python = unknown_names(linked);
-    return report;
   }
 
  private:
+  ProgramReport report(const std::shared_ptr<const Program>& program, const Linked& linked, const std::vector<FlowResult>& flow) const {
+    ProgramReport out;
+    out.sub_file = program->sub_file;
+    out.only_definitions = program->regions.size() > 1 && does_nothing(*program);
+    out.own = check_file(program, flow[0], linked, true);
+    out.own.statistics = flow[0].statistics;
+    for (size_t i = 1; i < linked.files().size(); ++i) {
+      const LinkedFile& file = linked.files()[i];
+      out.calls.push_back(file.program->source->path());
+      if (flow[i].stops.empty() && flow[i].hazards.empty()) continue;
+      FileReport called = check_file(file.program, flow[i], linked, false);
+      if (!called.findings.empty()) out.called.push_back(std::move(called));
+    }
+    if (profile_.may_be_python()) out.python = unknown_names(linked);
+    return out;
+  }
+
   FileReport check_file(const std::shared_ptr<const Program>& program, const FlowResult& flow, const Linked& linked, bool own) const {
     FileReport report;
     report.source = program->source;

@@ -17,6 +17,7 @@ struct LintOptions {
   std::vector<std::string> ignore;         ///< taken away again; the longest prefix that fits decides
   std::map<std::string, Severity, std::less<>> severity;
   Detail detail = Detail::kBySize;
+  flow::KnownCalls* known_calls = nullptr;  ///< an editor's memory of this one program; see known_calls.h
   bool all_versions = false;  ///< every supported LinuxCNC version, not only the profile's
 };
 

@@ -143,9 +143,10 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
   if (executed) result_.executed[state.position] = true;
   group.seen.emplace_back(hash, record);
   state.record = record;
-  if (++result_.statistics.steps >= kPatience[level_].steps) {
-    ++level_;
-    if (level_ >= kCoarse) machine_.set_coarse(passes_over_);
+  count_steps(1);
+  if (Watch* watch = frames_[state.context].watch.get(); watch != nullptr) {
+    ++watch->steps;
+    if (level_ != watch->level) watch->disturbed = true;
   }
   if (at_file_end) return end_of_file(state);
   if (const CalmStretch* stretch = machine_.pass_over(state, frames_[state.context].info)) {
@@ -154,6 +155,14 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
   }
   const Context context = frames_[state.context].info;
   machine_.step(std::move(state), context, *this);
+}
+
+void Analysis::count_steps(uint64_t steps) {
+  result_.statistics.steps += steps;
+  while (result_.statistics.steps >= kPatience[level_].steps) {
+    ++level_;
+    if (level_ >= kCoarse) machine_.set_coarse(passes_over_);
+  }
 }
 
 void Analysis::mark_executed(const CalmStretch& stretch) {
@@ -200,9 +209,11 @@ ContextId Analysis::context_for(const Context& callee, const State& entry, bool*
 void Analysis::call(const State& at, State entry, Context callee, int repeats) {
   bool merged = false;
   const ContextId id = context_for(callee, entry, &merged);
+  Frame& frame = frames_[id];
+  const bool first = frame.callers.empty();
+  if (!merged && first) recall(id, at, entry);
   entry.context = id;
   entry.record = at.record;
-  Frame& frame = frames_[id];
   const Caller caller{at, repeats};
   const uint64_t caller_hash = mix(at.hash(), (static_cast<uint64_t>(at.context) << 32) + static_cast<uint32_t>(repeats));
   if (frame.caller_hashes.insert(caller_hash).second) frame.callers.push_back(caller);
@@ -217,7 +228,11 @@ void Analysis::call(const State& at, State entry, Context callee, int repeats) {
       entry = *frame.joined_entry;
     }
   }
-  successor(std::move(entry));  // an equal one is recognised on arrival
+  if (!frame.known) {
+    successor(std::move(entry));  // an equal one is recognised on arrival
+  } else if (!first) {
+    trace_->link(at.record, frame.exits.front().record);
+  }
   for (size_t i = 0; i < frames_[id].exits.size(); ++i) {
     const State exit = frames_[id].exits[i];
     resume_one(caller, exit, frames_[id]);
@@ -287,16 +302,54 @@ std::vector<std::string> Analysis::computed_calls() const {
   return names;
 }
 
+/// A call that begins like none before in this analysis: its outcome may be known from an earlier one.
+void Analysis::recall(ContextId context, const State& at, const State& entry) {
+  if (!memory_of_calls_ || level_ >= kCoarse) return;
+  std::optional<std::string> key = memory_of_calls_->keys.of(frames_[context].info, entry, level_);
+  if (!key) return;
+  Frame& frame = frames_[context];
+  const CallOutcome* outcome = memory_of_calls_->known.find(*key);
+  const bool joins_more = outcome != nullptr && result_.statistics.steps + outcome->steps >= kPatience[level_].steps;
+  if (outcome == nullptr || joins_more) {
+    frame.watch = std::make_unique<Watch>(Watch{std::move(*key), entry, level_, 0, false, {}});
+    return;
+  }
+  frame.known = true;
+  ++result_.statistics.recalled;
+  count_steps(outcome->steps);
+  const StatementId opener = entry.position;
+  for (StatementId i = 0; i < outcome->lines.size(); ++i) {
+    if (outcome->lines[i]) result_.executed[opener + i] = true;
+  }
+  trace_->leave_out(opener + 1, opener + static_cast<StatementId>(outcome->lines.size()));
+  State exit = entry;
+  exit.position = 0;
+  exit.context = 0;
+  exit.executed = outcome->executed;
+  exit.returned = outcome->returned;
+  exit.joined = outcome->joined;
+  exit.mixed = outcome->mixed;
+  exit.parameters.locals = exit.parameters.local_facts = PersistentMap();
+  exit.branch = 0;
+  exit.record = trace_->add({at.record, opener, 0, true, false});
+  frame.exit_hashes.push_back(exit.hash());
+  frame.exits.push_back(std::move(exit));
+}
+
+void Analysis::disturb(ContextId context) {
+  if (frames_[context].watch != nullptr) frames_[context].watch->disturbed = true;
+}
+
 }  // namespace owlint::flow
 
 namespace owlint {
 
 Reach FlowResult::reach(StatementId statement) const { return trace->reach(first + statement); }
 
-std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail) {
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail, flow::KnownCalls* known) {
   constexpr int kRounds = 8;  // each knows names that the one before has computed
   for (int round = 1;; ++round) {
-    flow::Analysis analysis(linked, profile, detail);
+    flow::Analysis analysis(linked, profile, detail, known);
     FlowResult result = analysis.run();
     bool grown = false;
     for (const std::string& name : analysis.computed_calls()) grown |= linked.add(name);

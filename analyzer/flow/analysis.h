@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <memory_resource>
+#include <optional>
 #include <queue>
 #include <string>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "analyzer/flow/known_calls.h"
 #include "analyzer/flow/machine.h"
 #include "analyzer/flow/trace.h"
 
@@ -37,11 +39,13 @@ inline constexpr uint32_t kNormalEnd = 0;
 
 class Analysis final : public Listener {
  public:
-  Analysis(const Linked& linked, const Profile& profile, Detail detail)
+  Analysis(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known)
       : linked_(linked), program_(linked.program()), passes_over_(detail != Detail::kStepwise),
         level_(detail != Detail::kBySize || program_.size() > kTooLarge ? kCoarse : 0), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
         trace_(std::make_shared<Trace>()) {
     result_.executed.resize(program_.size());
+    // Under FEATURE 0x20 any label may lead out of a sub.
+    if (known != nullptr && !profile.warn_only()) memory_of_calls_.emplace(*known, CallKeys(linked, machine_));
   }
 
   FlowResult run();
@@ -81,6 +85,15 @@ class Analysis final : public Listener {
     State state;
     int repeats;
   };
+  /// A call whose outcome may be worth keeping, see KnownCalls.
+  struct Watch {
+    std::string key;
+    State entry;
+    size_t level;
+    uint64_t steps = 0;
+    bool disturbed = false;  ///< it has come to something that cannot be kept
+    std::vector<bool> lines;
+  };
   struct Frame {
     explicit Frame(std::pmr::memory_resource* memory) : callers(memory), caller_hashes(memory), exits(memory), exit_hashes(memory) {}
 
@@ -93,6 +106,8 @@ class Analysis final : public Listener {
     std::unique_ptr<State> joined_exit;
     std::unique_ptr<State> joined_entry;
     RecordId entry = kNoRecord;
+    std::unique_ptr<Watch> watch;
+    bool known = false;  ///< its exit comes from KnownCalls, its lines are not gone through
   };
   struct Pending {
     StatementId position;
@@ -126,6 +141,10 @@ class Analysis final : public Listener {
   void add_stop(RecordId record, FlowStop stop);
   void resume_one(const Caller& caller, const State& exit, Frame& frame);
   ContextId context_for(const Context& callee, const State& entry, bool* merged);
+  void count_steps(uint64_t steps);
+  void recall(ContextId context, const State& at, const State& entry);
+  void disturb(ContextId context);
+  void learn_calls();
   void finish();
   void blame_calls();
   void not_found(ContextId context, const Caller& caller);
@@ -165,6 +184,11 @@ class Analysis final : public Listener {
   std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond the limit
   std::map<std::pair<HazardKind, StatementId>, size_t> origins_;
   uint32_t next_key_ = 1;
+  struct Memory {
+    KnownCalls& known;
+    CallKeys keys;
+  };
+  std::optional<Memory> memory_of_calls_;
   FlowResult result_;
 };
 

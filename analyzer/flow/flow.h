@@ -64,10 +64,13 @@ struct Hazard {
 struct FlowStatistics {
   uint64_t steps = 0;   ///< states processed
   uint64_t merges = 0;  ///< states that were joined with loss of precision
+  uint64_t recalled = 0;  ///< calls that were known before
 };
 
 namespace flow {
+class KnownCalls;
 class Trace;
+struct LearnedCall;
 }
 
 struct FlowResult {
@@ -78,6 +81,7 @@ struct FlowResult {
   FlowStatistics statistics;
   std::shared_ptr<const flow::Trace> trace;
   StatementId first = 0;          ///< number of this file's first statement in the trace
+  std::shared_ptr<std::vector<flow::LearnedCall>> learned;  ///< calls for KnownCalls, if there are any
 
   /// Whether runs get to a statement and execute it: never, on some runs, on every run.
   Reach reach(StatementId statement) const;
@@ -92,6 +96,12 @@ enum class Detail : uint8_t {
 
 /// Runs the machine through all files of `linked`, which grows by files whose names only the run knows. One result
 /// for each file, in the order of `linked.files()`; statement numbers in it are those of the file's own program.
-std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail = Detail::kBySize);
+/// `known`: calls that earlier analyses have found; see remember() for what becomes of this one's.
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail = Detail::kBySize, flow::KnownCalls* known = nullptr);
+
+/// To be called when all questions about a result of analyze_flow() with `known` have been asked: keeps its calls for the
+/// next analysis. False if something was asked about lines that were not gone through: then what was answered is void,
+/// nothing is known any more, and the analysis must be made again.
+bool remember(const FlowResult& result, flow::KnownCalls& known);
 
 }  // namespace owlint

@@ -150,6 +150,13 @@ class Machine {
   Definers& definers() { return definers_; }
   Version version() const { return profile_.version; }
   Evaluator& evaluator() { return evaluator_; }
+  const Evaluator& evaluator() const { return evaluator_; }
+  const Structure& structure() const { return structure_; }
+  NameId scope_of(FullLabel label) const { return labels_[label].first; }
+  /// What else a call depends on, besides lines and parameters, as a number.
+  uint64_t circumstances() const {
+    return static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 | static_cast<uint64_t>(evaluator_.distrusts_globals());
+  }
 
  private:
   struct Step;  // one step in progress: machine_step.cc

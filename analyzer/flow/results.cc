@@ -49,6 +49,7 @@ void Analysis::add_stop(RecordId record, FlowStop stop) {
 }
 
 void Analysis::stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) {
+  disturb(at.context);
   FlowStop stop;
   stop.statement = at.position;
   stop.kind = kind;
@@ -75,6 +76,7 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
 }
 
 void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) {
+  disturb(at.context);
   Hazard hazard{kind, at.position, kNoStatement, number, Reach::kMaybe, warned, std::move(message), {}};
   const auto executed = [&](Keyword keyword, Keyword loop) {
     return [this, keyword, loop](StatementId id) {
@@ -93,6 +95,7 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
   const bool has_origin = kind == HazardKind::kStaleBreak || kind == HazardKind::kStaleContinue ||
                           kind == HazardKind::kContinueMeetsBreak || kind == HazardKind::kStaleRepeatCount;
   if (has_origin && ++origins_[{kind, at.position}] > kMaxOrigins) return;
+  if (has_origin && trace_->leaves_out()) trace_->miss_left_out();  // it may have begun there
   switch (kind) {
     case HazardKind::kStaleBreak: begins_at(trace_->nearest(at.record, executed(Keyword::kBreak, Keyword::kWhile))); break;
     case HazardKind::kStaleContinue: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;
@@ -249,6 +252,7 @@ void Analysis::blame_calls() {
 void Analysis::finish() {
   blame_calls();
   trace_->finish(result_.executed);
+  if (memory_of_calls_) learn_calls();
   idle_loops();
   const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
   if (!hangs) endless_loops();  // one mistake, one finding
@@ -285,6 +289,41 @@ void Analysis::finish() {
   }
 }
 
+/// Collects the calls whose outcome can be kept: one exit, and nothing on the way that is told of the sub's lines.
+void Analysis::learn_calls() {
+  const std::vector<bool>& hanging = trace_->hanging();
+  const auto leaves_nothing = [](const State& entry, const State& exit) {
+    const auto same = [](const PersistentMap& a, const PersistentMap& b) { return a.hash() == b.hash(); };
+    return same(entry.table, exit.table) && same(entry.parameters.globals, exit.parameters.globals) &&
+           same(entry.parameters.global_facts, exit.parameters.global_facts) && entry.counts == exit.counts &&
+           entry.breaking == exit.breaking && entry.continuing == exit.continuing && entry.parameters.outside == exit.parameters.outside;
+  };
+  for (Frame& frame : frames_) {
+    // In a program that never ends, where it does not is told of all loops on the way.
+    if (frame.known && hanging[frame.exits.front().record]) trace_->miss_left_out();
+    if (frame.watch == nullptr) continue;
+    Watch& watch = *frame.watch;
+    const Region& region = program_.regions[program_.region_of[watch.entry.position]];
+    watch.lines.resize(region.end + 1 - region.opener);
+    if (frame.exits.size() != 1 || frame.joined_exit != nullptr || frame.joined_entry != nullptr || !leaves_nothing(watch.entry, frame.exits.front())) watch.disturbed = true;
+  }
+  for (const Group& group : groups_) {
+    Watch* watch = frames_[group.context].watch.get();
+    if (watch == nullptr || watch->disturbed) continue;
+    for (const auto& [hash, record] : group.seen) {
+      const StatementId line = group.position - watch->entry.position;  // wraps for lines before
+      if (hanging[record] || line >= watch->lines.size()) watch->disturbed = true;
+      else if (trace_->at(record).executed) watch->lines[line] = true;
+    }
+  }
+  result_.learned = std::make_shared<std::vector<LearnedCall>>();
+  for (Frame& frame : frames_) {
+    if (frame.watch == nullptr || frame.watch->disturbed) continue;
+    const State& exit = frame.exits.front();
+    result_.learned->push_back({std::move(frame.watch->key), {exit.executed, exit.returned, exit.joined, exit.mixed, std::move(frame.watch->lines), frame.watch->steps}, frame.watch->entry.position});
+  }
+}
+
 std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
   const auto& files = linked.files();
   std::vector<FlowResult> out(files.size());
@@ -300,6 +339,7 @@ std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
     out[i].executed.assign(result.executed.begin() + file.first, result.executed.begin() + file.last);
   }
   out[0].statistics = result.statistics;
+  out[0].learned = std::move(result.learned);
   // Moves a statement number into its file, or out of it if that is another file than `home`.
   const auto localize = [&](uint32_t home, StatementId* id, Elsewhere* elsewhere) {
     if (*id == kNoStatement) return;
@@ -331,3 +371,21 @@ std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
 }
 
 }  // namespace owlint::flow
+
+namespace owlint {
+
+bool remember(const FlowResult& result, flow::KnownCalls& known) {
+  if (result.trace->missed()) {
+    known.clear();
+    return false;
+  }
+  if (result.learned == nullptr) return true;
+  for (flow::LearnedCall& call : *result.learned) {
+    // A call that something is told of must be gone through the next time, too.
+    const auto end = call.opener + static_cast<StatementId>(call.outcome.lines.size());
+    if (!result.trace->asked(call.opener + 1, end)) known.learn(std::move(call));
+  }
+  return true;
+}
+
+}  // namespace owlint

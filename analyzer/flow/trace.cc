@@ -149,7 +149,13 @@ std::vector<uint32_t> Trace::idle_cycles() const {
   return group;
 }
 
+bool Trace::asked(StatementId first, StatementId last) const {
+  const auto found = reaches_.lower_bound(first);
+  return found != reaches_.end() && found->first < last;
+}
+
 Reach Trace::reach(StatementId statement) const {
+  missed_ = missed_ || std::ranges::any_of(left_out_, [&](const auto& lines) { return statement >= lines.first && statement < lines.second; });
   if (const auto known = reaches_.find(statement); known != reaches_.end()) return known->second;
   const auto hits = [&](RecordId id) { return records_[id].statement == statement && records_[id].executed; };
   const bool reached = statement < executed_.size() && executed_[statement];

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -42,6 +42,16 @@ class Trace {
 
   const Record& at(RecordId id) const { return records_[id]; }
   size_t size() const { return records_.size(); }
+
+  /// Lines that were not gone through, because what calls of their sub come to was known before.
+  void leave_out(StatementId first, StatementId last) { left_out_.emplace_back(first, last); }
+  bool leaves_out() const { return !left_out_.empty(); }
+  /// A question cannot be answered without these lines.
+  void miss_left_out() const { missed_ = true; }
+  /// Whether there was such a question.
+  bool missed() const { return missed_; }
+  /// Whether reach() was asked about a statement from `first` to before `last`.
+  bool asked(StatementId first, StatementId last) const;
 
   /// Must be called once, after the last record and before the questions below. `executed`: by statement, whether some
   /// run executes it.
@@ -82,7 +92,9 @@ class Trace {
   std::vector<uint32_t> next_first_, next_, previous_first_, previous_;
   std::vector<bool> hanging_;
   std::vector<bool> executed_;
-  mutable std::unordered_map<StatementId, Reach> reaches_;
+  std::vector<std::pair<StatementId, StatementId>> left_out_;
+  mutable bool missed_ = false;
+  mutable std::map<StatementId, Reach> reaches_;
   mutable size_t work_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -84,6 +85,14 @@ bool predefined_name(std::string_view name);
 /// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured).
 bool read_only_number(long number);
 
+/// What the outcome of lines depends on, besides their text.
+struct Dependence {
+  std::vector<uint32_t> locals, globals;  ///< parameters that they read or assign, by their keys in Parameters
+  std::string circumstances;  ///< what the evaluator tracks of these, because of other lines
+  bool global_facts = false;  ///< a condition on globals whose outcome is remembered
+  bool known = true;          ///< false: there is more that cannot be told
+};
+
 class Evaluator {
  public:
   Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::Pool& pool);
@@ -115,6 +124,12 @@ class Evaluator {
   /// Forgets all that an unknown sub may have changed.
   static void call_outside(Parameters& p);
 
+  /// Adds what the value of an expression depends on; of a condition, also whether its outcome is remembered.
+  void note(ExprId id, Dependence& out) const;
+  /// The same for a line of assignments and words. False if it may assign a global parameter.
+  bool note_assignments(const Statement& s, Dependence& out) const;
+  bool distrusts_globals() const { return distrusts_globals_; }
+
   Constants& constants() const { return constants_; }
   void set_number(Parameters& p, long number, ValueId value) const;
   /// M98 shares #1 to #30 with its sub, but not names: `names` with the numbers of `numbers`.
@@ -128,6 +143,8 @@ class Evaluator {
   void find_facts();
   void forget_facts(Parameters& p, uint32_t key, bool global) const;
   bool mark(ExprId id);
+  void note_number(long number, Dependence& out) const;
+  void note_name(NameId name, Dependence& out) const;
   ValueId read_number(long number, const Parameters& in) const;
   Evaluation read_name(NameId name, const Parameters& in, bool defining) const;
   Evaluation exists(const Expr& expr, const Parameters& in) const;

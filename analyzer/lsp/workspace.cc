@@ -76,6 +76,7 @@ void Workspace::close(const std::string& uri) {
   uri_of_.erase(file_key(path));
   open_.erase(found);
   checked_.erase(uri);
+  known_calls_.erase(file_key(path));
   sent_tokens.erase(uri);
   forget_file(path);
 }
@@ -113,6 +114,7 @@ std::vector<Document*> Workspace::open_documents() {
 }
 
 void Workspace::forget_files() {
+  known_calls_.clear();  // the machine may be another one
   on_disk_.clear();
   called_files_.reset();
   everything_.reset();
@@ -184,7 +186,10 @@ void Workspace::read_all(const std::function<void(size_t done, size_t of)>& prog
 std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& files) {
   std::vector<cli::Settings> settings(files.size());
   std::vector<const cli::Settings*> wanted;
-  for (size_t i = 0; i < files.size(); ++i) wanted.push_back(settings_for(files[i], &settings[i]) ? &settings[i] : nullptr);
+  for (size_t i = 0; i < files.size(); ++i) {
+    wanted.push_back(settings_for(files[i], &settings[i]) ? &settings[i] : nullptr);
+    if (uri_of_.contains(file_key(files[i]))) settings[i].options.known_calls = &known_calls_[file_key(files[i])];
+  }
   const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
   read_all([](size_t, size_t) {});
   cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analyzer/cli/settings.h"
+#include "analyzer/flow/known_calls.h"
 #include "analyzer/lsp/document.h"
 #include "rules/lint.h"
 
@@ -90,6 +91,7 @@ class Workspace {
   std::map<std::string, Checked> checked_;                      // by uri
   std::optional<std::set<std::string>> called_files_;  // keys of files that some program of the workspace calls
   std::optional<std::map<std::string, Checked>> everything_;
+  std::map<std::string, flow::KnownCalls> known_calls_;  // of open documents, by file key
   std::unique_ptr<Library> library_;  // the files that are called, parsed once for many checks
 };
 

@@ -1,0 +1,62 @@
+// What the outcome of lines depends on: the parameters in them, and what is tracked of these because of lines elsewhere.
+#include "analyzer/flow/values.h"
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+
+void Evaluator::note_number(long number, Dependence& out) const {
+  const bool local = number < kFirstGlobalNumber;
+  out.circumstances.push_back(relevant_number_[number] ? 'r' : '-');
+  if (local) out.circumstances.push_back(read_argument_[number] ? 'a' : '-');
+  (local ? out.locals : out.globals).push_back(static_cast<uint32_t>(number));
+}
+
+void Evaluator::note_name(NameId name, Dependence& out) const {
+  const bool global = syntax_.names.text(name).starts_with('_');
+  out.circumstances.push_back(relevant_name_[name] ? 'r' : '-');
+  out.circumstances.push_back(kept_[name] ? 'k' : '-');
+  (global ? out.globals : out.locals).push_back((global ? kGlobalNames : kLocalNames) + name);
+}
+
+// Depth is bounded by the length of a line.
+void Evaluator::note(ExprId id, Dependence& out) const {
+  const Expr& expr = syntax_.exprs[id];
+  const Fact tested = fact(id);
+  out.circumstances.push_back(tested.id != 0 ? 'f' : '-');
+  if (tested.id != 0 && tested.global) out.global_facts = true;
+  if (expr.op == Operator::kNumber) return;
+  if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return note_name(expr.name(), out);
+  if (expr.op == Operator::kParameter) {
+    double number = 0;
+    long index = 0;
+    const bool literal = literal_value(syntax_.exprs, expr.left(), &number) && to_integer(number, &index) && index >= 1 && index <= kLastNumber;
+    if (!literal) {
+      out.known = false;
+      return;
+    }
+    return note_number(index, out);
+  }
+  if (expr.left() != kNoExpr) note(expr.left(), out);
+  if (expr.right() != kNoExpr) note(expr.right(), out);
+}
+
+bool Evaluator::note_assignments(const Statement& s, Dependence& out) const {
+  for (uint32_t i = 0; i < s.item_count && out.known; ++i) {
+    const Item& item = syntax_.items[s.first + i];
+    note(item.value, out);
+    if (item.target_name != kNoName) {
+      if (syntax_.names.text(item.target_name).starts_with('_')) return false;
+      note_name(item.target_name, out);
+    }
+    if (item.target == kNoExpr) continue;
+    double number = 0;
+    long index = 0;
+    const bool own = literal_value(syntax_.exprs, item.target, &number) && to_integer(number, &index) && index >= 1 && index < kFirstGlobalNumber;
+    if (!own) return false;
+    note_number(index, out);
+  }
+  return out.known;
+}
+
+}  // namespace owlint::flow
