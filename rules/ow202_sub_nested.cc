@@ -1,6 +1,8 @@
 // OW202 sub-nested: a `sub` line inside the body of another sub.
 // Rests on: while a definition is passed over, another `sub` (or a bare O number) is an error,
 // called or not. From 2.10 the same holds in called files.
+#include <algorithm>
+
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -22,6 +24,11 @@ Finding* report(const Input& in, Reporter& out, StatementId id, RegionId outer) 
                                           : what + " stands inside `" + p.head(region.opener) + "`, which begins" + began);
   relate(f, p, region.opener, "the sub around it begins here");
   f.help = region.end == kNoStatement ? "close it with `" + p.label_text(region.name) + " endsub`" : "move this sub out of the other one";
+  if (region.end != kNoStatement && s.is(Keyword::kSub)) {
+    const auto lines = p.by_label[s.label];
+    const auto end = std::ranges::find_if(std::ranges::upper_bound(lines, id), lines.end(), [&](StatementId line) { return p.at(line).is(Keyword::kEndsub); });
+    if (end != lines.end() && *end < region.end) f.fixes.push_back(move_up(p, id, *end, region.opener, "move it out, before the other one"));
+  }
   return &f;
 }
 

@@ -16,6 +16,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
                                                  (loop ? ": the second pass meets the definition again" : ": where that is skipped, the sub is unknown"));
   relate(f, p, block.opener, "the block begins here");
   f.help = "move the definition out of the block, before the first call";
+  const Region& region = p.regions[p.region_of[id]];
+  if (region.end != kNoStatement) f.fixes.push_back(move_up(p, id, region.end, outermost(p, id), "move the definition out of the block"));
   return &f;
 }
 

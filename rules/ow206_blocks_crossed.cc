@@ -16,6 +16,7 @@ void check(const Input& in, Reporter& out) {
     relate(f, p, inner.opener, "`" + p.head_of(inner) + "` is opened here");
     relate(f, p, outer.end, "`" + p.head_of(outer) + "` ends here, before it");
     f.help = "close the inner block before the outer one ends";
+    f.fixes.push_back(move_up(p, inner.end, inner.end, outer.end, "move it before `" + p.head(outer.end) + "`"));
     f.reach = in.flow.reach(inner.end);
   }
 }

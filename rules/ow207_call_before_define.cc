@@ -16,6 +16,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     if (call.callee != p.at(id).label) continue;
     f.message += " after line " + std::to_string(p.at(call.statement).line) + " has called it";
     relate(f, p, call.statement, "called here, before the definition");
+    const Region& region = p.regions[p.region_of[id]];
+    if (region.opener == id && region.end != kNoStatement) f.fixes.push_back(move_up(p, id, region.end, outermost(p, call.statement), "move the definition above its first call"));
     break;
   }
   f.help = "move the definition above its first call, or below the program end";

@@ -15,8 +15,6 @@ std::string number_only(const std::string& name) {
   return name.find_first_not_of("-0123456789") == std::string::npos ? name : std::string();
 }
 
-std::string label_of(const std::string& name) { return number_only(name).empty() ? "o<" + name + ">" : "o" + name; }
-
 /// A definition in another file of the run, which comes too late.
 Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
   for (const LinkedFile& file : in.linked.files()) {
@@ -49,7 +47,7 @@ void check(const Input& in, Reporter& out) {
       f.help = "write `M98 P100`";
       return &f;
     }
-    const std::string label = label_of(stop.detail);
+    const std::string label = label_text(stop.detail);
     const bool machine = in.profile.setup != nullptr;
     Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` " +
                                             (machine ? "on the machine's search path" : "in its folder"));
@@ -82,11 +80,11 @@ void check(const Input& in, Reporter& out) {
       if (near.empty() && suggestions < kMaxListings) near_file = nearest(stop.detail, in.linked.search_path().names(), 2);
     }
     if (!near.empty()) {
-      f.help = "write `" + label_of(near) + "`";
-      relate(f, p, by_name.at(near)->opener, "`" + label_of(near) + "` is defined here");
+      f.help = "write `" + label_text(near) + "`";
+      relate(f, p, by_name.at(near)->opener, "`" + label_text(near) + "` is defined here");
     } else if (!near_file.empty()) {
       const auto file = in.linked.search_path().find(near_file);
-      f.help = "did you mean `" + label_of(near_file) + "`, in " + (file ? file->path : near_file + ".ngc") + "?";
+      f.help = "did you mean `" + label_text(near_file) + "`, in " + (file ? file->path : near_file + ".ngc") + "?";
     } else if (p.sub_file && machine) {
       f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {
@@ -126,14 +124,14 @@ void check_setup(const SetupInput& in, Reporter& out) {
       if (has_file(in.setup, call, name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
       if (in.setup.search_path->find_other_case(name)) continue;  // OW402 says so
       const bool named = !call.name.empty();
-      Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_of(name) + "`, and no file `" + name + ".ngc` is on the machine's search path");
+      Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_text(name) + "`, and no file `" + name + ".ngc` is on the machine's search path");
       if (call.key == "REMAP") {  // measured: the interpreter does not even start
         f.stops = true;
         f.reach = Reach::kAlways;
         f.interpreter = "INTERP_REMAP: NGC file not found: ngc=" + call.name;
       }
       const std::string near = nearest(name, in.setup.search_path->names(), 2);
-      f.help = !near.empty() ? "did you mean `" + (named ? near : label_of(near)) + "`?"
+      f.help = !near.empty() ? "did you mean `" + (named ? near : label_text(near)) + "`?"
                              : "put the file into a folder of `SUBROUTINE_PATH`, or add its folder there";
     }
   }

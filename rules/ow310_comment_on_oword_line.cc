@@ -8,6 +8,16 @@
 namespace owlint::rules {
 namespace {
 
+/// Whether nothing but comments and blanks is in `text`.
+bool only_comments(std::string_view text) {
+  for (size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == ';') return true;
+    if (text[at] == '(') at = std::min(text.find(')', at), text.size());
+    else if (text[at] != ' ' && text[at] != '\t' && text[at] != '\r') return false;
+  }
+  return true;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (StatementId id = 0; id < p.size(); ++id) {
@@ -19,6 +29,14 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add({s.offset + at, s.end()}, "a comment stands on the line of `" + p.head(id) + "`");
     f.help = "put it on a line of its own: the documentation calls this undefined, though it runs";
     f.reach = in.flow.reach(id);
+    if (!only_comments(line.substr(at))) continue;
+    // On a line of its own a MSG or PRINT would begin to work.
+    const std::string comment(line.substr(at, line.find_last_not_of(" \t\r") + 1 - at));
+    const bool active = comment.find(',') != std::string::npos;
+    size_t blanks = at;
+    while (blanks > 0 && (line[blanks - 1] == ' ' || line[blanks - 1] == '\t')) --blanks;
+    f.fixes.push_back({"put it on the line above", !active, {{{s.offset, s.offset}, indent_of(*p.source, s) + comment + line_end(*p.source, s)},
+                                                             {{s.offset + blanks, s.offset + at + comment.size()}, ""}}});
   }
 }
 

@@ -190,6 +190,35 @@ std::string indent_of(const Source& source, const Statement& statement) {
   return std::string(line.substr(0, std::min(line.find_first_not_of(" \t"), line.size())));
 }
 
+StatementId outermost(const Program& program, StatementId statement) {
+  const RegionId region = program.region_of[statement];
+  if (region != kMainRegion) {
+    const Region& sub = program.regions[region];
+    if (sub.enclosing == kNoBlock) return sub.opener;
+    statement = sub.opener;
+  }
+  // The blocks of the main program come first, in the order of their openers.
+  const auto main_end = std::ranges::partition_point(program.blocks, [](const Block& b) { return b.region == kMainRegion; });
+  auto at = std::ranges::partition_point(program.blocks.begin(), main_end, [&](const Block& b) { return b.opener <= statement; });
+  if (at == program.blocks.begin()) return statement;
+  StatementId outer = statement;
+  for (auto block = static_cast<BlockId>(at - program.blocks.begin() - 1); block != kNoBlock; block = program.blocks[block].parent) {
+    const Block& b = program.blocks[block];
+    if (b.end != kNoStatement && b.end >= statement) outer = b.opener;
+  }
+  return outer;
+}
+
+Fix move_up(const Program& program, StatementId first, StatementId last, StatementId before, std::string title) {
+  const Source& source = *program.source;
+  const uint64_t begin = program.at(first).offset;
+  const uint64_t end = std::min<uint64_t>(program.at(last).end() + 1, source.bytes().size());
+  std::string lines(source.slice({begin, end}));
+  if (!lines.ends_with('\n')) lines += line_end(source, program.at(first));
+  const uint64_t to = program.at(before).offset;
+  return {std::move(title), false, {{{to, to}, std::move(lines)}, {{begin, end}, ""}}};
+}
+
 std::string file_name(const Source& source) {
   const std::string& path = source.path();
   return path.substr(path.rfind('/') + 1);

@@ -45,6 +45,12 @@ std::string line_words(const Input& in, const Elsewhere& place);
 std::string line_end(const Source& source, const Statement& statement);
 /// The blanks that the statement's line begins with.
 std::string indent_of(const Source& source, const Statement& statement);
+/// The first line of the outermost block, or of the sub, that `statement` stands in; the statement itself if it is in none.
+/// What is put before it is out of all of them.
+StatementId outermost(const Program& program, StatementId statement);
+/// Moves the lines from `first` to `last` to before the line of `before`, which stands above them. Nobody knows what they
+/// do on the way: never safe.
+Fix move_up(const Program& program, StatementId first, StatementId last, StatementId before, std::string title);
 /// The last part of a file's path.
 std::string file_name(const Source& source);
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <set>
 
 #include <fmt/format.h>
@@ -56,7 +57,8 @@ void drop_ends(FileReport& report) {
 
 RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     Library& library, const std::set<std::string>& called_elsewhere) {
+                     Library& library, const std::set<std::string>& called_elsewhere,
+                     const std::function<void(size_t done)>& checked) {
   RunResult result;
   result.errors.resize(files.size());
   const std::set<std::string> by_machines = called_by_machines(settings);
@@ -66,7 +68,13 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
     if (source == nullptr) return;
     programs[i] = lint(library.load(source), settings[i]->profile, settings[i]->options, library, role);
   };
+  std::mutex telling;
+  size_t done = 0;
   for_each(files.size(), [&](size_t i) {
+    if (checked) {
+      const std::lock_guard lock(telling);
+      checked(done++);
+    }
     if (settings[i] != nullptr) check(i, by_machines.contains(file_key(files[i])) ? Role::kSubFile : Role::kByContent);
   });
 

@@ -20,9 +20,10 @@ struct RunResult {
 };
 
 /// `settings` has one entry for each of `files`; null where the file is not to be checked. `called_elsewhere`: keys of
-/// files that programs outside of this run call.
+/// files that programs outside of this run call. `checked` is told how many of the files are done, one call at a time.
 RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     Library& library, const std::set<std::string>& called_elsewhere = {});
+                     Library& library, const std::set<std::string>& called_elsewhere = {},
+                     const std::function<void(size_t done)>& checked = nullptr);
 
 }  // namespace owlint::cli

@@ -141,7 +141,11 @@ class Completion {
     for (const Region& r : program_.regions) {
       if (r.opener != kNoStatement) add(program_.name(r.name), "line " + std::to_string(program_.at(r.opener).line));
     }
-    for (const std::string& name : workspace_.callable_files(document_)) add(name, name + ".ngc");
+    for (const std::string& name : workspace_.callable_files(document_)) {
+      if (out_.size() >= kMost) break;
+      const Document* file = known.contains(name) ? nullptr : workspace_.document_of_path(workspace_.called_file(document_, name));
+      if (file != nullptr && defines_own_name(file->program())) add(name, name + ".ngc");
+    }
   }
 
   void keywords(const std::string& name, size_t begin) {

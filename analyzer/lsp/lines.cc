@@ -23,16 +23,6 @@ void find_starts(std::string_view text, size_t from, size_t to, std::vector<size
   }
 }
 
-size_t sequence_length(std::string_view text, size_t at) {
-  const auto lead = static_cast<unsigned char>(text[at]);
-  const size_t length = lead < 0xC2 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 1;
-  if (at + length > text.size()) return 1;
-  for (size_t i = 1; i < length; ++i) {
-    if ((static_cast<unsigned char>(text[at + i]) & 0xC0) != 0x80) return 1;
-  }
-  return length;
-}
-
 /// A byte that is not UTF-8 counts like one character: editors show a replacement for it.
 uint32_t units_of_sequence(size_t length, Encoding encoding) {
   switch (encoding) {

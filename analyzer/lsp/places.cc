@@ -151,11 +151,6 @@ RegionId region_at(const Document& document, uint64_t offset) {
   return p.regions[region].end == id && offset > p.at(id).end() ? kMainRegion : region;
 }
 
-std::string label_text(const std::string& name) {
-  const bool number = !name.empty() && name.find_first_not_of("-0123456789") == std::string::npos;
-  return number ? "o" + name : "o<" + name + ">";
-}
-
 std::string leading_comment(const Document& document, StatementId opener) {
   const std::string_view text = document.text();
   const size_t line = document.lines().line_of(document.program().at(opener).offset);

@@ -52,8 +52,6 @@ std::vector<Occurrence> occurrences(Workspace& workspace, const Document& docume
 
 /// The region that a byte stands in.
 RegionId region_at(const Document& document, uint64_t offset);
-/// Label as it stands in calls: `o100` or `o<name>`.
-std::string label_text(const std::string& name);
 /// The comment lines right above a sub, or right below its first line.
 std::string leading_comment(const Document& document, StatementId opener);
 /// The highest of #1 to #30 that a sub reads.

@@ -250,26 +250,24 @@ Json Server::initialize(const Json& params) {
 
 void Server::initialized() {
   watch_files();
-  read_workspace();
+  workspace_.progress = [this](const char* work, size_t done, size_t of) { tell_progress(work, done, of); };
+  if (!workspace_.folders().empty()) workspace_.read_all();
 }
 
 /// A large workspace takes a while: the client is shown how far it is.
-void Server::read_workspace() {
-  if (workspace_.folders().empty()) return;
-  const std::string token = "owlint-reading";
+void Server::tell_progress(const std::string& work, size_t done, size_t of) {
   constexpr size_t kEvery = 200;  // files
-  bool begun = false;
-  const auto tell = [&](Json value) { notify("$/progress", {{"token", token}, {"value", std::move(value)}}); };
-  workspace_.read_all([&](size_t done, size_t of) {
-    if (!progress_ || of < kEvery || done % kEvery != 0) return;
-    if (!begun) {
-      ask("window/workDoneProgress/create", {{"token", token}});
-      tell({{"kind", "begin"}, {"title", "owlint reads programs"}, {"percentage", 0}});
-    }
-    begun = true;
-    tell({{"kind", "report"}, {"message", std::to_string(done) + " of " + std::to_string(of)}, {"percentage", 100 * done / of}});
-  });
-  if (begun) tell({{"kind", "end"}});
+  if (!progress_ || of < kEvery || (done % kEvery != 0 && done != of)) return;
+  const auto tell = [&](Json value) { notify("$/progress", {{"token", work}, {"value", std::move(value)}}); };
+  if (done == of) {
+    if (in_progress_.erase(work) > 0) tell({{"kind", "end"}});
+    return;
+  }
+  if (in_progress_.insert(work).second) {
+    ask("window/workDoneProgress/create", {{"token", work}});
+    tell({{"kind", "begin"}, {"title", work}, {"percentage", 0}});
+  }
+  tell({{"kind", "report"}, {"message", std::to_string(done) + " of " + std::to_string(of)}, {"percentage", 100 * done / of}});
 }
 
 void Server::watch_files() {

@@ -37,7 +37,7 @@ class Server {
   void notification(const std::string& method, const Json& params);
   Json initialize(const Json& params);
   void initialized();
-  void read_workspace();
+  void tell_progress(const std::string& work, size_t done, size_t of);
   void watch_files();
   void changed(const Json& params);
   void publish(const std::vector<std::string>& uris);
@@ -56,6 +56,7 @@ class Server {
   bool pulls_ = false;          // the client asks for diagnostics itself
   bool refreshes_ = false;      // and can be told to ask again
   bool progress_ = false;
+  std::set<std::string> in_progress_;  // work that the client has been told of
   bool watches_ = false;
   int64_t asked_ = 0;           // our own requests
   std::set<std::string> published_;

@@ -1,5 +1,6 @@
 // Symbols of a document and of the workspace, links to called files, how often a sub is called.
 #include <algorithm>
+#include <unordered_map>
 
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/places.h"
@@ -105,10 +106,14 @@ Json code_lens(Workspace& workspace, const Json& params) {
   const Document& document = workspace.document(params.at("textDocument").at("uri"));
   const Program& p = document.program();
   Json out = Json::array();
+  std::unordered_map<NameId, size_t> calls_here;
+  for (const Call& call : p.calls) ++calls_here[call.callee];
   for (const Region& r : p.regions) {
     if (r.opener == kNoStatement) continue;
-    size_t calls = 0;
-    for (const Occurrence& o : sub_occurrences(workspace, document, p.name(r.name))) {
+    // Other files can call only the sub that the file is named after.
+    const bool own_file = find_sub(workspace, document, p.name(r.name)).own_file;
+    size_t calls = own_file ? 0 : calls_here[r.name];
+    for (const Occurrence& o : own_file ? sub_occurrences(workspace, document, p.name(r.name)) : std::vector<Occurrence>{}) {
       const StatementId at = o.document->statement_at(o.span.begin);
       if (at == kNoStatement) continue;
       const Statement& s = o.document->program().at(at);

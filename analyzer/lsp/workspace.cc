@@ -162,13 +162,13 @@ bool Workspace::settings_for(const std::string& path, cli::Settings* settings) {
 }
 
 /// Files that others call are no programs, whatever else stands in them: that has to be known of the whole workspace.
-void Workspace::read_all(const std::function<void(size_t done, size_t of)>& progress) {
+void Workspace::read_all() {
   if (called_files_) return;
   called_files_.emplace();
   const std::vector<std::string> files = program_files();
   for (size_t i = 0; i < files.size(); ++i) {
     const std::string& path = files[i];
-    progress(i, files.size());
+    progress("owlint reads programs", i, files.size());
     const Document* document = document_of_path(path);
     if (document == nullptr) continue;
     const Program& p = document->program();
@@ -180,6 +180,7 @@ void Workspace::read_all(const std::function<void(size_t done, size_t of)>& prog
       if (called && called->regular && file_key(called->path) != file_key(path)) called_files_->insert(file_key(called->path));
     }
   }
+  progress("owlint reads programs", files.size(), files.size());
 }
 
 /// The findings of each of `files`, with what those of them that are programs say of the others.
@@ -191,8 +192,11 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
     if (uri_of_.contains(file_key(files[i]))) settings[i].options.known_calls = &known_calls_[file_key(files[i])];
   }
   const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
-  read_all([](size_t, size_t) {});
-  cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_);
+  read_all();
+  const char* const work = "owlint checks programs";
+  const auto checked = [&](size_t done) { progress(work, done, files.size()); };
+  cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_, checked);
+  progress(work, files.size(), files.size());
   std::map<std::string, Checked> out;
   std::map<std::string, std::string> path_of;
   for (size_t i = 0; i < files.size(); ++i) {

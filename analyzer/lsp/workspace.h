@@ -53,8 +53,10 @@ class Workspace {
 
   /// Files have changed on disk: nothing that was read is true any more.
   void forget_files();
-  /// Reads all programs of the workspace, which is done anyway when it is first needed; `progress` is told how far it is.
-  void read_all(const std::function<void(size_t done, size_t of)>& progress);
+  /// Is told how far long work is: reading the programs of a workspace, and checking them.
+  std::function<void(const char* work, size_t done, size_t of)> progress = [](const char*, size_t, size_t) {};
+  /// Reads all programs of the workspace, which is done anyway when it is first needed.
+  void read_all();
   /// The programs below the workspace folders, and those that are open; by path.
   std::vector<std::string> program_files();
 

@@ -31,10 +31,9 @@ NameId own_name(const Program& program) {
 
 }  // namespace
 
-std::string Program::label_text(NameId id) const {
-  const std::string& text = name(id);
-  const bool number = !text.empty() && text.find_first_not_of("-0123456789") == std::string::npos;
-  return number ? "o" + text : "o<" + text + ">";
+std::string label_text(const std::string& name) {
+  const bool number = !name.empty() && name.find_first_not_of("-0123456789") == std::string::npos;
+  return number ? "o" + name : "o<" + name + ">";
 }
 
 std::string Program::label_at(StatementId id) const {

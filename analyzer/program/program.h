@@ -51,6 +51,9 @@ struct Call {
   RegionId target = UINT32_MAX;  ///< the region of the callee's first definition in this file
 };
 
+/// `o100` or `o<name>`, as a machinist would write the label.
+std::string label_text(const std::string& name);
+
 struct Program {
   std::shared_ptr<const Source> source;
   Syntax syntax;
@@ -70,8 +73,7 @@ struct Program {
   const Statement& at(StatementId id) const { return syntax.statements[id]; }
   const std::string& name(NameId id) const { return syntax.names.text(id); }
   size_t size() const { return syntax.statements.size(); }
-  /// `o100` or `o<name>`, as a machinist would write the label.
-  std::string label_text(NameId id) const;
+  std::string label_text(NameId id) const { return owlint::label_text(name(id)); }
   /// The label of a statement, a computed one as it is written.
   std::string label_at(StatementId id) const;
   /// `o100 if`: label and keyword of a statement.

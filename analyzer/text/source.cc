@@ -15,18 +15,17 @@ namespace {
 
 constexpr uint32_t kMarkEvery = 256;
 
-/// Length of the UTF-8 sequence at `at`, or 1 for a byte that starts none.
+}  // namespace
+
 size_t sequence_length(std::string_view bytes, size_t at) {
   const auto lead = static_cast<unsigned char>(bytes[at]);
-  const size_t length = lead >= 0xF0 && lead < 0xF8 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC2 ? 2 : 1;
-  if (lead >= 0xF8 || length == 1 || at + length > bytes.size()) return 1;
+  const size_t length = lead < 0xC2 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 1;
+  if (at + length > bytes.size()) return 1;
   for (size_t i = 1; i < length; ++i) {
     if ((static_cast<unsigned char>(bytes[at + i]) & 0xC0) != 0x80) return 1;
   }
   return length;
 }
-
-}  // namespace
 
 std::string file_key(const std::string& path) {
   static const std::string here = [] {

@@ -83,6 +83,9 @@ std::string file_key(const std::string& path);
 /// ASCII letters in small ones, other bytes as they are.
 std::string small_letters(std::string_view text);
 
+/// Length in bytes of the UTF-8 sequence that begins at `at`; 1 for a byte that begins none.
+size_t sequence_length(std::string_view bytes, size_t at);
+
 /// Number of code points in `bytes` (invalid bytes count one each).
 uint32_t count_code_points(std::string_view bytes);
 

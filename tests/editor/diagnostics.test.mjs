@@ -247,3 +247,17 @@ session('a folder that is added is part of the workspace', { files: {} }, async 
   client.notify('workspace/didChangeWorkspaceFolders', { event: { added: [{ uri: client.uri('.').replace(/\/\.?$/, ''), name: 'shop' }], removed: [] } });
   assert.deepEqual(await listed(), ['twice.ngc']);
 });
+
+const manyFiles = Object.fromEntries(Array.from({ length: 450 }, (_, i) => [`part${i}.ngc`, i % 100 === 0 ? twice : sound]));
+session('long work is shown: reading a large folder, and checking it', { files: manyFiles }, async (client) => {
+  const report = await client.request('workspace/diagnostic', { previousResultIds: [] });
+  assert.equal(report.items.length, 450);
+  assert.equal(report.items.filter((item) => item.items.length > 0).length, 5);
+  for (const work of ['owlint reads programs', 'owlint checks programs']) {
+    const told = client.progress.filter(({ token }) => token === work).map(({ value }) => value);
+    assert.deepEqual(told.map(({ kind }) => kind), ['begin', 'report', 'report', 'report', 'end'], work);
+    assert.deepEqual(told.slice(1, 4).map(({ message }) => message), ['0 of 450', '200 of 450', '400 of 450']);
+    assert.ok(told.slice(1, 4).every(({ percentage }, i, all) => percentage <= 100 && (i === 0 || percentage > all[i - 1].percentage)));
+  }
+  assert.equal(client.asked.filter((method) => method === 'window/workDoneProgress/create').length, 2);
+});

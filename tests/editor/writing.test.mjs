@@ -70,6 +70,12 @@ session('completion: subs that are known', { files }, async (client) => {
   assert.ok(closed.every((item) => !item.line.includes('>>') && !/call.*call/.test(item.line)), `${closed.map((one) => one.line)}`);
 });
 
+session('completion: a file is offered only if it has the sub', { files: { ...files, 'plate.ngc': 'G21 G90\nG0 X1\nM2\n' } }, async (client) => {
+  const items = await offered(client, 'o<‸\nM2\n');
+  assert.ok(starts(items, 'o<face>'));
+  assert.ok(!starts(items, 'o<plate>'), 'a program, which a call of it would run to its end');
+});
+
 session('completion: a number that is free', {}, async (client) => {
   const text = 'G21 G90\no100 if [1]\no100 endif\no110 if [1]\no110 endif\n‸\nM2\n';
   for (const draft of [text, text.replace('‸', 'o‸')]) {
