@@ -112,8 +112,23 @@ class Check {
     }
     apply_suppressions(*program->source, suppressions, report.findings);
     if (own) run_rules({*program, flow, profile_, linked, suppressions, index, true}, options_, policy, report.findings);
+    for (Finding& f : report.findings) {
+      if (f.source == nullptr) f.scope = scope_of(*program, f.span.begin);
+    }
     put_in_order(report.findings);
     return report;
+  }
+
+  /// The sub and the block that a place belongs to.
+  static std::string scope_of(const Program& p, uint64_t offset) {
+    const auto after = std::ranges::upper_bound(p.syntax.statements, offset, {}, &Statement::offset);
+    if (after == p.syntax.statements.begin()) return {};
+    const auto id = static_cast<StatementId>(after - p.syntax.statements.begin() - 1);
+    const Region& region = p.regions[p.region_of[id]];
+    const bool on_line = offset <= p.at(id).end();
+    std::string scope = region.name == kNoName || (region.end == id && !on_line) ? std::string() : p.label_text(region.name);
+    if (on_line && p.block_of[id] != kNoBlock) scope += (scope.empty() ? "" : " ") + p.label_text(p.blocks[p.block_of[id]].label);
+    return scope;
   }
 
   static std::vector<std::string> unknown_names(const Linked& linked) {

@@ -26,7 +26,9 @@ Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   } else {
     f.help = "put it on a line of its own, or remove it";
     const Source& source = *p.source;
-    f.fixes.push_back({"put it on a line of its own", stops, {{{s.rest_span().begin, s.rest_span().begin}, line_end(source, s) + indent_of(source, s)}}});
+    uint64_t blanks = s.rest_span().begin;
+    while (blanks > s.offset && source.slice({blanks - 1, blanks}).find_first_of(" \t") == 0) --blanks;
+    f.fixes.push_back({"put it on a line of its own", stops, {{{blanks, s.rest_span().begin}, line_end(source, s) + indent_of(source, s)}}});
   }
   return &f;
 }

@@ -1,115 +1,265 @@
-// `owlint check`: reads, lints in parallel, reports in the order of the paths.
+// `owlint check`: reads, lints in parallel, mends if asked to, reports in the order of the paths.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 
+#include <fmt/format.h>
+
+#include "analyzer/cli/changed.h"
 #include "analyzer/cli/commands.h"
-#include "analyzer/cli/run.h"
+#include "analyzer/cli/fixing.h"
+#include "analyzer/cli/replace.h"
 #include "analyzer/cli/walk.h"
-#include "analyzer/report/report.h"
+#include "analyzer/findings/baseline.h"
+#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/suppression.h"
+#include "analyzer/report/formats.h"
 #include "analyzer/text/parallel.h"
 
 namespace owlint::cli {
 namespace {
 
-bool use_color(const CommandLine& line) {
-  if (line.color != "auto") return line.color == "always";
-  const char* no_color = std::getenv("NO_COLOR");
-  return line.output.empty() && (no_color == nullptr || *no_color == '\0') && ::isatty(STDOUT_FILENO) != 0;
-}
+std::string plural(size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
-std::shared_ptr<const Source> read(const std::string& path, const CommandLine& line, std::string* error) {
-  if (path != "-") return Source::map(path, error);
-  std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
-  return Source::own(line.stdin_filename, std::move(bytes));
-}
+class Check {
+ public:
+  explicit Check(const CommandLine& line) : line_(line), configuration_(line) {}
+
+  int run() {
+    if (!usage_is_right() || !find_files()) return kUsage;
+    use_cores(line_.jobs);
+    const bool fixes = line_.fix || line_.diff || line_.fix_only;
+    if (fixes) {
+      FixResult result = run_and_fix(files_, wanted_, read_, line_.unsafe);
+      result_ = std::move(result.run);
+      for (const std::string& path : result.unfinished) trouble(fmt::format("{} is left as it is: mending it does not come to an end", path));
+      if (line_.diff) return print_diffs(result.fixed);
+      write_fixed(result.fixed);
+    } else {
+      result_ = run_checks(files_, wanted_, read_, library_);
+    }
+    for (size_t i = 0; i < files_.size(); ++i) {
+      if (!result_.errors[i].empty()) trouble(fmt::format("cannot read {}: {}", files_[i], result_.errors[i]));
+    }
+    if (line_.fix_only) return status_;
+    if (line_.add_suppressions) return silence_all();
+    if (!take_baseline()) return kUsage;
+    if (!line_.quiet) tell_notes();
+    if (!write_report()) return kUsage;
+    if (line_.statistics) write_statistics(std::cerr, result_.reports, library_);
+    if (status_ != kClean) return status_;
+    return fails() ? kFindings : kClean;
+  }
+
+ private:
+  void trouble(const std::string& message) {
+    complain(message);
+    status_ = kUsage;
+  }
+
+  bool usage_is_right() {
+    const auto wrong = [](bool is, const char* message) {
+      if (is) complain(message);
+      return is;
+    };
+    severity_from_text(line_.fail_on, &fail_on_);
+    return !wrong(line_.unsafe && !line_.fix && !line_.diff && !line_.fix_only, "--unsafe goes with --fix, --fix-only or --diff") &&
+           !wrong(line_.update_baseline && line_.baseline.empty(), "--update-baseline needs --baseline FILE") &&
+           !wrong(line_.add_suppressions && line_.reason.empty(), "--add-suppressions needs --reason TEXT: what the next one who reads the program should know") &&
+           !wrong(line_.add_suppressions && line_.reason.find('\n') != std::string::npos, "--reason is one line");
+  }
+
+  /// Files, their settings, and how they are read.
+  bool find_files() {
+    Walk found = walk(line_.paths);
+    for (const std::string& problem : found.problems) trouble(problem);
+    for (const std::string& folder : found.empty) complain("no programs in " + folder + " (*.ngc *.nc *.tap *.cnc *.gcode)");
+    files_ = std::move(found.files);
+    if (const auto input = std::ranges::find(files_, "-"); input != files_.end()) {
+      *input = line_.stdin_filename;
+      stdin_ = Source::own(line_.stdin_filename, std::string{std::istreambuf_iterator<char>(std::cin), {}});
+    }
+    if (!line_.since.empty()) {
+      std::set<std::string> changed;
+      std::string error;
+      if (!changed_since(line_.since, &changed, &error)) {
+        complain(error);
+        return false;
+      }
+      std::erase_if(files_, [&](const std::string& path) {
+        std::error_code problem;
+        const std::string real = std::filesystem::canonical(path, problem).string();
+        return !changed.contains(problem ? file_key(path) : real) && !changed.contains(file_key(path));
+      });
+    }
+    settings_.resize(files_.size());
+    std::string last_error;
+    for (size_t i = 0; i < files_.size(); ++i) {
+      std::string error;
+      const bool usable = configuration_.settings_for(files_[i], &settings_[i], &error);
+      wanted_.push_back(usable ? &settings_[i] : nullptr);
+      if (!usable && error != last_error) trouble(error);  // once, not for every file below it
+      last_error = usable ? last_error : error;
+    }
+    read_ = [this](const std::string& path, std::string* error) { return stdin_ != nullptr && path == line_.stdin_filename ? stdin_ : Source::map(path, error); };
+    return true;
+  }
+
+  int print_diffs(const std::vector<FixedFile>& fixed) {
+    for (const FixedFile& file : fixed) std::cout << unified_diff(file.path, file.before->bytes(), file.text);
+    std::cout.flush();
+    return status_ != kClean ? status_ : fixed.empty() ? kClean : kFindings;
+  }
+
+  /// The mended programs; one from standard input goes to standard output.
+  void write_fixed(const std::vector<FixedFile>& fixed) {
+    size_t made = 0;
+    size_t files = 0;
+    std::string error;
+    for (const FixedFile& file : fixed) {
+      if (stdin_ == nullptr || file.path != line_.stdin_filename) {
+        if (!replace_unchanged(file.path, file.before->bytes(), file.text, &error)) {
+          trouble(fmt::format("cannot write {}: {}", file.path, error));
+          continue;
+        }
+      }
+      made += file.made;
+      ++files;
+    }
+    if (stdin_ != nullptr) {
+      const auto own = std::ranges::find(fixed, line_.stdin_filename, &FixedFile::path);
+      std::cout << (own == fixed.end() ? std::string(stdin_->bytes()) : own->text);
+    }
+    if (!line_.quiet) std::cerr << fmt::format("mended {} in {}\n", plural(made, "finding"), plural(files, "file"));
+  }
+
+  int silence_all() {
+    size_t silenced = 0;
+    for (const FileReport& report : result_.reports) {
+      // What is found in other files than those that were named is not written into them.
+      if (report.findings.empty() || std::ranges::find(files_, report.source->path()) == files_.end()) continue;
+      const std::vector<Edit> edits = silencing_comments(*report.source, report.findings, line_.reason);
+      std::string error;
+      const std::string text = apply_edits(report.source->bytes(), edits);
+      if (stdin_ != nullptr && report.source->path() == line_.stdin_filename) {
+        std::cout << text;
+      } else if (!replace_unchanged(report.source->path(), report.source->bytes(), text, &error)) {
+        trouble(fmt::format("cannot write {}: {}", report.source->path(), error));
+        continue;
+      }
+      silenced += report.findings.size();
+    }
+    if (!line_.quiet) std::cerr << "silenced " << plural(silenced, "finding") << '\n';
+    return status_;
+  }
+
+  bool take_baseline() {
+    if (line_.baseline.empty()) return true;
+    std::string error;
+    if (line_.update_baseline) {
+      Baseline fresh;
+      size_t known = 0;
+      for (FileReport& report : result_.reports) {
+        fresh.add(*report.source, report.findings);
+        known += report.findings.size();
+        report.findings.clear();
+      }
+      std::ostringstream text;
+      fresh.write(text);
+      if (!write_text_file(line_.baseline, text.str(), &error)) {
+        complain(fmt::format("cannot write {}: {}", line_.baseline, error));
+        return false;
+      }
+      if (!line_.quiet) std::cerr << fmt::format("{} in {} from now on\n", plural(known, "known finding"), line_.baseline);
+      return true;
+    }
+    Baseline baseline;
+    if (!baseline.read(line_.baseline, &error)) {
+      complain(error);
+      return false;
+    }
+    size_t known = 0;
+    for (FileReport& report : result_.reports) known += baseline.take_out(*report.source, report.findings);
+    if (line_.quiet) return true;
+    if (known > 0) std::cerr << fmt::format("{} not shown: in {}\n", plural(known, "known finding"), line_.baseline);
+    if (const size_t gone = baseline.gone(); gone > 0) std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` takes them out\n", plural(gone, "finding"), line_.baseline);
+    return true;
+  }
+
+  void tell_notes() const {
+    constexpr size_t kMaxNotes = 4;
+    const std::vector<std::string>& notes = configuration_.notes();
+    for (size_t i = 0; i < std::min(notes.size(), kMaxNotes); ++i) complain(notes[i]);
+    if (notes.size() > kMaxNotes) complain(std::to_string(notes.size() - kMaxNotes) + " more notes like these");
+    for (const std::string& note : result_.notes) complain(note);
+  }
+
+  bool use_color() const {
+    if (line_.color != "auto") return line_.color == "always";
+    const char* no_color = std::getenv("NO_COLOR");
+    return line_.output.empty() && (no_color == nullptr || *no_color == '\0') && ::isatty(STDOUT_FILENO) != 0;
+  }
+
+  bool write_report() const {
+    std::ofstream file;
+    if (!line_.output.empty()) {
+      file.open(line_.output, std::ios::binary | std::ios::trunc);
+      if (!file) {
+        complain("cannot write " + line_.output);
+        return false;
+      }
+    }
+    // Where the mended program goes to standard output, what is left goes beside it.
+    const bool program_is_out = stdin_ != nullptr && line_.fix;
+    std::ostream& out = !line_.output.empty() ? file : program_is_out ? std::cerr : std::cout;
+    std::error_code ignored;
+    const Format& format = *find_format(line_.format);
+    format.write(out, result_.reports, {use_color(), std::filesystem::current_path(ignored).string()});
+    out.flush();
+    if (!out) {
+      complain("cannot write the report");
+      return false;
+    }
+    const Summary summary = summarize(result_.reports);
+    if (!format.for_people || line_.quiet || summary.files == 0) return true;
+    std::cerr << summary_text(summary) << '\n';
+    Fixable fixable;
+    for (const FileReport& report : result_.reports) {
+      const Fixable one = count_fixable(report.findings);
+      fixable.safe += one.safe;
+      fixable.unsafe += one.unsafe;
+    }
+    if (fixable.safe > 0) std::cerr << fmt::format("{} can be mended with --fix\n", fixable.safe);
+    if (fixable.unsafe > 0) std::cerr << fmt::format("{} can be mended with --fix --unsafe, which may change what the program does\n", fixable.unsafe);
+    return true;
+  }
+
+  bool fails() const {
+    return std::ranges::any_of(result_.reports, [&](const FileReport& report) {
+      return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.severity >= fail_on_; });
+    });
+  }
+
+  const CommandLine& line_;
+  Configuration configuration_;
+  Severity fail_on_{};
+  int status_ = kClean;
+  std::vector<std::string> files_;
+  std::shared_ptr<const Source> stdin_;
+  std::vector<Settings> settings_;
+  std::vector<const Settings*> wanted_;
+  Read read_;
+  Library library_;
+  RunResult result_;
+};
 
 }  // namespace
 
-int check_command(const CommandLine& line) {
-  Severity fail_on{};
-  severity_from_text(line.fail_on, &fail_on);
-  const Walk found = walk(line.paths);
-  int status = kClean;
-  for (const std::string& problem : found.problems) {
-    complain(problem);
-    status = kUsage;
-  }
-  for (const std::string& folder : found.empty) complain("no programs in " + folder + " (*.ngc *.nc *.tap *.cnc *.gcode)");
-
-  Configuration configuration(line);
-  std::vector<Settings> settings(found.files.size());
-  std::string last_error;
-  std::vector<bool> usable(found.files.size());
-  for (size_t i = 0; i < found.files.size(); ++i) {
-    std::string error;
-    const std::string& path = found.files[i] == "-" ? line.stdin_filename : found.files[i];
-    usable[i] = configuration.settings_for(path, &settings[i], &error);
-    if (usable[i]) continue;
-    status = kUsage;
-    if (error != last_error) complain(error);  // once, not for every file below it
-    last_error = error;
-  }
-
-  std::vector<const Settings*> wanted;
-  for (size_t i = 0; i < found.files.size(); ++i) wanted.push_back(usable[i] ? &settings[i] : nullptr);
-  use_cores(line.jobs);
-  Library library;
-  const auto load = [&line](const std::string& path, std::string* error) { return read(path, line, error); };
-  const RunResult result = run_checks(found.files, wanted, load, library);
-  const std::vector<FileReport>& reports = result.reports;
-  for (size_t i = 0; i < found.files.size(); ++i) {
-    if (result.errors[i].empty()) continue;
-    complain("cannot read " + found.files[i] + ": " + result.errors[i]);
-    status = kUsage;
-  }
-  if (!line.quiet) {
-    constexpr size_t kMaxNotes = 4;
-    const std::vector<std::string>& notes = configuration.notes();
-    for (size_t i = 0; i < std::min(notes.size(), kMaxNotes); ++i) complain(notes[i]);
-    if (notes.size() > kMaxNotes) complain(std::to_string(notes.size() - kMaxNotes) + " more notes like these");
-    for (const std::string& note : result.notes) complain(note);
-  }
-
-  std::ofstream file;
-  if (!line.output.empty()) {
-    file.open(line.output, std::ios::binary | std::ios::trunc);
-    if (!file) {
-      complain("cannot write " + line.output);
-      return kUsage;
-    }
-  }
-  const bool color = use_color(line);
-  std::ostream& out = line.output.empty() ? std::cout : file;
-  if (line.format == "json") {
-    write_json(out, reports);
-  } else {
-    for (const FileReport& report : reports) {
-      if (line.format == "jsonl") {
-        write_jsonl(out, report);
-      } else {
-        write_text(out, report, color);
-      }
-    }
-  }
-  out.flush();
-  if (!out) {
-    complain("cannot write the report");
-    return kUsage;
-  }
-  if (line.statistics) write_statistics(std::cerr, reports, library);
-  const Summary summary = summarize(reports);
-  if (line.format == "text" && !line.quiet && summary.files > 0) std::cerr << summary_text(summary) << '\n';
-  if (status != kClean) return status;
-  for (const FileReport& report : reports) {
-    for (const Finding& finding : report.findings) {
-      if (finding.severity >= fail_on) return kFindings;
-    }
-  }
-  return kClean;
-}
+int check_command(const CommandLine& line) { return Check(line).run(); }
 
 }  // namespace owlint::cli

@@ -106,7 +106,7 @@ int graph_command(const CommandLine& line, const std::string& format) {
   } else if (format == "mermaid") {
     write_graph_mermaid(std::cout, linked);
   } else if (format == "svg") {
-    if (const std::string problem = write_graph_svg(linked); !problem.empty()) {
+    if (const std::string problem = write_graph_svg(std::cout, linked); !problem.empty()) {
       complain(problem);
       return kUsage;
     }

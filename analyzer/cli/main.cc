@@ -5,9 +5,10 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 
 #include "analyzer/cli/commands.h"
-#include "analyzer/report/report.h"
+#include "analyzer/report/formats.h"
 
 namespace {
 
@@ -28,7 +29,18 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("--fail-on", line.fail_on, "exit with 1 from this severity on")->check(CLI::IsMember({"error", "warning", "info"}))->type_name("error|warning|info")->capture_default_str()->group("Rules");
   app.add_option("--config", line.config, "use this owlint.toml instead of the nearest one above each file")->type_name("FILE")->group("Rules");
   app.add_flag("--isolated", line.isolated, "use no owlint.toml")->group("Rules");
-  app.add_option("--format", line.format, "how findings are written")->check(CLI::IsMember({"text", "json", "jsonl"}))->type_name("text|json|jsonl")->capture_default_str()->group("Output");
+  app.add_flag("--fix", line.fix, "mend what can be mended safely: a program that ran does the same afterwards")->group("Mend");
+  app.add_flag("--unsafe", line.unsafe, "mend the rest as well, where it is known how; look at what comes out")->group("Mend");
+  app.add_flag("--fix-only", line.fix_only, "mend, and report nothing")->group("Mend");
+  app.add_flag("--diff", line.diff, "change nothing; print what --fix would change")->group("Mend");
+  app.add_flag("--add-suppressions", line.add_suppressions, "write a comment before each line with a finding that silences it")->group("Old findings");
+  app.add_option("--reason", line.reason, "why, for --add-suppressions")->type_name("TEXT")->group("Old findings");
+  app.add_option("--baseline", line.baseline, "findings that are in this file are known and not reported")->type_name("FILE")->group("Old findings");
+  app.add_flag("--update-baseline", line.update_baseline, "write all findings of this run into the baseline")->group("Old findings");
+  app.add_option("--since", line.since, "only files that have changed since this git revision, or are new")->type_name("REV")->group("Old findings");
+  std::vector<std::string> names;
+  for (const owlint::Format& format : owlint::formats()) names.emplace_back(format.name);
+  app.add_option("--format", line.format, "how findings are written")->check(CLI::IsMember(names))->type_name(fmt::format("{}", fmt::join(names, "|")))->capture_default_str()->group("Output");
   app.add_option("--output", line.output, "write the report to a file")->type_name("FILE")->group("Output");
   app.add_option("--color", line.color, "colours in the text")->check(CLI::IsMember({"auto", "always", "never"}))->type_name("auto|always|never")->capture_default_str()->group("Output");
   app.add_option("--stdin-filename", line.stdin_filename, "what standard input is called in the report")->type_name("NAME")->group("Output");

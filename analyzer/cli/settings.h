@@ -27,6 +27,9 @@ struct CommandLine {
   bool isolated = false;
   bool statistics = false;
   bool quiet = false;
+  bool fix = false, unsafe = false, diff = false, fix_only = false;
+  std::string baseline, since, reason;  ///< empty where not given
+  bool update_baseline = false, add_suppressions = false;
   bool coarse = false;   ///< for tests: analyse every program like a very large one
   bool find_ini = true;  ///< look for a machine INI above the programs
 };

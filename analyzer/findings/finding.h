@@ -53,6 +53,7 @@ struct Finding {
   Severity severity = Severity::kWarning;
   Span span;                 ///< bytes of the file
   std::shared_ptr<const Source> source;  ///< the file, where it is another one than the report's
+  std::string scope;         ///< the sub and the block that its line belongs to, `o<probe> o100`; empty in the main program
   std::string message;       ///< what was seen; lower case, no full stop
   std::string help;          ///< how to mend it; may be empty
   std::string interpreter;   ///< the message that LinuxCNC prints; may be empty

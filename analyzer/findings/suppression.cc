@@ -1,7 +1,12 @@
 #include "analyzer/findings/suppression.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <unordered_map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace owlint {
 namespace {
@@ -72,6 +77,28 @@ void apply_suppressions(const Source& source, std::vector<Suppression>& suppress
     }
     return silenced;
   });
+}
+
+std::vector<Edit> silencing_comments(const Source& source, const std::vector<Finding>& findings, const std::string& reason) {
+  std::map<uint32_t, std::set<std::string_view>> codes;  // by line
+  for (const Finding& f : findings) {
+    if (f.source == nullptr) codes[source.position(f.span.begin).line].insert(f.code);
+  }
+  // A reason with brackets would end the other kind of comment.
+  const bool brackets = reason.find_first_of("()") != std::string::npos;
+  std::vector<Edit> edits;
+  for (const auto& [number, list] : codes) {
+    const Span line = source.line(number);
+    const std::string_view text = source.slice(line);
+    const std::string_view before = source.bytes().substr(0, line.begin);
+    // With anything above it, the `%` that begins a program begins none any more: then it is told of the whole file, below.
+    const bool below = text.starts_with('%') && before.find_first_not_of(" \t\r\n") == std::string_view::npos && line.end < source.bytes().size();
+    const uint64_t at = below ? line.end + 1 : line.begin;
+    const std::string_view indent = text.substr(0, std::min(text.find_first_not_of(" \t"), text.size()));
+    const std::string words = fmt::format("owlint: {} {} -- {}", below ? "ignore-file" : "ignore", fmt::join(list, " "), reason);
+    edits.push_back({{at, at}, fmt::format("{}{}{}", indent, brackets ? "; " + words : "(" + words + ")", text.ends_with('\r') ? "\r\n" : "\n")});
+  }
+  return edits;
 }
 
 }  // namespace owlint

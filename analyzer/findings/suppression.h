@@ -25,4 +25,8 @@ std::vector<Suppression> parse_suppressions(const Source& source, Span words, ui
 /// Removes the findings that are silenced, and marks the suppressions that did it.
 void apply_suppressions(const Source& source, std::vector<Suppression>& suppressions, std::vector<Finding>& findings);
 
+/// Comments that silence the findings of a file: one before each line that has some, with their codes and the reason. In the
+/// order of their places; findings in other files are left out.
+std::vector<Edit> silencing_comments(const Source& source, const std::vector<Finding>& findings, const std::string& reason);
+
 }  // namespace owlint

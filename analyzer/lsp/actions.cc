@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/suppression.h"
 #include "analyzer/lsp/features.h"
 #include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
@@ -21,36 +23,12 @@ Json workspace_edit(const Document& document, Json edits) {
   return {{"documentChanges", Json::array({{{"textDocument", {{"uri", document.uri()}, {"version", version}}}, {"edits", std::move(edits)}}})}};
 }
 
-/// A comment on a line of its own, with the indentation of the line that it speaks of.
-Json silence(const Document& document, const Finding& f) {
-  const Span line = document.line_at(f.span.begin);
-  const std::string_view text = std::string_view(document.text()).substr(line.begin, line.end - line.begin);
-  const std::string indent(text.substr(0, std::min(text.find_first_not_of(" \t"), text.size())));
-  const bool crlf = std::string_view(document.text()).substr(line.end).starts_with("\r\n");
-  const Span here{line.begin, line.begin};
-  return text_edits(document, {{here, fmt::format("{}(owlint: ignore {} -- reason){}", indent, f.code, crlf ? "\r\n" : "\n")}});
-}
-
 bool wanted(const Json& context, std::string_view kind) {
   if (!context.contains("only")) return true;
   return std::ranges::any_of(context.at("only"), [&](const Json& only) {
     const std::string prefix = only.get<std::string>();
     return kind == prefix || kind.starts_with(prefix + ".");
   });
-}
-
-/// The safe fixes of all findings that do not touch each other.
-std::vector<Edit> safe_edits(const std::vector<Finding>& findings) {
-  std::vector<Edit> out;
-  for (const Finding& f : findings) {
-    const auto fix = std::ranges::find(f.fixes, true, &Fix::safe);
-    if (fix == f.fixes.end()) continue;
-    const bool clash = std::ranges::any_of(fix->edits, [&](const Edit& edit) {
-      return std::ranges::any_of(out, [&](const Edit& other) { return edit.span.begin <= other.span.end && other.span.begin <= edit.span.end; });
-    });
-    if (!clash) out.insert(out.end(), fix->edits.begin(), fix->edits.end());
-  }
-  return out;
 }
 
 Json diagnostic_in(const Json& context, const Finding& f, const Document& document) {
@@ -85,12 +63,12 @@ Json code_action(Workspace& workspace, const Json& params) {
       add({{"title", printable(fix.title)}, {"isPreferred", first && fix.safe}, {"edit", workspace_edit(document, text_edits(document, fix.edits))}});
       first = false;
     }
-    add({{"title", fmt::format("silence {} here", f.code)}, {"edit", workspace_edit(document, silence(document, f))}});
+    add({{"title", fmt::format("silence {} here", f.code)}, {"edit", workspace_edit(document, text_edits(document, silencing_comments(*document.source(), {f}, "reason")))}});
     add({{"title", fmt::format("explain {} {}", f.code, f.rule)},
          {"command", {{"title", fmt::format("explain {}", f.code)}, {"command", "owlint.explain"}, {"arguments", {f.code}}}}});
   }
   if (wanted(context, "source.fixAll.owlint")) {
-    const std::vector<Edit> edits = safe_edits(checked.findings);
+    const std::vector<Edit> edits = round_of_fixes(checked.findings, false).edits;
     if (!edits.empty()) out.push_back({{"title", "mend all that owlint can mend safely"}, {"kind", "source.fixAll.owlint"}, {"edit", workspace_edit(document, text_edits(document, edits))}});
   }
   return out;

@@ -194,8 +194,8 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
   const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
   read_all();
   const char* const work = "owlint checks programs";
-  const auto checked = [&](size_t done) { progress(work, done, files.size()); };
-  cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_, checked);
+  const auto tell = [&](size_t done) { progress(work, done, files.size()); };
+  cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_, tell);
   progress(work, files.size(), files.size());
   std::map<std::string, Checked> out;
   std::map<std::string, std::string> path_of;

@@ -1,17 +1,13 @@
 #include "analyzer/report/graph.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "analyzer/report/report.h"
+#include "analyzer/text/process.h"
 
 namespace owlint {
 namespace {
@@ -209,29 +205,14 @@ void write_graph_json(std::ostream& out, const Linked& linked) {
   out << graph.dump(2) << '\n';
 }
 
-std::string write_graph_svg(const Linked& linked) {
+std::string write_graph_svg(std::ostream& out, const Linked& linked) {
   std::ostringstream dot;
   write_graph_dot(dot, linked);
-  std::FILE* input = std::tmpfile();
-  if (input == nullptr) return "cannot make a temporary file";
-  const std::string text = dot.str();
-  std::fwrite(text.data(), 1, text.size(), input);
-  std::fflush(input);
-  std::rewind(input);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, ::fileno(input), STDIN_FILENO);
-  std::string program = "dot";
-  std::string option = "-Tsvg";
-  char* arguments[] = {program.data(), option.data(), nullptr};
-  pid_t child = 0;
-  const int problem = ::posix_spawnp(&child, "dot", &actions, nullptr, arguments, environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (problem == 0) ::waitpid(child, &status, 0);
-  std::fclose(input);
-  if (problem != 0) return "the SVG is drawn by Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
-  return status == 0 ? "" : "Graphviz's `dot` failed";
+  const Ran ran = run_program({"dot", "-Tsvg"}, dot.str());
+  if (!ran.started) return "the SVG is drawn by Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
+  if (ran.status != 0) return "Graphviz's `dot` failed";
+  out << ran.out;
+  return "";
 }
 
 }  // namespace owlint

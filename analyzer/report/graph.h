@@ -11,7 +11,7 @@ namespace owlint {
 void write_graph_dot(std::ostream& out, const Linked& linked);
 void write_graph_mermaid(std::ostream& out, const Linked& linked);
 void write_graph_json(std::ostream& out, const Linked& linked);
-/// Writes to standard output, by way of Graphviz. Returns what went wrong, or nothing.
-std::string write_graph_svg(const Linked& linked);
+/// Drawn by Graphviz. Returns what went wrong, or nothing.
+std::string write_graph_svg(std::ostream& out, const Linked& linked);
 
 }  // namespace owlint

@@ -12,18 +12,6 @@ Json position(const Source& source, uint64_t offset) {
   return {{"line", p.line}, {"column", p.column}, {"offset", p.offset}};
 }
 
-/// What an edit writes, line ends and tabs as they are.
-std::string edit_text(std::string_view text) {
-  std::string out;
-  for (size_t at = 0; at < text.size();) {
-    const size_t kept = std::min(text.find_first_of("\r\n\t", at), text.size());
-    out += printable(text.substr(at, kept - at));
-    if (kept < text.size()) out += text[kept];
-    at = kept + 1;
-  }
-  return out;
-}
-
 Json finding_json(const Source& source, const Finding& f) {
   const auto place_in = [](Json& json, const Source& file, Span span) {
     json["start"] = position(file, span.begin);
@@ -55,7 +43,7 @@ Json finding_json(const Source& source, const Finding& f) {
     for (const Edit& edit : fix.edits) {
       Json change;
       place(change, edit.span);
-      change["text"] = edit_text(edit.text);
+      change["text"] = printable_text(edit.text);
       entry["edits"].push_back(std::move(change));
     }
     json["fixes"].push_back(std::move(entry));

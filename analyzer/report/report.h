@@ -4,6 +4,7 @@
 #include <ostream>
 #include <vector>
 
+#include "analyzer/text/printable.h"
 #include "rules/lint.h"
 
 namespace owlint {
@@ -35,8 +36,5 @@ void write_jsonl(std::ostream& out, const FileReport& file);
 
 /// How often each rule was found, most often first; how many files were parsed, and how often called.
 void write_statistics(std::ostream& out, const std::vector<FileReport>& files, const Library& library);
-
-/// Bytes for terminals and JSON: invalid UTF-8 is taken for Latin-1, control characters become visible.
-std::string printable(std::string_view bytes);
 
 }  // namespace owlint

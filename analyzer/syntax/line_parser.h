@@ -23,6 +23,7 @@ class LineParser {
   void m98(ExpressionParser& in, Statement& s);
   bool word(ExpressionParser& in, Statement& s);
   bool assignment(ExpressionParser& in, Statement& s);
+  static std::string bad_character(char c);
   bool misplaced_character(size_t at, Statement& s);
   void recover(size_t at, Statement& s);
   void fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message);

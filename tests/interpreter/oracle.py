@@ -14,9 +14,14 @@ the interpreter saves its parameters after each program by renaming a new file o
 would start from them.  (Never name a device there: as root, that replaces /dev/null by a file.)
 
 One thing is not seen: a first line longer than 252 characters counts as an empty program here.
+
+Without a tool table any `T` word crashes the interpreter.  `Interpreter(record=True)` has the three tools and nine axes of
+the stand-alone rs274, and gives in `Run.calls` what the machine was told to do: moves, feeds, dwells, offsets, tool
+changes, messages and comments.  (Spindle, coolant and outputs are not handed on by `gcode.parse`.)
 """
 import argparse
 import atexit
+import ctypes
 import mmap
 import multiprocessing
 import os
@@ -27,7 +32,7 @@ import struct
 import sys
 import tempfile
 import traceback
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 try:
     import gcode
@@ -61,6 +66,7 @@ class Run:
     message: str
     trace: tuple
     warned: tuple = ()              # OWORD_WARNONLY: the lines warned about
+    calls: tuple = ()               # with `record`: what the machine was told, a text for each call
 
     @property
     def choices(self):
@@ -94,9 +100,16 @@ def write_ini(folder, warnonly):
     return path
 
 
-def _make_canon(folder):
-    """The callbacks that gcode.parse wants: a machine without tools that ignores all motion."""
+def _make_canon(folder, record=None):
+    """The callbacks that gcode.parse wants: a machine without tools that ignores all motion, or writes it to `record`."""
     tool = (-1,) + (0.0,) * 12 + (0,)
+
+    def ignore(*_):
+        pass
+
+    def writer(name):
+        # At once, not when the run is over: a crash would take it away.
+        return lambda *values: os.write(record, ("%s %s\n" % (name, " ".join(map(repr, values)))).encode())
 
     class Canon:
         parameter_file = os.path.join(folder, "absent", "p.var")
@@ -104,24 +117,38 @@ def _make_canon(folder):
 
         def get_external_angular_units(self): return 1.0
         def get_external_length_units(self): return 1.0
-        def get_axis_mask(self): return 7
+        def get_axis_mask(self): return 7 if record is None else 511
         def get_block_delete(self): return False
         def check_abort(self): return False
 
         def __getattr__(self, name):
             if name.startswith("_"):
                 raise AttributeError(name)
-            setattr(self, name, lambda *_: None)
+            # The lines are no part of what the machine does.
+            setattr(self, name, ignore if record is None or name == "next_line" else writer(name))
             return getattr(self, name)
 
     return Canon()
 
 
+def _make_tool_table(folder):
+    """Tools 1 to 3, as the stand-alone rs274 has them.  The library keeps them in a file that lies in the home folder."""
+    os.environ["HOME"] = folder
+    ctypes.CDLL("libtooldata.so.0")["_Z17tool_mmap_creatorPK13EMC_TOOL_STATi"](None, 0)
+    with open(os.path.join(folder, ".tool.mmap"), "r+b") as f:
+        f.seek(8)                                   # behind a mutex: the last index, and whether the changer is random
+        f.write(struct.pack("II", 3, 0))
+        for tool in (1, 2, 3):
+            f.seek(16 + 112 * tool)
+            f.write(struct.pack("II", tool, tool))  # number and pocket; sizes are asked of the canon
+
+
 class Interpreter:
     """Runs programs one after the other; `run` never raises for anything that a program does."""
 
-    def __init__(self, warnonly=False, base=None):
+    def __init__(self, warnonly=False, base=None, record=False, cpu_limit=CPU_LIMIT_S):
         self.warnonly = warnonly
+        self.cpu_limit = cpu_limit
         self.runs = 0
         self.folder = tempfile.mkdtemp(prefix="owlint-oracle-", dir=base or scratch())
         atexit.register(self._remove, os.getpid())
@@ -131,12 +158,21 @@ class Interpreter:
         self.firsts = [0]       # by file: the line of the bundle before its first
         self.notes = mmap.mmap(-1, 4 * (MAX_NOTES + 1))
         self.messages = open(os.path.join(self.folder, "stderr"), "w+b", buffering=0)
+        self.record = open(os.path.join(self.folder, "calls"), "w+b", buffering=0) if record else None
         self.child = 0
         self.pipe = None
         self.left = 0
 
     def run(self, text, choices=b""):
         """Run `text` (as owlint sees it) with these choices."""
+        run = self._run(text, choices)
+        return replace(run, calls=self._calls()) if self.record else run
+
+    def _calls(self):
+        size = os.fstat(self.record.fileno()).st_size
+        return tuple(os.pread(self.record.fileno(), size, 0).decode("utf-8", "replace").split("\n")[:-1])
+
+    def _run(self, text, choices):
         if not self.child or not self.left:
             self._stop()
             self._start()
@@ -262,7 +298,9 @@ class Interpreter:
         os.dup2(self.messages.fileno(), 2)
         sys.path.insert(0, os.path.join(HERE, "plugin"))
         import namedparams
-        canon = _make_canon(self.folder)
+        canon = _make_canon(self.folder, self.record and self.record.fileno())
+        if self.record:
+            _make_tool_table(self.folder)
 
         def note(position, line, arity, value):
             struct.pack_into("HBB", self.notes, 4 * (position + 1), line, arity, value)
@@ -281,9 +319,10 @@ class Interpreter:
                 written = data
             namedparams.CHOICES, namedparams.TAKEN = choices, 0
             struct.pack_into("I", self.notes, 0, 0)
-            self.messages.seek(0)
-            self.messages.truncate()
-            signal.setitimer(signal.ITIMER_PROF, CPU_LIMIT_S)
+            for file in filter(None, (self.messages, self.record)):
+                file.seek(0)
+                file.truncate()
+            signal.setitimer(signal.ITIMER_PROF, self.cpu_limit)
             try:
                 result, _ = gcode.parse(self.program, canon, "", "")
                 failed = result > gcode.MIN_ERROR

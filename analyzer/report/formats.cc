@@ -1,0 +1,74 @@
+#include "analyzer/report/formats.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace owlint {
+namespace {
+
+void json(std::ostream& out, const Reports& files, const ReportStyle&) { write_json(out, files); }
+
+void jsonl(std::ostream& out, const Reports& files, const ReportStyle&) {
+  for (const FileReport& file : files) write_jsonl(out, file);
+}
+
+}  // namespace
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all = {
+      {"text", "for people: the line, the other places, what LinuxCNC says, how to mend it", true, write_text_report},
+      {"grouped", "for people: a line a finding, below its file", true, write_grouped},
+      {"gcc", "a line a finding, as compilers write it", false, write_gcc},
+      {"json", "one object, see owlint-report-1.schema.json", false, json},
+      {"jsonl", "one object a finding, one a line", false, jsonl},
+      {"sarif", "SARIF 2.1.0, for code scanning", false, write_sarif},
+      {"github", "annotations in GitHub Actions", false, write_github},
+      {"gitlab", "code quality report of GitLab", false, write_gitlab},
+      {"checkstyle", "XML of Checkstyle", false, write_checkstyle},
+      {"junit", "XML of JUnit: each file a suite", false, write_junit},
+      {"rdjson", "for reviewdog", false, write_rdjson},
+  };
+  return all;
+}
+
+const Format* find_format(std::string_view name) {
+  const auto found = std::ranges::find(formats(), name, &Format::name);
+  return found == formats().end() ? nullptr : &*found;
+}
+
+void write_text_report(std::ostream& out, const Reports& files, const ReportStyle& style) {
+  for (const FileReport& file : files) write_text(out, file, style.color);
+}
+
+std::string shown_path(const Source& source, const ReportStyle& style) {
+  std::string_view path = source.path();
+  if (!style.root.empty() && path.starts_with(style.root) && path.substr(style.root.size()).starts_with('/')) path.remove_prefix(style.root.size() + 1);
+  while (path.starts_with("./")) path.remove_prefix(2);
+  return printable(path);
+}
+
+std::string whole_message(const Finding& finding, std::string_view separator) {
+  std::string text = printable(finding.message);
+  if (finding.stops && !finding.interpreter.empty()) text += fmt::format("{}LinuxCNC says: {}", separator, printable(finding.interpreter));
+  if (!finding.help.empty()) text += fmt::format("{}mend: {}", separator, printable(finding.help));
+  return text;
+}
+
+const Source& source_of(const FileReport& file, const Finding& finding) { return finding.source == nullptr ? *file.source : *finding.source; }
+
+std::string percent_encoded(std::string_view path) {
+  constexpr std::string_view kPlain = "/-._~";
+  std::string out;
+  for (const char c : path) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (letter || kPlain.find(c) != std::string_view::npos) {
+      out.push_back(c);
+    } else {
+      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return out;
+}
+
+}  // namespace owlint

@@ -1,0 +1,54 @@
+// The formats of `owlint check --format`: one list from which the option, its help and the dispatch come. Each is a file of
+// its own, and none of them decides anything.
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analyzer/report/report.h"
+
+namespace owlint {
+
+/// How a report is to look.
+struct ReportStyle {
+  bool color = false;
+  std::string root;  ///< the folder that is worked in: paths below it are told without it
+};
+
+using Reports = std::vector<FileReport>;
+
+struct Format {
+  std::string_view name;
+  std::string_view what;  ///< for people
+  bool for_people;        ///< a summary line on standard error goes with it
+  void (*write)(std::ostream& out, const Reports& files, const ReportStyle& style);
+};
+
+/// All formats, the default first.
+const std::vector<Format>& formats();
+const Format* find_format(std::string_view name);
+
+void write_text_report(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_grouped(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_gcc(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_sarif(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_github(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_gitlab(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_checkstyle(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_junit(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_rdjson(std::ostream& out, const Reports& files, const ReportStyle& style);
+
+// --- what several of them need ---
+
+/// The path as seen from the root, if it lies below; printable.
+std::string shown_path(const Source& source, const ReportStyle& style);
+/// The message with what LinuxCNC says and how to mend it, each on a line of its own or behind `separator`.
+std::string whole_message(const Finding& finding, std::string_view separator = "\n");
+/// The file that a finding is in.
+const Source& source_of(const FileReport& file, const Finding& finding);
+/// A path as part of a URI.
+std::string percent_encoded(std::string_view path);
+
+}  // namespace owlint

@@ -1,0 +1,14 @@
+// Bytes for terminals, JSON and XML.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace owlint {
+
+/// Invalid UTF-8 is taken for Latin-1, control characters become visible.
+std::string printable(std::string_view bytes);
+/// The same for text of several lines: line ends and tabs stay.
+std::string printable_text(std::string_view bytes);
+
+}  // namespace owlint

@@ -1,0 +1,42 @@
+#include "analyzer/text/process.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace owlint {
+
+// Input and output are temporary files: nobody waits for a pipe that the other side does not empty.
+Ran run_program(std::vector<std::string> arguments, const std::string& input) {
+  Ran ran;
+  std::FILE* in = std::tmpfile();
+  std::FILE* out = std::tmpfile();
+  if (in != nullptr && out != nullptr) {
+    std::fwrite(input.data(), 1, input.size(), in);
+    std::fflush(in);
+    std::rewind(in);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(in), STDIN_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions, ::fileno(out), STDOUT_FILENO);
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    pid_t child = 0;
+    ran.started = ::posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ) == 0;
+    ::posix_spawn_file_actions_destroy(&actions);
+    int status = 0;
+    if (ran.started) ::waitpid(child, &status, 0);
+    ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+    std::rewind(out);
+    char buffer[4096];
+    for (size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, out)) > 0;) ran.out.append(buffer, got);
+  }
+  if (in != nullptr) std::fclose(in);
+  if (out != nullptr) std::fclose(out);
+  return ran;
+}
+
+}  // namespace owlint
