@@ -14,6 +14,8 @@ int graph_command(const CommandLine& line, const std::string& format);
 int lsp_command();
 /// `check`: change nothing, exit with 1 where something would change; `diff`: print the changes instead of making them.
 int format_command(const CommandLine& line, bool check, bool diff);
+/// The settings for each of `line.paths` and where they come from; `check`: only whether configuration files are right.
+int config_command(const CommandLine& line, bool check);
 int explain_command(const std::string& code_or_name);
 int rules_command(const std::string& format);
 int rule_pages_command(const std::string& folder);

@@ -8,13 +8,15 @@
 #include <fmt/ranges.h>
 
 #include "analyzer/cli/commands.h"
+#include "analyzer/cli/generate.h"
 #include "analyzer/report/formats.h"
+#include "analyzer/syntax/bulk.h"
 
 namespace {
 
 using owlint::cli::CommandLine;
 
-constexpr std::array<std::string_view, 6> kCommands = {"check", "graph", "explain", "rules", "fmt", "lsp"};
+constexpr std::array<std::string_view, 8> kCommands = {"check", "graph", "explain", "rules", "fmt", "lsp", "config", "generate"};
 
 void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("PATH", line.paths, "programs, folders (searched for *.ngc *.nc *.tap *.cnc *.gcode), or - for standard input")->required();
@@ -50,9 +52,19 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("--jobs", line.jobs, "files checked at the same time (default: one per core)")->type_name("N")->group("Output");
 }
 
+/// What somebody who reports a fault is asked for.
+std::string version_text() {
+#ifdef __clang__
+  constexpr std::string_view kCompiler = "clang " __clang_version__;
+#else
+  constexpr std::string_view kCompiler = "g++ " __VERSION__;
+#endif
+  return fmt::format("owlint {}\nbuilt with {}, {}, {}; fast path: {}", owlint::kToolVersion, kCompiler, OWLINT_BUILD_TYPE, OWLINT_LINKED, owlint::bulk_variants().front().name);
+}
+
 int run(std::vector<std::string> arguments) {
   CLI::App app{"owlint finds the O-word mistakes in LinuxCNC G-code that stop the machine, before it moves.", "owlint"};
-  app.set_version_flag("--version", "owlint " + std::string(owlint::kToolVersion));
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer("`owlint PATH...` is short for `owlint check PATH...`.\n"
              "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 usage, configuration or unreadable input, 3 internal error.");
@@ -67,7 +79,7 @@ int run(std::vector<std::string> arguments) {
   std::string graph_format = "dot";
   CLI::App* graph = app.add_subcommand("graph", "print the block graph of a program, and the call graph of it and the files that it calls");
   graph->add_option("FILE", graph_line.paths[0], "the program")->required();
-  graph->add_option("--format", graph_format, "dot, mermaid, json or svg")->check(CLI::IsMember({"dot", "mermaid", "json", "svg"}))->capture_default_str();
+  graph->add_option("--format", graph_format, "dot, mermaid, json or svg")->check(CLI::IsMember({"dot", "mermaid", "json", "svg"}))->type_name("dot|mermaid|json|svg")->capture_default_str();
   graph->add_option("--ini", graph_line.ini, "INI file of the machine, which says where called files are")->type_name("FILE");
   graph->add_flag("--find-ini,!--no-find-ini", graph_line.find_ini, "without --ini, use the one machine INI in the nearest folder above (default)");
   graph->add_flag("--isolated", graph_line.isolated, "use no owlint.toml");
@@ -83,13 +95,29 @@ int run(std::vector<std::string> arguments) {
   CLI::App* lsp = app.add_subcommand("lsp", "language server on standard input and output, for editors");
   lsp->add_flag_function("--stdio", [](std::int64_t) {}, "as always; some editors say it");
 
+  CommandLine config_line;
+  bool config_check = false;
+  bool config_show = false;
+  CLI::App* config = app.add_subcommand("config", "the settings that programs are checked with, and where they come from");
+  config->add_option("PATH", config_line.paths, "programs or folders (default: this one); with --check, files named owlint.toml or folders that have one");
+  CLI::Option* show = config->add_flag("--show", config_show, "list the settings (default)");
+  config->add_flag("--check", config_check, "only say whether the configuration is right")->excludes(show);
+  config->add_option("--ini", config_line.ini, "as for `owlint check`")->type_name("FILE");
+  config->add_option("--config", config_line.config, "as for `owlint check`")->type_name("FILE");
+  config->add_flag("--isolated", config_line.isolated, "as for `owlint check`");
+
+  // For the installation: not shown.
+  std::string generated;
+  CLI::App* generate = app.add_subcommand("generate", "manual pages and shell completions")->group("");
+  generate->add_option("FOLDER", generated)->required();
+
   std::string code;
   CLI::App* explain = app.add_subcommand("explain", "what a rule finds, why, an example, and how to mend it");
   explain->add_option("CODE", code, "code or name of a rule, as OW104 or if-label-reused")->required();
 
   std::string rules_format = "text";
   CLI::App* rules = app.add_subcommand("rules", "list all rules");
-  rules->add_option("--format", rules_format, "text, json or markdown")->check(CLI::IsMember({"text", "json", "markdown"}))->capture_default_str();
+  rules->add_option("--format", rules_format, "text, json or markdown")->check(CLI::IsMember({"text", "json", "markdown"}))->type_name("text|json|markdown")->capture_default_str();
 
   std::string pages;
   rules->add_option("--pages", pages, "write a Markdown page for each rule into this folder")->type_name("FOLDER");
@@ -113,6 +141,13 @@ int run(std::vector<std::string> arguments) {
   if (check->parsed()) return owlint::cli::check_command(line);
   if (graph->parsed()) return owlint::cli::graph_command(graph_line, graph_format);
   if (format->parsed()) return owlint::cli::format_command(format_line, format_check, format_diff);
+  if (config->parsed()) return owlint::cli::config_command(config_line, config_check);
+  if (generate->parsed()) {
+    std::string error;
+    if (owlint::cli::generate(app, generated, &error)) return owlint::cli::kClean;
+    owlint::cli::complain(error);
+    return owlint::cli::kUsage;
+  }
   if (lsp->parsed()) return owlint::cli::lsp_command();
   if (explain->parsed()) return owlint::cli::explain_command(code);
   if (!pages.empty()) return owlint::cli::rule_pages_command(pages);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include "rules/stops.h"
@@ -101,12 +102,19 @@ void apply(const Selection& selection, LintOptions* options) {
 }  // namespace
 
 struct Configuration::File {
+  std::string path;
   std::string folder;
+  std::map<std::string, uint32_t, std::less<>> lines;  // of the keys
   std::optional<std::string> ini, linuxcnc;
   bool find_ini = true;
   std::optional<uint32_t> feature;
   Selection base;
-  std::vector<std::pair<std::vector<std::string>, Selection>> overrides;
+  struct Override {
+    std::vector<std::string> patterns;
+    Selection selection;
+    uint32_t line;
+  };
+  std::vector<Override> overrides;
 };
 
 const Configuration::File* Configuration::load(const std::string& path, std::string* error) {
@@ -121,6 +129,9 @@ const Configuration::File* Configuration::load(const std::string& path, std::str
     *error = fmt::format("{}: line {}: {}", path, problem.source().begin.line, problem.description());
     return nullptr;
   }
+  std::error_code outside;
+  file->path = fs::proximate(path, outside).string();
+  for (const auto& [key, value] : table) file->lines.emplace(key.str(), value.source().begin.line);
   const auto text = [&](std::string_view key, std::optional<std::string>* value) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return true;
@@ -161,7 +172,7 @@ const Configuration::File* Configuration::load(const std::string& path, std::str
         *error = fmt::format("line {}: an override needs `files`, a list of patterns", entry.source().begin.line);
         good = false;
       }
-      file->overrides.emplace_back(std::move(patterns), std::move(selection));
+      file->overrides.push_back({std::move(patterns), std::move(selection), entry.source().begin.line});
     }
   }
   if (good && file->linuxcnc && *file->linuxcnc != "all" && !version_from_text(*file->linuxcnc)) {
@@ -262,20 +273,45 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   }
   if (!error->empty()) return false;
 
+  const auto note = [&](std::string_view key, const std::string& value, const std::string& from) {
+    if (tells_origins_) settings->origins.push_back({std::string(key), value, from});
+  };
+  const auto note_selection = [&](const Selection& selection, const auto& where) {
+    if (!tells_origins_) return;
+    const auto codes = [&](const char* key, const auto& list) {
+      if (list) note(key, fmt::format("{}", fmt::join(*list, " ")), where(key));
+    };
+    codes("select", selection.select);
+    codes("extend-select", selection.extend_select);
+    codes("ignore", selection.ignore);
+    for (const auto& [code, level] : selection.severity) note("severity." + code, std::string(severity_text(level)), where("severity"));
+  };
+  const auto line_of = [&](std::string_view key) { return fmt::format("{}:{}", file->path, file->lines.find(key)->second); };
   std::optional<std::string> ini = line_.ini;
+  if (ini) note("ini", *ini, "command line");
   std::optional<std::string> version = line_.linuxcnc;
   Profile& profile = settings->profile;
   LintOptions& options = settings->options;
   if (file != nullptr) {
-    if (!ini && file->ini) ini = (fs::path(file->folder) / *file->ini).string();
-    if (!version) version = file->linuxcnc;
+    if (!ini && file->ini) {
+      ini = (fs::path(file->folder) / *file->ini).string();
+      note("ini", *ini, line_of("ini"));
+    }
+    if (!version && file->linuxcnc) {
+      version = file->linuxcnc;
+      note("linuxcnc", *version, line_of("linuxcnc"));
+    }
+    if (file->feature) note("feature", fmt::format("{:#x}", *file->feature), line_of("feature"));
+    if (!file->find_ini) note("find-ini", "false", line_of("find-ini"));
+    note_selection(file->base, line_of);
     profile.feature = file->feature;
     apply(file->base, &options);
     std::error_code ignored;
     const std::string relative = fs::absolute(path, ignored).lexically_relative(file->folder).string();
-    for (const auto& [patterns, selection] : file->overrides) {
-      if (std::ranges::any_of(patterns, [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {
-        apply(selection, &options);
+    for (const File::Override& entry : file->overrides) {
+      if (std::ranges::any_of(entry.patterns, [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {
+        apply(entry.selection, &options);
+        note_selection(entry.selection, [&](const char*) { return fmt::format("{}:{} [[overrides]]", file->path, entry.line); });
       }
     }
   }
@@ -301,7 +337,10 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
     // Relative, so that the paths of called files are as short as those of the programs.
     std::error_code ignored;
-    if (const std::string above = ini_above(path); !above.empty()) ini = fs::proximate(above, ignored).string();
+    if (const std::string above = ini_above(path); !above.empty()) {
+      ini = fs::proximate(above, ignored).string();
+      note("ini", *ini, "found above the program");
+    }
   }
   if (ini && !read_machine_ini(*ini, &profile, error)) return false;
 
@@ -310,6 +349,11 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
       if (!check_code(code, error)) return false;
     }
   }
+  const Selection given{line_.select.empty() ? std::nullopt : std::optional(line_.select), line_.ignore.empty() ? std::nullopt : std::optional(line_.ignore),
+                        line_.extend_select.empty() ? std::nullopt : std::optional(line_.extend_select), {}};
+  note_selection(given, [](const char*) { return "command line"; });
+  if (line_.linuxcnc) note("linuxcnc", *line_.linuxcnc, "command line");
+  if (line_.feature) note("feature", *line_.feature, "command line");
   if (!line_.select.empty()) options.select = line_.select;
   for (const std::string& code : line_.extend_select) options.extend_select.push_back(code);
   for (const std::string& code : line_.ignore) options.ignore.push_back(code);

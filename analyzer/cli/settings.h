@@ -34,15 +34,28 @@ struct CommandLine {
   bool find_ini = true;  ///< look for a machine INI above the programs
 };
 
+/// One setting as it was made.
+struct Origin {
+  std::string key;
+  std::string value;
+  std::string from;  ///< `owlint.toml:3`, `command line`, `found above the program`
+};
+
 struct Settings {
   Profile profile;
   LintOptions options;
+  std::vector<Origin> origins;  ///< in the order in which they were made; only for `owlint config`
 };
 
 /// Finds and reads configuration files and machine INIs, each once. Not for several threads at a time.
 class Configuration {
  public:
   explicit Configuration(const CommandLine& line) : line_(line) {}
+
+  /// From now on, settings_for() tells where settings come from.
+  void tell_origins() { tells_origins_ = true; }
+  /// Reads one configuration file; false and a message where it is wrong.
+  bool check_file(const std::string& path, std::string* error) { return load(path, error) != nullptr; }
 
   /// The settings for a file; false and a message when a configuration, INI or option is wrong.
   bool settings_for(const std::string& path, Settings* settings, std::string* error);
@@ -58,6 +71,7 @@ class Configuration {
   std::string ini_above(const std::string& program);
 
   const CommandLine& line_;
+  bool tells_origins_ = false;
   std::map<std::string, std::shared_ptr<File>> files_;
   std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
   std::map<std::string, std::shared_ptr<const MachineSetup>> inis_;

@@ -1,0 +1,73 @@
+// `owlint config`: which settings a program is checked with, and where each of them comes from.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "analyzer/cli/commands.h"
+#include "analyzer/cli/walk.h"
+
+namespace owlint::cli {
+namespace {
+
+/// A folder stands for a program in it.
+std::string program_in(const std::string& path) {
+  std::error_code problem;
+  return std::filesystem::is_directory(path, problem) ? path + "/program.ngc" : path;
+}
+
+int check_files(const std::vector<std::string>& paths) {
+  Configuration configuration(CommandLine{});
+  int status = kClean;
+  for (const std::string& path : paths) {
+    std::error_code problem;
+    std::string file = path;
+    for (const char* name : {"/owlint.toml", "/.owlint.toml"}) {
+      if (std::filesystem::is_directory(path, problem) && std::filesystem::is_regular_file(path + name, problem)) file = path + name;
+    }
+    std::string error;
+    if (std::filesystem::is_directory(file, problem)) {
+      complain(fmt::format("no owlint.toml in {}", path));
+      status = kUsage;
+    } else if (!configuration.check_file(file, &error)) {
+      complain(error);
+      status = kUsage;
+    } else {
+      std::cout << file << " is right\n";
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+int config_command(const CommandLine& line, bool check) {
+  const std::vector<std::string> paths = line.paths.empty() ? std::vector<std::string>{"."} : line.paths;
+  if (check) return check_files(paths);
+  Configuration configuration(line);
+  configuration.tell_origins();
+  int status = kClean;
+  for (const std::string& path : paths) {
+    Settings settings;
+    std::string error;
+    if (!configuration.settings_for(program_in(path), &settings, &error)) {
+      complain(error);
+      status = kUsage;
+      continue;
+    }
+    std::vector<Origin>& origins = settings.origins;
+    const auto given = [&](std::string_view key) { return std::ranges::find(origins, key, &Origin::key) != origins.end(); };
+    const Profile& profile = settings.profile;
+    if (!given("ini")) origins.push_back({"ini", "none", "default"});
+    if (!given("linuxcnc")) origins.push_back({"linuxcnc", std::string(version_text(profile.version)), "default"});
+    origins.push_back({"FEATURE 0x20", profile.warn_only() ? "in effect" : "not in effect", given("feature") ? "feature" : profile.setup != nullptr ? "INI" : "default"});
+    const auto rules = std::ranges::count_if(catalogue(), [&](const Rule* rule) { return selected(*rule, settings.options); });
+    origins.push_back({"rules", fmt::format("{} of {}", rules, catalogue().size()), "select, extend-select, ignore"});
+    std::cout << path << '\n';
+    for (const Origin& o : origins) std::cout << fmt::format("  {:<16} {:<24} # {}\n", o.key, o.value, o.from);
+  }
+  return status;
+}
+
+}  // namespace owlint::cli

@@ -1,0 +1,32 @@
+# What `cmake --install` and the .deb hold: the program with its pages and completions, the library, the schemas.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS owlint RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${GENERATED}/rules DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/owlint)
+install(DIRECTORY ${GENERATED}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES ${GENERATED}/bash/owlint DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${GENERATED}/zsh/_owlint DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${GENERATED}/fish/owlint.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+file(GLOB SCHEMAS ${PROJECT_SOURCE_DIR}/share/*.schema.json)
+install(FILES ${SCHEMAS} DESTINATION ${CMAKE_INSTALL_DATADIR}/owlint)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(FILES api/owlint.h api/owlint.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS owlint_api owlint_front owlint_core EXPORT owlint ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT owlint NAMESPACE owlint:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/owlint FILE owlint-targets.cmake)
+file(WRITE ${PROJECT_BINARY_DIR}/owlint-config.cmake "include(CMakeFindDependencyMacro)\nfind_dependency(pugixml)\ninclude(\${CMAKE_CURRENT_LIST_DIR}/owlint-targets.cmake)\n")
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/owlint-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/owlint-config.cmake ${PROJECT_BINARY_DIR}/owlint-config-version.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/owlint)
+
+# `cpack` makes owlint_VERSION_ARCH.deb.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME owlint)
+set(CPACK_PACKAGE_CONTACT "the owlint developers <owlint@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS graphviz)
+include(CPack)
