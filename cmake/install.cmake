@@ -8,6 +8,7 @@ install(FILES ${GENERATED}/bash/owlint DESTINATION ${CMAKE_INSTALL_DATADIR}/bash
 install(FILES ${GENERATED}/zsh/_owlint DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 install(FILES ${GENERATED}/fish/owlint.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 file(GLOB SCHEMAS ${PROJECT_SOURCE_DIR}/share/*.schema.json)
+install(PROGRAMS share/hooks/pre-commit DESTINATION ${CMAKE_INSTALL_DATADIR}/owlint/hooks)
 install(FILES ${SCHEMAS} DESTINATION ${CMAKE_INSTALL_DATADIR}/owlint)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -86,7 +86,7 @@ TEST_CASE("a baseline is sorted JSON; another file in its place is refused", "[c
   }
 }
 
-TEST_CASE("--since takes changed and new files only", "[cli][since]") {
+TEST_CASE("option --since takes changed and new files only", "[cli][since]") {
   const Scratch s;
   const auto git = [&](const std::string& arguments) {
     return std::system(("cd '" + s.path() + "' && git -c user.email=a@b -c user.name=a " + arguments + " >/dev/null 2>&1").c_str()) == 0;

@@ -31,7 +31,7 @@ std::string crlf(std::string text) {
 
 }  // namespace
 
-TEST_CASE("--fix mends files in their place and keeps their mode, line ends and bytes", "[cli][fix]") {
+TEST_CASE("option --fix mends files in their place and keeps their mode, line ends and bytes", "[cli][fix]") {
   const Scratch s;
   const std::string path = s.write("twice.ngc", crlf("(B\xFCgel)\n" + kTwice));
   ::chmod(path.c_str(), 0640);
@@ -47,7 +47,7 @@ TEST_CASE("--fix mends files in their place and keeps their mode, line ends and 
   CHECK(std::filesystem::last_write_time(path) == written);
 }
 
-TEST_CASE("--fix leaves what is not safe, and says how to get it", "[cli][fix]") {
+TEST_CASE("option --fix leaves what is not safe, and says how to get it", "[cli][fix]") {
   const Scratch s;
   const std::string path = s.write("loop.ngc", kInLoop);
   const Run safe = check({"--fix", path});
@@ -58,7 +58,7 @@ TEST_CASE("--fix leaves what is not safe, and says how to get it", "[cli][fix]")
   CHECK(read_file(path) == "  o200 sub\n    G0 X#1\n  o200 endsub\no100 while [#5070 EQ 0]\n  o200 call [1]\no100 endwhile\nM2\n");
 }
 
-TEST_CASE("--diff changes nothing and can be applied by patch", "[cli][fix]") {
+TEST_CASE("option --diff changes nothing and can be applied by patch", "[cli][fix]") {
   const Scratch s;
   const std::string path = s.write("twice.ngc", kTwice);
   const Run run = check({"--diff", path});
@@ -69,7 +69,7 @@ TEST_CASE("--diff changes nothing and can be applied by patch", "[cli][fix]") {
   CHECK(check({"--diff", path}).status == 0);
 }
 
-TEST_CASE("--fix-only reports nothing, whatever is left", "[cli][fix]") {
+TEST_CASE("option --fix-only reports nothing, whatever is left", "[cli][fix]") {
   const Scratch s;
   const std::string path = s.write("loop.ngc", kInLoop + "");
   const Run run = check({"--fix-only", path});
@@ -77,7 +77,7 @@ TEST_CASE("--fix-only reports nothing, whatever is left", "[cli][fix]") {
   CHECK(run.out.empty());
 }
 
-TEST_CASE("--fix of standard input writes the program to standard output, findings beside it", "[cli][fix]") {
+TEST_CASE("option --fix of standard input writes the program to standard output, findings beside it", "[cli][fix]") {
   const Run run = check({"--fix", "-"}, kTwice);
   CHECK(run.status == 0);
   CHECK(run.out == kMended);
@@ -154,7 +154,7 @@ TEST_CASE("mending comes to an end, and a second time there is nothing to mend",
   }
 }
 
-TEST_CASE("--add-suppressions silences what is found, and changes nothing else", "[cli][suppression]") {
+TEST_CASE("option --add-suppressions silences what is found, and changes nothing else", "[cli][suppression]") {
   const Scratch s;
   const std::string path = s.write("twice.ngc", kTwice);
   const Run run = check({"--add-suppressions", "--reason", "runs on the old mill", path});

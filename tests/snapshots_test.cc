@@ -1,10 +1,12 @@
 // What people read, kept word for word in tests/snapshots. With OWLINT_UPDATE=1 they are rewritten.
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
+#include "analyzer/report/pages.h"
 #include "support/files.h"
 #include "support/fixture.h"
 #include "support/bundle.h"
@@ -58,6 +60,9 @@ TEST_CASE("other texts are as in their snapshots", "[snapshots]") {
   snapshot("check-color", "--isolated --color always OW104/label-if-twice.ngc");
   snapshot("check-statistics", "--isolated --quiet --statistics --format jsonl OW104/label-if-twice.ngc OW205/if-unclosed-skipped.ngc");
   snapshot("check-json", "--isolated --format json OW104/label-if-twice.ngc");
+  for (const char* format : {"grouped", "gcc", "github", "gitlab", "checkstyle", "junit", "rdjson"}) {
+    snapshot(std::string("check-") + format, std::string("--isolated --quiet --format ") + format + " OW104/label-if-twice.ngc OW207/call-before-define-by-name.ngc OW104/label-if-in-loop.ngc");
+  }
   snapshot("check-nothing", "--isolated OW104/label-if-in-loop.ngc");
   snapshot("explain", "explain OW104");
   snapshot("explain-unknown", "explain if-label-resued");
@@ -66,4 +71,18 @@ TEST_CASE("other texts are as in their snapshots", "[snapshots]") {
   snapshot("graph-dot", "graph OW104/label-if-reused-in-other-sub.ngc");
   snapshot("graph-mermaid", "graph --format mermaid OW104/label-if-reused-in-other-sub.ngc");
   snapshot("graph-json", "graph --format json OW104/label-if-reused-in-other-sub.ngc");
+}
+
+TEST_CASE("docs/rules holds the rules' pages", "[snapshots]") {
+  std::string error;
+  if (updating()) REQUIRE(owlint::write_rule_pages(repository("docs/rules"), &error));
+  CHECK(read_file(repository("docs/rules/README.md")) == owlint::rule_index());
+  std::set<std::string> expected{"README.md"};
+  for (const owlint::Rule* rule : owlint::catalogue()) {
+    expected.insert(std::string(rule->code) + ".md");
+    CHECK(read_file(repository("docs/rules/" + std::string(rule->code) + ".md")) == owlint::rule_page(*rule));
+  }
+  std::set<std::string> there;
+  for (const std::string& path : files_below(repository("docs/rules"))) there.insert(path.substr(path.rfind('/') + 1));
+  CHECK(there == expected);
 }

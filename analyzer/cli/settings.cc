@@ -30,7 +30,7 @@ bool check_keys(const toml::table& table, const std::vector<std::string>& known,
     const std::string name(key.str());
     if (std::ranges::find(known, name) != known.end()) continue;
     const std::string near = rules::nearest(name, known);
-    *error = fmt::format("line {}: unknown key `{}`{}", value.source().begin.line, name, near.empty() ? "" : ", did you mean `" + near + "`");
+    *error = fmt::format("line {}: unknown key `{}`{}", value.source().begin.line, name, near.empty() ? "" : ", did you mean `" + near + "`?");
     return false;
   }
   return true;
@@ -39,7 +39,7 @@ bool check_keys(const toml::table& table, const std::vector<std::string>& known,
 bool check_code(const std::string& code, std::string* error) {
   if (known_prefix(code)) return true;
   const std::string_view near = nearest_rule(code);
-  *error = fmt::format("`{}` is not a code of owlint{}", code, near.empty() ? "" : fmt::format(", did you mean `{}`", near));
+  *error = fmt::format("`{}` is not a code of owlint{}", code, near.empty() ? "" : fmt::format(", did you mean `{}`?", near));
   return false;
 }
 
@@ -294,7 +294,9 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   LintOptions& options = settings->options;
   if (file != nullptr) {
     if (!ini && file->ini) {
-      ini = (fs::path(file->folder) / *file->ini).string();
+      // Relative, so that the paths of called files are as short as those of the programs.
+      std::error_code outside;
+      ini = fs::proximate(fs::path(file->folder) / *file->ini, outside).string();
       note("ini", *ini, line_of("ini"));
     }
     if (!version && file->linuxcnc) {
@@ -335,7 +337,6 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     }
   }
   if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
-    // Relative, so that the paths of called files are as short as those of the programs.
     std::error_code ignored;
     if (const std::string above = ini_above(path); !above.empty()) {
       ini = fs::proximate(above, ignored).string();

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <unordered_set>
 
+#include "analyzer/text/source.h"
+
 namespace owlint::cli {
 namespace {
 
@@ -59,7 +61,7 @@ Walk walk(const std::vector<std::string>& paths) {
     }
   }
   std::unordered_set<std::string> seen;
-  std::erase_if(out.files, [&](const std::string& file) { return !seen.insert(file).second; });
+  std::erase_if(out.files, [&](const std::string& file) { return !seen.insert(file_key(file)).second; });
   return out;
 }
 

@@ -32,8 +32,8 @@ void write_github(std::ostream& out, const Reports& files, const ReportStyle& st
       const Position begin = source.position(f.span.begin);
       const Position end = source.position(f.span.end);
       std::string place = fmt::format("file={},line={},endLine={}", escaped(shown_path(source, style), true), begin.line, end.line);
-      // Columns only mean something within one line; the last one is inclusive there.
-      if (begin.line == end.line) place += fmt::format(",col={},endColumn={}", begin.column, std::max(end.column, begin.column + 1) - 1);
+      // Columns only mean something within one line.
+      if (begin.line == end.line) place += fmt::format(",col={},endColumn={}", begin.column, end.column);
       out << fmt::format("::{} {},title={}::{}\n", command(f.severity), place, escaped(fmt::format("{} {}", f.code, f.rule), true), escaped(whole_message(f), false));
     }
   }

@@ -1,5 +1,6 @@
 #include "analyzer/report/pages.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -11,7 +12,8 @@ namespace fs = std::filesystem;
 
 std::string rule_page(const Rule& rule) {
   const Page& page = rule.page;
-  std::string out = fmt::format("# {} {}\n\n{}.\n\n{}\n\n{}\n", rule.code, rule.name, rule.summary, page.what, page.why);
+  std::string out = fmt::format("# {} {}\n\n{}.\n\n{} · {}{}\n\n{}\n\n{}\n", rule.code, rule.name, rule.summary, group_title(rule.group), severity_text(rule.level),
+                                rule.level == Severity::kInfo ? ", off unless selected" : "", page.what, page.why);
   if (!page.interpreter.empty()) out += fmt::format("\nLinuxCNC says: `{}`\n", page.interpreter);
   out += fmt::format("\n## Found here{}\n\n```\n{}```\n\n## Use instead\n\n```\n{}```\n\n{}\n",
                      page.options.empty() ? "" : fmt::format(" with `{}`", page.options), page.bad, page.good, page.fix);
@@ -19,18 +21,31 @@ std::string rule_page(const Rule& rule) {
   return out;
 }
 
+std::string rule_index() {
+  std::string out = "# Rules\n\nMade from the catalogue that owlint works with; `owlint explain OW104` tells the same on the command line.\n";
+  std::string_view group;
+  for (const Rule* rule : catalogue()) {
+    if (group_title(rule->group) != group) {
+      group = group_title(rule->group);
+      out += fmt::format("\n## OW{}xx {}\n\n| code | name | severity | finds |\n|---|---|---|---|\n", rule->code.substr(2, 1), group);
+    }
+    out += fmt::format("| [{0}]({0}.md) | {1} | {2} | {3} |\n", rule->code, rule->name, severity_text(rule->level), rule->summary);
+  }
+  return out;
+}
+
 bool write_rule_pages(const std::string& folder, std::string* error) {
   std::error_code problem;
   fs::create_directories(folder, problem);
-  for (const Rule* rule : catalogue()) {
-    const fs::path path = fs::path(folder) / (std::string(rule->code) + ".md");
+  const auto write = [&](std::string_view name, const std::string& text) {
+    const fs::path path = fs::path(folder) / fmt::format("{}.md", name);
     std::ofstream file(path, std::ios::binary);
-    file << rule_page(*rule);
-    if (file.flush()) continue;
+    file << text;
+    if (file.flush()) return true;
     *error = "cannot write " + path.string();
     return false;
-  }
-  return true;
+  };
+  return write("README", rule_index()) && std::ranges::all_of(catalogue(), [&](const Rule* rule) { return write(rule->code, rule_page(*rule)); });
 }
 
 std::string installed_rule_page(std::string_view code) {

@@ -9,7 +9,10 @@ namespace owlint {
 
 std::string rule_page(const Rule& rule);
 
-/// Writes one page a rule, `OW104.md`, into a folder that is made if needed. False and a message if that fails.
+/// The rules by group, each with a link to its page.
+std::string rule_index();
+
+/// Writes one page a rule, `OW104.md`, and the index `README.md` into a folder that is made if needed. False and a message if that fails.
 bool write_rule_pages(const std::string& folder, std::string* error);
 
 /// Where the page of a rule is installed beside this program; empty if it is not.

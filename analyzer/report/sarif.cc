@@ -15,6 +15,8 @@ using Json = nlohmann::ordered_json;
 
 const char* level(Severity severity) { return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note"; }
 
+constexpr std::string_view kMark = "\xEF\xBB\xBF";  // byte order mark
+
 class Writer {
  public:
   explicit Writer(const ReportStyle& style) : style_(style) {
@@ -39,9 +41,9 @@ class Writer {
     for (const Rule* rule : catalogue()) {
       rules.push_back({{"id", rule->code},
                        {"name", rule->name},
-                       {"shortDescription", {{"text", rule->summary}}},
-                       {"fullDescription", {{"text", rule->page.what}}},
-                       {"help", {{"text", fmt::format("{}\n\n{}", rule->page.why, rule->page.fix)}, {"markdown", rule_page(*rule)}}},
+                       {"shortDescription", text(rule->summary)},
+                       {"fullDescription", text(rule->page.what)},
+                       {"help", {{"text", text(fmt::format("{}\n\n{}", rule->page.why, rule->page.fix))["text"]}, {"markdown", braces_doubled(rule_page(*rule))}}},
                        {"defaultConfiguration", {{"enabled", rule->level != Severity::kInfo}, {"level", level(rule->level)}}},
                        {"properties", {{"tags", {group_title(rule->group)}}}}});
     }
@@ -49,24 +51,48 @@ class Writer {
   }
 
   Json artifact(const Source& source) const {
-    std::string_view path = source.path();
-    if (!style_.root.empty() && path.starts_with(style_.root + "/")) path.remove_prefix(style_.root.size() + 1);
-    if (path.starts_with('/')) return {{"uri", "file://" + percent_encoded(path)}};
-    while (path.starts_with("./")) path.remove_prefix(2);
-    return {{"uri", percent_encoded(path)}, {"uriBaseId", "%SRCROOT%"}};
+    const std::string path = file_key(source.path());
+    const std::string_view below = std::string_view(path).substr(std::min(path.size(), style_.root.size() + 1));
+    if (style_.root.empty() || !path.starts_with(style_.root + "/")) return {{"uri", "file://" + percent_encoded(path)}};
+    return {{"uri", percent_encoded(below)}, {"uriBaseId", "%SRCROOT%"}};
   }
 
+  /// A byte order mark is no part of the text there: the columns of its line begin behind it.
   static Json region(const Source& source, Span span) {
+    const bool marked = has_mark(source);
+    const auto column = [&](const Position& at) { return marked && at.line == 1 && at.column > 1 ? at.column - 1 : at.column; };
     const Position begin = source.position(span.begin);
     const Position end = source.position(span.end);
-    return {{"startLine", begin.line}, {"startColumn", begin.column}, {"endLine", end.line}, {"endColumn", end.column}};
+    return {{"startLine", begin.line}, {"startColumn", column(begin)}, {"endLine", end.line}, {"endColumn", column(end)}};
+  }
+
+  static bool has_mark(const Source& source) { return source.bytes().starts_with(kMark); }
+
+  /// What a fix replaces; the mark can only be told in bytes.
+  static Json deleted(const Source& source, Span span) {
+    const bool mark = has_mark(source) && span.begin < kMark.size() && span.end > span.begin;
+    return mark ? Json{{"byteOffset", span.begin}, {"byteLength", span.end - span.begin}} : region(source, span);
+  }
+
+  /// Single ones would be placeholders.
+  static std::string braces_doubled(std::string_view words) {
+    std::string out;
+    for (const char c : words) out.append(c == '{' || c == '}' ? 2 : 1, c);
+    return out;
+  }
+
+  /// A message; a bracket before a parenthesis would be a link.
+  static Json text(std::string_view words) {
+    std::string out = braces_doubled(words);
+    for (size_t at = 0; (at = out.find("](", at)) != std::string::npos; at += 3) out.insert(at, 1, '\\');
+    return {{"text", std::move(out)}};
   }
 
   Json physical(const Source& source, Span span) const { return {{"artifactLocation", artifact(source)}, {"region", region(source, span)}}; }
 
   Json place(const Source& own, const Related& related) const {
     const Source& source = related.source == nullptr ? own : *related.source;
-    return {{"physicalLocation", physical(source, related.span)}, {"message", {{"text", printable(related.message)}}}};
+    return {{"physicalLocation", physical(source, related.span)}, {"message", text(printable(related.message))}};
   }
 
   /// The branch outcomes that lead to the finding, and the finding itself.
@@ -80,16 +106,16 @@ class Writer {
   Json fix(const Source& source, const Fix& made) const {
     Json replacements = Json::array();
     for (const Edit& edit : made.edits) {
-      replacements.push_back({{"deletedRegion", region(source, edit.span)}, {"insertedContent", {{"text", printable_text(edit.text)}}}});
+      replacements.push_back({{"deletedRegion", deleted(source, edit.span)}, {"insertedContent", {{"text", printable_text(edit.text)}}}});
     }
-    return {{"description", {{"text", printable(made.title)}}}, {"artifactChanges", Json::array({{{"artifactLocation", artifact(source)}, {"replacements", std::move(replacements)}}})}};
+    return {{"description", text(printable(made.title))}, {"artifactChanges", Json::array({{{"artifactLocation", artifact(source)}, {"replacements", std::move(replacements)}}})}};
   }
 
   Json result(const FileReport& file, const Finding& f, const std::string& print) const {
     const Source& source = source_of(file, f);
     Json location{{"physicalLocation", physical(source, f.span)}};
     if (!f.scope.empty()) location["logicalLocations"] = Json::array({{{"fullyQualifiedName", printable(f.scope)}, {"kind", "function"}}});
-    Json out{{"ruleId", f.code}, {"ruleIndex", index_.at(f.code)}, {"level", level(f.severity)}, {"message", {{"text", whole_message(f)}}}, {"locations", Json::array({std::move(location)})}};
+    Json out{{"ruleId", f.code}, {"ruleIndex", index_.at(f.code)}, {"level", level(f.severity)}, {"message", text(whole_message(f))}, {"locations", Json::array({std::move(location)})}};
     for (const Related& related : f.related) {
       Json entry = place(source, related);
       entry["id"] = out.contains("relatedLocations") ? out["relatedLocations"].size() : 0;

@@ -17,7 +17,16 @@ pugi::xml_document fresh() {
   return document;
 }
 
-void set(pugi::xml_node node, const char* name, std::string_view value) { node.append_attribute(name) = std::string(value).c_str(); }
+/// XML has no U+FFFE and U+FFFF.
+std::string allowed(std::string_view text) {
+  std::string out(text);
+  for (const char* forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
+    for (size_t at = 0; (at = out.find(forbidden, at)) != std::string::npos; at += 3) out.replace(at, 3, "\xEF\xBF\xBD");
+  }
+  return out;
+}
+
+void set(pugi::xml_node node, const char* name, std::string_view value) { node.append_attribute(name) = allowed(value).c_str(); }
 
 }  // namespace
 
@@ -77,7 +86,7 @@ void write_junit(std::ostream& out, const Reports& files, const ReportStyle& sty
       pugi::xml_node failure = one.append_child("failure");
       set(failure, "message", printable(f.message));
       set(failure, "type", severity_text(f.severity));
-      failure.text() = fmt::format("{}:{}:{}\n{}", shown_path(source, style), at.line, at.column, whole_message(f)).c_str();
+      failure.text() = allowed(fmt::format("{}:{}:{}\n{}", shown_path(source, style), at.line, at.column, whole_message(f))).c_str();
     }
   }
   save(document, out);

@@ -76,9 +76,11 @@ def _sarif(output):
     text = output.decode()
     for what, old, new in (("a placeholder", "label `o100`", "label {0} `o100`"), ("a link", "label `o100`", "[label](3) `o100`"),
                            ("a URI with a blank", 'sample.ngc"', 'sam ple.ngc"'), ("a URI with dots", '"uri": "', '"uri": "../'),
-                           ("another root", "file:///", "file:///x/"), ("bytes in a region", '"startLine": ', '"byteOffset": 1, "startLine": ')):
+                           ("another root", "file:///", "file:///x/"),
+                           ("bytes in a region", '"startLine": ', '"byteOffset": 1, "startLine": ')):
         yield "with " + what, text.replace(old, new, 1).encode()
-    yield "with the rules in another order", _changed(json.loads(output), ("runs", 0, "tool", "driver", "rules"), lambda at, key: at[key].reverse())
+    rules = ("runs", 0, "tool", "driver", "rules")
+    yield "with the rules in another order", _changed(json.loads(output), rules, lambda at, key: at[key].reverse())
 
 
 def _gitlab(output):
@@ -104,9 +106,10 @@ def _text(output, pairs):
 
 def _github(output):
     return _text(output, [
-        ("::error", "::fatal"), ("::error", " error"), ("file=", "file=x"), ("sample", "/sample"), (",line=", ",line=9"), (",endLine=", ",endline="),
-        (r",col=\d+", ""), (r"col=\d+", "col=1,col=1"), (",endColumn=", ",endColumn=9"), (",endColumn=", ",endColumn=-"), (",title=[^:]*", ""),
-        (",title=", ",title=a:b"), (",title=", ",title=a%b"), ("OW103", "OW104"), ("::label", "::%label"), ("::label", "::lable"), ("::label", "::la\r\nbel")])
+        ("::error", "::fatal"), ("::error", " error"), ("file=", "file=x"), ("sample", "/sample"), (",line=", ",line=9"),
+        (",endLine=", ",endline="), (r",col=\d+", ""), (r"col=\d+", "col=1,col=1"), (",endColumn=", ",endColumn=9"),
+        (",endColumn=", ",endColumn=-"), (",title=[^:]*", ""), (",title=", ",title=a:b"), (",title=", ",title=a%b"), ("OW103", "OW104"),
+        ("::label", "::%label"), ("::label", "::lable"), ("::label", "::la\r\nbel")])
 
 
 def _gcc(output):
@@ -115,17 +118,20 @@ def _gcc(output):
 
 
 def _grouped(output):
-    return _text(output, [("error", "fatal"), (r"(\d+):", r"9\1:"), ("sample", "sampel"), ("\n +", "\n"), ("label", "lable"), ("OW103", "OW104")])
+    return _text(output, [("error", "fatal"), (r"(\d+):", r"9\1:"), ("sample", "sampel"), ("\n +", "\n"), ("label", "lable"),
+                          ("OW103", "OW104")])
 
 
 def _xml(output):
     text = output.decode()
     declaration = text[:text.index("?>") + 2]
     for what, old, new in (
-            ("an open element", "</file>", ""), ("an open element", "</failure>", ""), ("a bare &", "label", "la&bel"), ("a bare <", "label", "la<bel"),
-            ("an unknown entity", "label", "&auml;label"), ("a control character", "label", "\x01label"), ("a forbidden code point", "label", "\ufffelabel"),
-            ("a reference to a control character", "label", "&#1;label"), ("another text", 'message="', 'message="?'), ("another line", ' line="', ' line="9'),
-            ("another column", ' column="', ' column="9'), ("an unknown severity", '"error"', '"fatal"'), ("an attribute more", ' line="', ' strange="" line="'),
+            ("an open element", "</file>", ""), ("an open element", "</failure>", ""),
+            ("a bare &", "label", "la&bel"), ("a bare <", "label", "la<bel"), ("an unknown entity", "label", "&auml;label"),
+            ("a control character", "label", "\x01label"), ("a reference to one", "label", "&#1;label"),
+            ("a forbidden code point", "label", "\ufffelabel"), ("another text", 'message="', 'message="?'),
+            ("another line", ' line="', ' line="9'), ("another column", ' column="', ' column="9'),
+            ("an unknown severity", '"error"', '"fatal"'), ("an attribute more", ' line="', ' strange="" line="'),
             ("another code", "OW103", "OW104"), ("another file", "sample.ngc", "sampel.ngc"), ("a wrong count", ' tests="', ' tests="1'),
             ("a wrong count", ' failures="', ' failures="1'), ("errors", ' errors="0"', ' errors="1"'), ("no declaration", declaration, ""),
             ("another encoding", "UTF-8", "ISO-8859-1"), ("a document type", "?>", '?><!DOCTYPE x [<!ENTITY a "b">]>')):
@@ -135,7 +141,8 @@ def _xml(output):
     yield "without a finding", re.sub(r"<(error|testcase)\b.*?(/>|</testcase>)", "", text, count=1, flags=re.S).encode()
 
 
-MAKERS = {"sarif": _sarif, "github": _github, "gitlab": _gitlab, "checkstyle": _xml, "junit": _xml, "rdjson": _rdjson, "gcc": _gcc, "grouped": _grouped}
+MAKERS = {"sarif": _sarif, "github": _github, "gitlab": _gitlab, "checkstyle": _xml, "junit": _xml, "rdjson": _rdjson, "gcc": _gcc,
+          "grouped": _grouped}
 
 
 def broken(name, output):

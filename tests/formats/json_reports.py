@@ -1,4 +1,5 @@
 """GitLab's code quality report and reviewdog's diagnostics: small formats of JSON."""
+import functools
 import json
 import os
 
@@ -9,6 +10,7 @@ GITLAB_SEVERITIES = {"error": "critical", "warning": "minor", "info": "info"}
 BRANCH = "when "  # so begins what is said of a decision on the way to a finding
 
 
+@functools.lru_cache(maxsize=None)
 def schema_of(name):
     import jsonschema
     with open(os.path.join(HERE, name), encoding="utf-8") as f:
@@ -63,7 +65,8 @@ def check_rdjson(output, run):
         if not says(diagnostic["message"], finding["message"]):
             problems.append("%r does not say %r" % (diagnostic["message"], finding["message"]))
         location = diagnostic["location"]
-        found.append((check_path(run, location["path"], problems), diagnostic["code"]["value"], diagnostic["severity"], told(location["range"])))
+        shown = check_path(run, location["path"], problems)
+        found.append((shown, diagnostic["code"]["value"], diagnostic["severity"], told(location["range"])))
         expected.append((run.key(path), finding["code"], finding["severity"].upper(), span(path, finding["start"], finding["end"])))
         # A suggestion is one replacement, and several are alternatives: a fix that takes several edits cannot be told.
         fixes = [fix["edits"][0] for fix in finding["fixes"] if len(fix["edits"]) == 1]

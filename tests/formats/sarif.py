@@ -1,7 +1,9 @@
 """SARIF 2.1.0: docs.oasis-open.org/sarif/sarif/v2.1.0. The numbers in brackets are sections of the standard."""
+import functools
 import json
 import os
 import re
+import shlex
 import subprocess
 from urllib.parse import unquote_to_bytes
 
@@ -13,7 +15,6 @@ MULTITOOL = os.path.join(HERE, "node_modules", "@microsoft", "sarif-multitool")
 STANDARD = os.path.join(MULTITOOL + "-linux", "sarif-2.1.0.json")
 LEVELS = {"error": "error", "warning": "warning", "info": "note"}
 MARK = 3  # bytes of a byte order mark
-_standard = []
 
 
 def plain(text):
@@ -21,13 +22,14 @@ def plain(text):
     return text.replace("{", "{{").replace("}", "}}").replace("](", "\\](")
 
 
+@functools.lru_cache(maxsize=None)
 def _standard_schema():
     """The official schema, as the validator's package ships it; None without the package."""
-    if not _standard and os.path.exists(STANDARD):
-        import jsonschema
-        with open(STANDARD, encoding="utf-8-sig") as f:
-            _standard.append(jsonschema.Draft202012Validator(json.load(f)))
-    return _standard[0] if _standard else None
+    if not os.path.exists(STANDARD):
+        return None
+    import jsonschema
+    with open(STANDARD, encoding="utf-8-sig") as f:
+        return jsonschema.Draft202012Validator(json.load(f))
 
 
 def _path_of(location, run, problems):
@@ -113,13 +115,27 @@ def _check_fixes(result, finding, run, problems):
     same(found, expected, "fix", problems)
 
 
+def _texts(value):
+    """The texts of all messages; what a fix puts in is none."""
+    if isinstance(value, dict):
+        for name, child in value.items():
+            if name == "text":
+                yield child
+            elif name != "insertedContent":
+                yield from _texts(child)
+    elif isinstance(value, list):
+        for child in value:
+            yield from _texts(child)
+
+
 def _check_result(result, finding, run, problems):
     if not says(result["message"]["text"], plain(finding["message"])):
         problems.append("%r does not say %r" % (result["message"]["text"], plain(finding["message"])))
-    for text in re.findall(r'"text": ("(?:[^"\\]|\\.)*")', json.dumps({**result, "fixes": [f["description"] for f in result.get("fixes", [])]})):
-        if re.search(r"\{|\}", json.loads(text).replace("{{", "").replace("}}", "")) or re.search(r"(?<!\\)\]\(", json.loads(text)):
-            problems.append("a placeholder or a link that is none: %s" % text)
-    steps = [_place(step["location"], run, problems) for flow in result.get("codeFlows", []) for step in flow["threadFlows"][0]["locations"]]
+    for text in _texts(result):
+        if re.search("[{}]", text.replace("{{", "").replace("}}", "")) or re.search(r"(?<!\\)\]\(", text):
+            problems.append("a placeholder or a link that is none: %r" % text)
+    flow = result["codeFlows"][0]["threadFlows"][0]["locations"] if "codeFlows" in result else []
+    steps = [_place(step["location"], run, problems) for step in flow]
     here = _place(result["locations"][0], run, problems)
     if steps and steps.pop()[:2] != here[:2]:
         problems.append("the last step of a flow is not the finding: %r" % finding["message"])
@@ -168,31 +184,33 @@ def check_sarif(output, run):
 OFFLINE = {"SARIF2006.UrisShouldBeReachable.Options": {"RuleEnabled": "Disabled"}}
 
 
+def _start(*arguments):
+    """Runs the validator by way of its package's script, which hands the arguments to a shell."""
+    environment = {**os.environ, "DOTNET_SYSTEM_GLOBALIZATION_INVARIANT": "1"}
+    argv = ["node", os.path.join(MULTITOOL, "bin.js"), *map(shlex.quote, arguments)]
+    return subprocess.run(argv, capture_output=True, env=environment)
+
+
 def multitool_missing():
     """Why Microsoft's validator cannot run; empty if it can."""
-    if not os.path.exists(STANDARD):
+    program = os.path.join(MULTITOOL + "-linux", "Sarif.Multitool")
+    if not os.path.exists(program):
         return "the npm package @microsoft/sarif-multitool is not installed (npm ci in tests/formats)"
+    if not os.access(program, os.X_OK):
+        os.chmod(program, 0o755)  # the package's install script does that, and npm may be told not to run it
     try:
-        subprocess.run(["node", "--version"], check=True, capture_output=True)
-    except (OSError, subprocess.CalledProcessError):
-        return "node cannot be run"
-    return ""
+        return "" if _start("--version").returncode == 0 else "it does not run on this machine"
+    except OSError as error:
+        return "node: %s" % error
 
 
 def multitool(files, folder):
     """Errors and warnings of the SARIF SDK's own validator: by the standard's rules, and by those of GitHub's code scanning."""
-    program = os.path.join(MULTITOOL + "-linux", "Sarif.Multitool")
-    if not os.access(program, os.X_OK):
-        os.chmod(program, 0o755)  # the package's install script does that, and npm may be told not to run it
     answer = os.path.join(folder, "validated.json")
     settings = os.path.join(folder, "validator.json")
     with open(settings, "w", encoding="utf-8") as f:
         json.dump(OFFLINE, f)
-    environment = {**os.environ, "DOTNET_SYSTEM_GLOBALIZATION_INVARIANT": "1"}
-    # The package's script hands the arguments to a shell.
-    argv = ["node", os.path.join(MULTITOOL, "bin.js"), "validate", *files, "--config", settings, "--output", answer, "--log", "ForceOverwrite",
-            "--rule-kind", "'Sarif;Ghas'"]
-    done = subprocess.run(argv, capture_output=True, env=environment)
+    done = _start("validate", *files, "--config", settings, "--output", answer, "--log", "ForceOverwrite", "--rule-kind", "Sarif;Ghas")
     if done.returncode != 0 or not os.path.exists(answer):
         return ["the validator failed: %s" % (done.stdout + done.stderr).decode("utf-8", "replace")[-500:]]
     with open(answer, encoding="utf-8-sig") as f:

@@ -42,7 +42,8 @@ CONTENTS = [
 CALLER = b"(<&>) G0 X1\n(\xc3\xbc)\no<helper> call [1] (\xc3\xbc)\no<helper> call [2]\nM2\n"
 HELPER = b"o<helper> sub\n(\xc3\xbc) #1 = 2\no5 if [#1]\n  o5 while [1]\n  o5 endwhile\no5 endif\no<helper> endsub\n"
 
-INI = "[EMC]\nVERSION = 1.1\n[DISPLAY]\nPROGRAM_PREFIX = ../shop/calls\n[RS274NGC]\nFEATURES = 32\nSUBROUTINE_PATH = fehlt-ü&<b>%41:a b:'c'\n".encode()
+INI = ("[EMC]\nVERSION = 1.1\n[DISPLAY]\nPROGRAM_PREFIX = ../shop/calls\n[RS274NGC]\nFEATURES = 32\n"
+       "SUBROUTINE_PATH = fehlt-ü&<b>%41:a b:'c'\n").encode()
 
 
 def write(path, data):
@@ -68,4 +69,5 @@ def make(folder):
 
 
 # For the tests of the tests: one small program with all that a finding can have.
-SAMPLE = b"o100 if [#1 GT 2]\n  (x)\no100 endif\nG0 X1\no100 while [#1 LT 0]\no100 endwhile\n(\xc3\xbc) o5 if [#2]\n  o7 return\no5 endif\nM2\n"
+SAMPLE = (b"o100 if [#1 GT 2]\n  (x)\no100 endif\nG0 X1\no100 while [#1 LT 0]\no100 endwhile\n"
+          b"(\xc3\xbc) o5 if [#2]\n  o7 return\no5 endif\nM2\n")

@@ -84,8 +84,10 @@ def check_junit(output, run):
                 found.append((suite, test))
             elif len(suite) != 1 or test.get("line") is not None:
                 problems.append("a test without finding, but not the only one of its file, or with a line: %r" % test.get("name"))
-    expected = [(xml_text(run.key(f["path"])), f["code"], f["severity"], str(f["start"]["line"]), "%d:%d" % (f["start"]["line"], f["start"]["column"]))
-                for f in run.findings]
+    expected = []
+    for f in run.findings:
+        line, column = f["start"]["line"], f["start"]["column"]
+        expected.append((xml_text(run.key(f["path"])), f["code"], f["severity"], str(line), "%d:%d" % (line, column)))
     have = []
     for (suite, test), finding in zip(found, run.findings):
         failure = test[0]
@@ -95,7 +97,8 @@ def check_junit(output, run):
             problems.append("the text of a failure does not say %r: %r" % (finding["message"], failure.text))
         code = re.search(r"OW\d{3}", test.get("name") + " " + test.get("classname"))
         place = re.search(r"\d+:\d+", test.get("name"))
-        have.append((xml_text(run.key(suite.get("name"))), code and code.group(), failure.get("type"), test.get("line"), place and place.group()))
+        have.append((xml_text(run.key(suite.get("name"))), code and code.group(), failure.get("type"), test.get("line"),
+                     place and place.group()))
     if len(found) != len(run.findings):
         problems.append("%d failures for %d findings" % (len(found), len(run.findings)))
     same(have, expected[:len(have)], "failure", problems)

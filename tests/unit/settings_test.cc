@@ -110,17 +110,17 @@ TEST_CASE("overrides change the selection of some files", "[settings]") {
 }
 
 TEST_CASE("an unknown key names the nearest one", "[settings]") {
-  CHECK(error_of("selct = [\"OW1\"]\n") == "line 1: unknown key `selct`, did you mean `select`");
-  CHECK(error_of("\nextend_select = [\"OW1\"]\n") == "line 2: unknown key `extend_select`, did you mean `extend-select`");
-  CHECK(error_of("[sevrity]\nOW1 = \"off\"\n") == "line 1: unknown key `sevrity`, did you mean `severity`");
+  CHECK(error_of("selct = [\"OW1\"]\n") == "line 1: unknown key `selct`, did you mean `select`?");
+  CHECK(error_of("\nextend_select = [\"OW1\"]\n") == "line 2: unknown key `extend_select`, did you mean `extend-select`?");
+  CHECK(error_of("[sevrity]\nOW1 = \"off\"\n") == "line 1: unknown key `sevrity`, did you mean `severity`?");
   CHECK(error_of("colour = 1\n") == "line 1: unknown key `colour`");
-  CHECK(error_of("[[overrides]]\nfile = [\"*\"]\n") == "line 2: unknown key `file`, did you mean `files`");
+  CHECK(error_of("[[overrides]]\nfile = [\"*\"]\n") == "line 2: unknown key `file`, did you mean `files`?");
 }
 
 TEST_CASE("values that cannot be meant are errors", "[settings]") {
   CHECK(error_of("select = \"OW1\"\n") == "line 1: `select` is a list of codes");
   CHECK(error_of("select = [1]\n") == "line 1: `select` is a list of codes");
-  CHECK(error_of("ignore = [\"OW1O4\"]\n") == "`OW1O4` is not a code of owlint, did you mean `OW104`");
+  CHECK(error_of("ignore = [\"OW1O4\"]\n") == "`OW1O4` is not a code of owlint, did you mean `OW104`?");
   CHECK(error_of("[severity]\nOW104 = \"fatal\"\n") == "line 2: the severity of `OW104` is one of off, info, warning, error");
   CHECK(error_of("severity = \"off\"\n") == "line 1: `severity` is a table of codes and levels");
   CHECK(error_of("feature = \"many\"\n") == "line 1: `feature` is a number, as 32 or 0x20");
