@@ -48,15 +48,19 @@ void add_relabel_fix(const Input& in, StatementId opener, Finding& finding) {
   const Block& block = in.program.blocks[id];
   constexpr StatementId kLargest = 2000;  // nobody relabels by hand what is larger than this
   if (block.end - block.opener > kLargest) return;
-  const std::string label = free_label(in.program, block.label);
+  const std::string label = free_label(in, block.label);
   if (label.empty()) return;
   Fix fix;
   fix.title = "use the free number " + label + " for this block";
   for (StatementId at = block.opener; at <= block.end; ++at) {
     if (in.program.block_of[at] == id) fix.edits.push_back({in.program.at(at).label_span(), label});
   }
-  // Relabelling is only safe where the interpreter stopped anyway.
+  // Relabelling is only safe where the interpreter stopped anyway, and where the lines are this block's beyond doubt.
   fix.safe = finding.stops;
+  fix.if_all_stop = true;
+  for (BlockId outer = block.parent; outer != kNoBlock; outer = in.program.blocks[outer].parent) {
+    if (in.program.blocks[outer].label == block.label) fix.safe = false;
+  }
   finding.fixes.push_back(std::move(fix));
 }
 
@@ -103,6 +107,26 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
   }
 }
 
+namespace {
+
+/// Whether an end at `line` would be this block's: no branch of the block around it comes in between, nor has an outer one
+/// its label.
+bool may_end_at(const Program& p, const Block& block, StatementId line) {
+  if (block.parent == kNoBlock) return true;
+  for (BlockId outer = block.parent; outer != kNoBlock; outer = p.blocks[outer].parent) {
+    if (p.blocks[outer].label == block.label) return false;
+  }
+  return std::ranges::none_of(p.parts[block.parent], [&](StatementId part) { return part > block.opener && part < line; });
+}
+
+/// Whether lines with the block's label follow, which would then be without it.
+bool comes_again(const Program& p, const Block& block, StatementId line) {
+  const auto lines = p.by_label[block.label];
+  return std::ranges::any_of(std::ranges::upper_bound(lines, line), lines.end(), [&](StatementId at) { return p.region_of[at] == block.region; });
+}
+
+}  // namespace
+
 void check_parts(const Input& in, Reporter& out, const std::function<bool(Keyword)>& wanted, std::string_view openers) {
   const Program& p = in.program;
   const auto report = [&](const FlowStop& s) -> Finding* {
@@ -115,10 +139,11 @@ void check_parts(const Input& in, Reporter& out, const std::function<bool(Keywor
       relate(f, p, block->opener, "`" + p.head_of(*block) + "` is open here");
       const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
       f.help = "write `" + right + "`";
+      if (!may_end_at(p, *block, s.statement)) return &f;
       if (block->label != line.label) {
-        f.fixes.push_back({"write `" + right + "`", true, {{line.head_span(), right}}});
+        f.fixes.push_back({"write `" + right + "`", !comes_again(p, *block, s.statement), {{line.head_span(), right}}, true});
       } else if (block->kind != Keyword::kDo) {
-        f.fixes.push_back({"write `" + right + "`", true, {{line.keyword_span(), std::string(spelling(end_of(block->kind)))}}});
+        f.fixes.push_back({"write `" + right + "`", true, {{line.keyword_span(), std::string(spelling(end_of(block->kind)))}}, true});
       }
       return &f;
     }

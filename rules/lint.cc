@@ -17,6 +17,14 @@ int longest_fit(std::string_view code, const std::vector<std::string>& prefixes)
   return longest;
 }
 
+/// Whether a fix changes the number of lines in a program that asks for it.
+bool moves_lines(const Program& program, const Fix& fix) {
+  if (program.syntax.names.find("_line") == kNoName) return false;
+  return std::ranges::any_of(fix.edits, [&](const Edit& edit) {
+    return std::ranges::count(edit.text, '\n') != std::ranges::count(program.source->slice(edit.span), '\n');
+  });
+}
+
 void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy, std::vector<Finding>& out) {
   for (const Rule* rule : catalogue()) {
     if (!selected(*rule, options)) continue;
@@ -26,6 +34,10 @@ void run_rules(const Input& input, const LintOptions& options, const SeverityPol
     rule->check(input, reporter);
     for (size_t i = first; i < out.size(); ++i) {
       out[i].severity = decide_severity(out[i], rule->level, rule->group == Group::kAbortList, policy);
+      for (Fix& fix : out[i].fixes) {
+        if (moves_lines(input.program, fix)) fix.safe = false;
+        if (fix.if_all_stop) fix.safe = fix.safe && out[i].stops && out[i].reach == Reach::kAlways;
+      }
     }
   }
 }

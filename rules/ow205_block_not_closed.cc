@@ -8,6 +8,19 @@
 namespace owlint::rules {
 namespace {
 
+/// Whether an end at the suggested line would be this block's: not inside a sub that stands in it, and no inner block with
+/// its label takes it.
+bool would_close(const Program& p, const Block& block) {
+  const auto next = std::ranges::lower_bound(p.syntax.statements, block.suggested_line, {}, &Statement::line);
+  const auto id = static_cast<StatementId>(next - p.syntax.statements.begin());
+  if (id < p.size() && p.region_of[id] != block.region && p.regions[p.region_of[id]].opener != id) return false;
+  return std::ranges::none_of(p.by_label[block.label], [&](StatementId line) {
+    const BlockId other = p.block_of[line];
+    if (line <= block.opener || line >= id || other == kNoBlock || p.blocks[other].opener != line) return false;
+    return p.blocks[other].region == block.region && p.blocks[other].end == kNoStatement;
+  });
+}
+
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const BlockId number = p.block_of[id];
@@ -21,7 +34,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     const Span line = p.source->line(block.suggested_line);
     f.related.push_back({line, "`" + end + "` most likely belongs before this line", nullptr});
     const Statement& opener = p.at(id);
-    if (block.kind != Keyword::kDo) {
+    if (block.kind != Keyword::kDo && would_close(p, block)) {
       f.fixes.push_back({"write `" + end + "` before line " + std::to_string(block.suggested_line), false,
                          {{{line.begin, line.begin}, indent_of(*p.source, opener) + end + line_end(*p.source, opener)}}});
     }

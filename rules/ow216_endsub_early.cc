@@ -21,7 +21,7 @@ void check(const Input& in, Reporter& out) {
     relate(f, p, region.end, "the last `endsub` stands here");
     f.help = "write `" + p.label_text(region.name) + " return` for an early way out";
     f.reach = in.flow.reach(region.early_end);
-    f.fixes.push_back({"write `return`", true, {{p.at(region.early_end).keyword_span(), "return"}}});
+    f.fixes.push_back({"write `return`", false, {{p.at(region.early_end).keyword_span(), "return"}}});
   }
 }
 

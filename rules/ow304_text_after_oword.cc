@@ -6,6 +6,12 @@
 namespace owlint::rules {
 namespace {
 
+/// Whether the words behind such a line were never dropped, and would be run where they are put.
+bool runs_on(Keyword keyword) {
+  return keyword == Keyword::kIf || keyword == Keyword::kWhile || keyword == Keyword::kDo || keyword == Keyword::kRepeat || keyword == Keyword::kCall ||
+         keyword == Keyword::kBreak || keyword == Keyword::kContinue || keyword == Keyword::kReturn;
+}
+
 Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
@@ -15,7 +21,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   const std::string written = std::string(spelling(s.keyword)) + text.substr(0, text.find_first_of(" \t([;"));
   const std::string near = s.keyword_to == s.rest_from ? nearest(written, {kKeywordSpellings.begin(), kKeywordSpellings.end()}) : std::string();
   const bool number = std::string_view("0123456789#-[,.").find(text[0]) != std::string_view::npos;
-  if (!near.empty() && near != written) {
+  if (!near.empty() && near != written && written.find_first_of("0123456789") == std::string::npos) {
     f.help = "write `" + near + "`";
     const Span word{s.offset + s.keyword_from, s.offset + s.rest_from + written.size() - spelling(s.keyword).size()};
     f.fixes.push_back({"write `" + near + "`", false, {{word, near}}});
@@ -28,7 +34,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
     const Source& source = *p.source;
     uint64_t blanks = s.rest_span().begin;
     while (blanks > s.offset && source.slice({blanks - 1, blanks}).find_first_of(" \t") == 0) --blanks;
-    f.fixes.push_back({"put it on a line of its own", stops, {{{blanks, s.rest_span().begin}, line_end(source, s) + indent_of(source, s)}}});
+    f.fixes.push_back({"put it on a line of its own", stops && runs_on(s.keyword), {{{blanks, s.rest_span().begin}, line_end(source, s) + indent_of(source, s)}}, true});
   }
   return &f;
 }

@@ -13,7 +13,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   const Source& source = *in.program.source;
   // A comment before it may stand on the line above as well.
   const uint64_t at = in.program.syntax.error(s)->span.begin;
-  f.fixes.push_back({"put the O-word on a line of its own", stops, {{{at, at}, line_end(source, s) + indent_of(source, s)}}});
+  f.fixes.push_back({"put the O-word on a line of its own", stops && !bounds_sub(s), {{{at, at}, line_end(source, s) + indent_of(source, s)}}, true});
   return &f;
 }
 

@@ -10,7 +10,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const LineError* error = in.program.syntax.error(in.program.at(id));
   Finding& f = out.add(error->span, "this O-word begins with the digit zero instead of the letter O");
   f.help = "write the letter `o`";
-  f.fixes.push_back({"write the letter `o`", true, {{{error->span.begin, error->span.begin + 1}, "o"}}});
+  f.fixes.push_back({"write the letter `o`", !bounds_sub(in.program.at(id)), {{{error->span.begin, error->span.begin + 1}, "o"}}, true});
   return &f;
 }
 

@@ -11,7 +11,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   f.help = "put the `/` before the `N`";
   const Statement& s = in.program.at(id);
   const uint64_t first = s.offset + indent_of(*in.program.source, s).size();
-  f.fixes.push_back({"put the `/` before the `N`", true, {{{first, first}, "/"}, {f.span, ""}}});
+  f.fixes.push_back({"put the `/` before the `N`", !bounds_sub(s), {{{first, first}, "/"}, {f.span, ""}}, true});
   return &f;
 }
 

@@ -37,6 +37,7 @@ struct Index {
   std::vector<StatementId> ends;          ///< M2, M30, M99, `%`
   std::vector<StatementId> stray_parts;   ///< parts and ends of blocks that belong to none, or close one by mistake
   std::vector<StatementId> odd_lines;     ///< with an open name, a NUL, a carriage return inside, or a refused character
+  mutable std::unordered_set<long> given_numbers;  ///< labels that fixes already take
   std::vector<std::pair<StatementId, StatementId>> shared_labels;  ///< openers of one region: first and later with its label
 
  private:

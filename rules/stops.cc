@@ -219,6 +219,8 @@ Fix move_up(const Program& program, StatementId first, StatementId last, Stateme
   return {std::move(title), false, {{{to, to}, std::move(lines)}, {{begin, end}, ""}}};
 }
 
+bool bounds_sub(const Statement& statement) { return statement.opens_sub() || statement.is(Keyword::kEndsub); }
+
 std::string file_name(const Source& source) {
   const std::string& path = source.path();
   return path.substr(path.rfind('/') + 1);
@@ -317,14 +319,16 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   return best == nullptr ? std::string() : *best;
 }
 
-std::string free_label(const Program& program, NameId label) {
+std::string free_label(const Input& in, NameId label) {
+  const Program& program = in.program;
   const std::string& text = program.name(label);
   if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string::npos) return {};
   constexpr long kTries = 200;
   const long first = std::stol(text) + 1;
   for (long number = first; number < first + kTries; ++number) {
     const NameId id = program.syntax.names.find(std::to_string(number));
-    if (id == kNoName || id >= program.by_label.size() || program.by_label[id].empty()) return "o" + std::to_string(number);
+    const bool used = id != kNoName && id < program.by_label.size() && !program.by_label[id].empty();
+    if (!used && in.index.given_numbers.insert(number).second) return "o" + std::to_string(number);
   }
   return {};
 }

@@ -51,6 +51,8 @@ StatementId outermost(const Program& program, StatementId statement);
 /// Moves the lines from `first` to `last` to before the line of `before`, which stands above them. Nobody knows what they
 /// do on the way: never safe.
 Fix move_up(const Program& program, StatementId first, StatementId last, StatementId before, std::string title);
+/// Whether a line begins or ends a sub: made one, it changes what a definition holds that was passed over before.
+bool bounds_sub(const Statement& statement);
 /// The last part of a file's path.
 std::string file_name(const Source& source);
 
@@ -60,7 +62,8 @@ std::string ordinal(size_t n);
 /// The nearest of `candidates` to `word` (edit distance at most a third of its length, or `limit`); empty if none is.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates, size_t limit = SIZE_MAX);
 
-/// A number that no O-word of the program uses, near `label`, as `o110`.
-std::string free_label(const Program& program, NameId label);
+/// A number that no O-word of the program uses, near `label`, as `o110`; each time another one, so that fixes can be made
+/// together.
+std::string free_label(const Input& in, NameId label);
 
 }  // namespace owlint::rules

@@ -38,6 +38,7 @@ struct Fix {
   std::string title;
   bool safe = false;
   std::vector<Edit> edits;
+  bool if_all_stop = false;  ///< safe only where every run stops at the finding: skipped, the line was no O-word before
 };
 
 /// Another stop of the interpreter that the same mistake leads to, on other runs. Not a finding of its own.

@@ -32,7 +32,9 @@ NameId own_name(const Program& program) {
 }  // namespace
 
 std::string label_text(const std::string& name) {
-  const bool number = !name.empty() && name.find_first_not_of("-0123456789") == std::string::npos;
+  // `o<0100>` is another label than `o100`.
+  const bool zero = name.size() > 1 && name[0] == '0';
+  const bool number = !name.empty() && !zero && name.find_first_not_of("-0123456789") == std::string::npos;
   return number ? "o" + name : "o<" + name + ">";
 }
 
