@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
+#include "analyzer/text/printable.h"
 
 namespace owlint::lsp {
 
@@ -75,18 +75,6 @@ std::string path_of_uri(const std::string& uri) {
   return path;
 }
 
-std::string uri_of_path(const std::string& path) {
-  constexpr std::string_view kPlain = "/-._~";
-  std::string uri = "file://";
-  for (const char c : path) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (letter || kPlain.find(c) != std::string_view::npos) {
-      uri.push_back(c);
-    } else {
-      uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return uri;
-}
+std::string uri_of_path(const std::string& path) { return "file://" + percent_encoded(path); }
 
 }  // namespace owlint::lsp

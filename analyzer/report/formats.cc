@@ -57,18 +57,4 @@ std::string whole_message(const Finding& finding, std::string_view separator) {
 
 const Source& source_of(const FileReport& file, const Finding& finding) { return finding.source == nullptr ? *file.source : *finding.source; }
 
-std::string percent_encoded(std::string_view path) {
-  constexpr std::string_view kPlain = "/-._~";
-  std::string out;
-  for (const char c : path) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (letter || kPlain.find(c) != std::string_view::npos) {
-      out.push_back(c);
-    } else {
-      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return out;
-}
-
 }  // namespace owlint

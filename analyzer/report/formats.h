@@ -48,7 +48,5 @@ std::string shown_path(const Source& source, const ReportStyle& style);
 std::string whole_message(const Finding& finding, std::string_view separator = "\n");
 /// The file that a finding is in.
 const Source& source_of(const FileReport& file, const Finding& finding);
-/// A path as part of a URI.
-std::string percent_encoded(std::string_view path);
 
 }  // namespace owlint

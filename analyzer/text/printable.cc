@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "analyzer/text/source.h"
 
 namespace owlint {
@@ -45,6 +47,20 @@ std::string printable_text(std::string_view text) {
     out += printable(text.substr(at, kept - at));
     if (kept < text.size()) out += text[kept];
     at = kept + 1;
+  }
+  return out;
+}
+
+std::string percent_encoded(std::string_view path) {
+  constexpr std::string_view kPlain = "/-._~";
+  std::string out;
+  for (const char c : path) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (letter || kPlain.find(c) != std::string_view::npos) {
+      out.push_back(c);
+    } else {
+      out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
   }
   return out;
 }

@@ -11,4 +11,7 @@ std::string printable(std::string_view bytes);
 /// The same for text of several lines: line ends and tabs stay.
 std::string printable_text(std::string_view bytes);
 
+/// A path as part of a URI.
+std::string percent_encoded(std::string_view path);
+
 }  // namespace owlint
