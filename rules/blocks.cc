@@ -109,9 +109,11 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
 
 namespace {
 
-/// Whether an end at `line` would be this block's: no branch of the block around it comes in between, nor has an outer one
-/// its label.
+/// Whether an end at `line` would be this block's: its sub is closed, and only behind it; no branch of the block around it
+/// comes in between, nor has an outer one its label.
 bool may_end_at(const Program& p, const Block& block, StatementId line) {
+  const Region& region = p.regions[block.region];
+  if (block.region != kMainRegion && (region.end == kNoStatement || region.early_end < line)) return false;
   if (block.parent == kNoBlock) return true;
   for (BlockId outer = block.parent; outer != kNoBlock; outer = p.blocks[outer].parent) {
     if (p.blocks[outer].label == block.label) return false;
