@@ -8,14 +8,6 @@
 namespace owlint::rules {
 namespace {
 
-/// Whether LinuxCNC does something at a comment where it is on a line without O-word. All such words but these stand before
-/// a comma.
-bool is_active(std::string_view comments) {
-  if (comments.find(',') != std::string_view::npos) return true;
-  const std::string small = small_letters(comments);
-  return std::ranges::any_of(std::initializer_list<std::string_view>{"probeopen", "probeclose", "logclose", "rpy"}, [&](std::string_view word) { return small.find(word) != std::string::npos; });
-}
-
 /// Whether nothing but comments and blanks is in `text`.
 bool only_comments(std::string_view text) {
   for (size_t at = 0; at < text.size(); ++at) {
@@ -38,12 +30,11 @@ void check(const Input& in, Reporter& out) {
     f.help = "put it on a line of its own: the documentation calls this undefined, though it runs";
     f.reach = in.flow.reach(id);
     if (!only_comments(line.substr(at))) continue;
-    // On a line of its own a MSG or PRINT would begin to work.
+    // Never safe: on a line of its own LinuxCNC tells the comment, and a MSG or PRINT would begin to work.
     const std::string comment(line.substr(at, line.find_last_not_of(" \t\r") + 1 - at));
-    const bool active = is_active(comment);
     size_t blanks = at;
     while (blanks > 0 && (line[blanks - 1] == ' ' || line[blanks - 1] == '\t')) --blanks;
-    f.fixes.push_back({"put it on the line above", !active, {{{s.offset, s.offset}, indent_of(*p.source, s) + comment + line_end(*p.source, s)},
+    f.fixes.push_back({"put it on the line above", false, {{{s.offset, s.offset}, indent_of(*p.source, s) + comment + line_end(*p.source, s)},
                                                              {{s.offset + blanks, s.offset + at + comment.size()}, ""}}});
   }
 }
