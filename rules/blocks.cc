@@ -127,6 +127,28 @@ bool comes_again(const Program& p, const Block& block, StatementId line) {
   return std::ranges::any_of(std::ranges::upper_bound(lines, line), lines.end(), [&](StatementId at) { return p.region_of[at] == block.region; });
 }
 
+/// A branch or a jump whose label no open block has: the innermost block around it that has such lines is probably meant.
+void add_label_fix(const Program& p, StatementId id, Finding& finding) {
+  const Statement& line = p.at(id);
+  const bool branch = line.is(Keyword::kElse) || line.is(Keyword::kElseif);
+  if ((!branch && !line.is(Keyword::kBreak) && !line.is(Keyword::kContinue)) || line.label == kNoName) return;
+  const auto place = [](const Block& b) { return std::pair(b.region, b.opener); };
+  const auto after = std::ranges::upper_bound(p.blocks, std::pair(p.region_of[id], id), {}, place);
+  if (after == p.blocks.begin() || std::prev(after)->region != p.region_of[id]) return;
+  for (auto number = static_cast<BlockId>(after - p.blocks.begin() - 1); number != kNoBlock; number = p.blocks[number].parent) {
+    const Block& block = p.blocks[number];
+    if (block.end == kNoStatement || block.end < id) continue;
+    if (branch ? block.kind != Keyword::kIf : block.kind != Keyword::kWhile && block.kind != Keyword::kDo) {
+      if (branch) return;  // a branch within another block is none of the `if` around that
+      continue;
+    }
+    const std::string label = p.label_text(block.label);
+    finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line) + " is meant";
+    finding.fixes.push_back({"write `" + label + "`", false, {{line.label_span(), label}}});
+    return;
+  }
+}
+
 }  // namespace
 
 void check_parts(const Input& in, Reporter& out, const std::function<bool(Keyword)>& wanted, std::string_view openers) {
@@ -173,7 +195,10 @@ void check_parts(const Input& in, Reporter& out, const std::function<bool(Keywor
       relate(f, p, region.early_end, "the definition ends here");
       f.help = "write `return` instead of the early `endsub`";
     }
-    if (f.help.empty()) f.help = "correct the label, or remove the line";
+    if (f.help.empty()) {
+      f.help = "correct the label, or remove the line";
+      add_label_fix(p, s.statement, f);
+    }
     return &f;
   };
   for_stops(in, out, report);

@@ -17,6 +17,8 @@ void check(const Input& in, Reporter& out) {
       const std::string_view near = nearest_rule(s.code);
       f.help = near.empty() ? "`owlint rules` lists the codes" : "write `" + std::string(near) + "`";
       f.reach = Reach::kAlways;
+      // LinuxCNC passes comments on, so no change of one is safe.
+      if (!near.empty()) f.fixes.push_back({"write `" + std::string(near) + "`", false, {{s.span, std::string(near)}}});
     }
   }
 }

@@ -1,9 +1,31 @@
 // OW002 suppression-unused: a suppression comment that suppresses no finding.
 // Rests on no fact of the interpreter: to LinuxCNC every suppression is an ordinary comment.
+#include <algorithm>
+
 #include "rules/stops.h"
 
 namespace owlint::rules {
 namespace {
+
+/// The code; with the blanks before it and the whole comment, or its line, where nothing else is left.
+Span removed(const Input& in, const Suppression& unused) {
+  const Source& source = *in.program.source;
+  const bool alone = std::ranges::count(in.suppressions, unused.comment.begin, [](const Suppression& s) { return s.comment.begin; }) == 1;
+  if (!alone) {
+    Span span = unused.span;
+    while (span.begin > unused.comment.begin && std::string_view(" ,\t").find(source.bytes()[span.begin - 1]) != std::string_view::npos) --span.begin;
+    return span;
+  }
+  const Span line = source.line(source.position(unused.comment.begin).line);
+  const std::string_view text = source.slice(line);
+  const uint64_t opened = line.begin + text.find_last_of("(;", unused.comment.begin - line.begin);
+  const bool bracket = source.bytes()[opened] == '(';
+  uint64_t closed = bracket ? line.begin + text.find(')', unused.comment.begin - line.begin) + 1 : line.end;
+  const std::string_view around = source.slice({line.begin, opened});
+  const bool whole = around.find_first_not_of(" \t") == std::string_view::npos && source.slice({closed, line.end}).find_first_not_of(" \t\r") == std::string_view::npos;
+  if (whole) return {line.begin, std::min<uint64_t>(line.end + 1, source.bytes().size())};
+  return {opened, closed};
+}
 
 void check(const Input& in, Reporter& out) {
   if (!in.suppressions_applied) return;
@@ -14,6 +36,7 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(s.span, "there is no finding of " + what + " " + where + " to ignore");
     f.help = "remove it";
     f.reach = Reach::kAlways;
+    f.fixes.push_back({"remove it", false, {{removed(in, s), ""}}});
   }
 }
 

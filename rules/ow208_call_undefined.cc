@@ -81,10 +81,12 @@ void check(const Input& in, Reporter& out) {
     }
     if (!near.empty()) {
       f.help = "write `" + label_text(near) + "`";
+      if (s.label != kNoName) f.fixes.push_back({f.help, false, {{s.label_span(), s.kind == LineKind::kM98 ? "P" + near : label_text(near)}}});
       relate(f, p, by_name.at(near)->opener, "`" + label_text(near) + "` is defined here");
     } else if (!near_file.empty()) {
       const auto file = in.linked.search_path().find(near_file);
       f.help = "did you mean `" + label_text(near_file) + "`, in " + (file ? file->path : near_file + ".ngc") + "?";
+      if (s.is(Keyword::kCall) && s.label != kNoName) f.fixes.push_back({"write `" + label_text(near_file) + "`", false, {{s.label_span(), label_text(near_file)}}});
     } else if (p.sub_file && machine) {
       f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {

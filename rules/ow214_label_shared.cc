@@ -31,6 +31,7 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` also opens " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
     relate(f, p, first, "`" + p.head(first) + "` is opened here");
     f.help = "give this block a label of its own: LinuxCNC stops as soon as one run meets both";
+    add_relabel_fix(in, later, f);
     f.reach = in.flow.reach(later);
     add_relabel_fix(in, later, f);
   }
