@@ -110,3 +110,23 @@ TEST_CASE("option --since takes changed and new files only", "[cli][since]") {
   CHECK(since("--output=x").status == 2);
   CHECK(!std::filesystem::exists(s.path() + "/x"));
 }
+
+TEST_CASE("from two hundred old findings to a check that fails on the next new one", "[cli][baseline]") {
+  const Scratch s;
+  std::filesystem::create_directory(s.path() + "/parts");
+  for (int i = 0; i < 200; ++i) {
+    std::string text = kBad;
+    for (size_t at = 0; (at = text.find("probe", at)) != std::string::npos; at += 5) text.replace(at, 5, "p" + std::to_string(1000 + i));
+    s.write("parts/part" + std::to_string(i) + ".ngc", text);
+  }
+  // The commands of docs/guide.md; none of these mistakes can be mended safely, for the subs may be called from elsewhere.
+  const auto owlint = [&](std::vector<std::string> arguments) { return owlint::test::owlint(arguments, {}, s.path()); };
+  CHECK(owlint({"--no-find-ini", "--format", "gcc", "parts"}).status == 1);
+  CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "--update-baseline", "parts"}).err.starts_with("200 known findings in known.json"));
+  CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "parts"}).status == 0);
+  s.write("parts/part7.ngc", "o9 endif\n" + read_file(s.path() + "/parts/part7.ngc"));
+  const Run next = owlint({"--no-find-ini", "--baseline", "known.json", "--format", "gcc", "parts"});
+  CHECK(next.status == 1);
+  CHECK(next.out.starts_with("parts/part7.ngc:1:1: error: "));
+  CHECK(std::ranges::count(next.out, '\n') == 1);
+}

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-"""Every JSON report of fixtures and corpus must be valid by the schema that owlint ships.
+"""Every JSON report of fixtures and corpus must be valid by the schema that owlint ships; so must a baseline be, and the
+schema of owlint.toml must take for right and wrong what owlint does.
 
-usage: schema_check.py --owlint build/test/owlint [--schema share/owlint-report-1.schema.json]
+usage: schema_check.py --owlint build/test/owlint
 
 Needs Debian's python3-jsonschema; without it ctest shows the test as not run.
 """
@@ -10,6 +11,8 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
+import tomllib
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 SKIPPED = 77
@@ -39,22 +42,65 @@ def wrong_reports(validator):
             yield "a finding with `%s` %r is valid" % (key, value)
 
 
+CONFIGURATIONS = (
+    (True, ""), (True, 'ini = "a.ini"'), (True, 'linuxcnc = "all"'), (True, "feature = 32"), (True, 'feature = "0x20"'), (True, "find-ini = false"),
+    (True, 'select = ["OW1", "OW304"]\nignore = []\nextend-select = ["OW311"]'), (True, '[severity]\nOW315 = "off"'),
+    (True, '[[overrides]]\nfiles = ["old/*"]\nignore = ["OW3"]\n[overrides.severity]\nOW2 = "info"'),
+    (False, "ini = 5"), (False, 'linuxcnc = "3.0"'), (False, "feature = -1"), (False, 'feature = "x"'), (False, 'find-ini = "no"'), (False, 'selekt = ["OW1"]'),
+    (False, 'select = "OW1"'), (False, 'select = ["X1"]'), (False, 'select = ["ow1"]'), (False, '[severity]\nOW315 = "fatal"'), (False, '[[overrides]]\nignore = ["OW3"]'),
+    (False, '[[overrides]]\nfiles = []'), (False, '[[overrides]]\nfiles = ["a"]\nini = "a.ini"'), (False, "[overrides]"),
+)
+
+
+def wrong_configurations(owlint, validator):
+    """Where owlint and the schema do not agree, or not on what is expected."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "owlint.toml")
+        for right, text in CONFIGURATIONS:
+            with open(path, "w", encoding="utf-8") as f:
+                f.write(text)
+            taken = subprocess.run([owlint, "config", "--check", path], capture_output=True).returncode == 0
+            valid = validator.is_valid(tomllib.loads(text))
+            if (taken, valid) != (right, right):
+                yield "owlint.toml %r: owlint says %s, the schema %s" % (text, taken, valid)
+
+
+def wrong_baselines(owlint, validator):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "known.json")
+        subprocess.run([owlint, "check", "--isolated", "--quiet", "--extend-select", "OW", "--baseline", path, "--update-baseline", os.path.join(ROOT, "tests", "programs")],
+                       capture_output=True, check=True)
+        with open(path, encoding="utf-8") as f:
+            baseline = json.load(f)
+    if len(baseline["findings"]) < 300:
+        yield "a baseline of %d findings" % len(baseline["findings"])
+    for error in validator.iter_errors(baseline):
+        yield "baseline: %s" % error.message[:200]
+    for wrong in ({}, {**baseline, "schema": "x"}, {**baseline, "findings": [{"file": "a"}]}, {**baseline, "findings": [{**baseline["findings"][0], "count": 1}]}):
+        if validator.is_valid(wrong):
+            yield "a wrong baseline is valid"
+
+
+def validator_of(jsonschema, name):
+    with open(os.path.join(ROOT, "share", "owlint-%s-1.schema.json" % name), encoding="utf-8") as f:
+        schema = json.load(f)
+    kind = jsonschema.validators.validator_for(schema)
+    kind.check_schema(schema)
+    return kind(schema)
+
+
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--owlint", required=True)
-    parser.add_argument("--schema", default=os.path.join(ROOT, "share", "owlint-report-1.schema.json"))
     options = parser.parse_args(argv)
     try:
         import jsonschema
     except ImportError:
         print("schema_check.py: skipped, python3-jsonschema is not installed")
         return SKIPPED
-    with open(options.schema, encoding="utf-8") as f:
-        schema = json.load(f)
-    kind = jsonschema.validators.validator_for(schema)
-    kind.check_schema(schema)
-    validator = kind(schema)
-    problems = list(wrong_reports(validator))
+    validator = validator_of(jsonschema, "report")
+    problems = [*wrong_reports(validator), *wrong_configurations(options.owlint, validator_of(jsonschema, "config")),
+                *wrong_baselines(options.owlint, validator_of(jsonschema, "baseline"))]
     files = findings = 0
     for more in RUNS:
         argv = [options.owlint, "check", "--isolated", "--format", "json", *more,
