@@ -185,6 +185,7 @@ class Analysis final : public Listener {
   std::map<std::pair<HazardKind, StatementId>, size_t> origins_;
   uint32_t next_key_ = 1;
   struct Memory {
+    Memory(KnownCalls& calls, CallKeys made) : known(calls), keys(std::move(made)) {}
     KnownCalls& known;
     CallKeys keys;
   };
