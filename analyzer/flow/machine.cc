@@ -128,7 +128,8 @@ const CalmStretch* Machine::pass_over(State& state, const Context& context) {
   const CalmStretch* stretch = calm_->at(state.position);
   if (stretch == nullptr) return nullptr;
   const bool called = context.depth > 0;
-  if (!structure_.structured_for(program_, program_.region_of[state.position], called ? context.sub : kNoName)) return nullptr;
+  // In a broken program, subs that are whole are gone through: which loops in them have no end depends on what comes later.
+  if (!structure_.regular && structure_.apart[program_.region_of[state.position]]) return nullptr;
   // A constant from before, or an argument that is not passed, may make a difference on the way; so may an unassigned name.
   for (const ParameterId p : calm_->reads(*stretch)) {
     if (!evaluator_.is_plain(p, state.parameters)) return nullptr;
