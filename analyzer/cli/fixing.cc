@@ -62,7 +62,7 @@ class Fixer {
   std::set<size_t> mend(const RunResult& run) {
     std::set<size_t> changed;
     for (const FileReport& report : run.reports) {
-      const auto known = place_.find(file_key(report.source->path() == "" ? "-" : report.source->path()));
+      const auto known = place_.find(file_key(report.source->path()));
       if (known == place_.end() || settings_[known->second] == nullptr) continue;
       const Round round = round_of_fixes(report.findings, unsafe_);
       if (round.made == 0) continue;
