@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does owlint print what README.md and docs/*.md say it prints?
 
-usage: docs_check.py --owlint build/test/owlint [--update] [DOCUMENT...]
+usage: docs_check.py --owlint build/release/owlint [--update] [DOCUMENT...]
 
 What a document may say, each fence and comment at the beginning of its line:
 

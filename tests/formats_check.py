@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Every report format must be valid by its own rules, and say what `--format json` says of the same run.
 
-usage: formats_check.py --owlint build/test/owlint
+usage: formats_check.py --owlint build/release/owlint
 
 Needs Debian's python3-jsonschema and python3-lxml. SARIF is also held against the official schema and the rules of the SARIF SDK's
 validator, an npm package: `npm ci` in tests/formats. What is missing makes ctest show the test as not run, unless what could be

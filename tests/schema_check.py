@@ -2,7 +2,7 @@
 """Every JSON report of fixtures and corpus must be valid by the schema that owlint ships; so must a baseline be, and the
 schema of owlint.toml must take for right and wrong what owlint does.
 
-usage: schema_check.py --owlint build/test/owlint
+usage: schema_check.py --owlint build/release/owlint
 
 Needs Debian's python3-jsonschema; without it ctest shows the test as not run.
 """

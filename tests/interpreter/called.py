@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does owlint say of programs that call files what each LinuxCNC version does with them?
 
-usage: called.py --owlint build/test/owlint [--random N] [--seed S]
+usage: called.py --owlint build/release/owlint [--random N] [--seed S]
 
 called/ holds programs that call subs in other files, with a machine's INI; called/outcomes.tsv what four versions of
 LinuxCNC's interpreter did with each.  A run that stops must be claimed by a finding that stops and quotes the

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does LinuxCNC's interpreter do what owlint says of every program in the repository?
 
-usage: confirm.py --owlint build/test/owlint [--record] [--only TEXT]
+usage: confirm.py --owlint build/release/owlint [--record] [--only TEXT]
 
 Runs `rs274 -g` over the fixtures (tests/programs), the corpus, the examples on every rule's page and the table of
 expressions (tests/unit/expressions.tsv), and holds the outcomes against owlint's findings: each stop is claimed by a

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does owlint read INIs as LinuxCNC's own `inivar` does?  Random files in which every rule of the format is tried.
 
-usage: ini.py --owlint build/test/owlint --values build/test/tests/ini_values [--count N] [--seed S]
+usage: ini.py --owlint build/release/owlint --values build/release/tests/ini_values [--count N] [--seed S]
 """
 import argparse
 import os

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Holds owlint against the measured outcomes of the probe programs, in all three modes.
 
-usage: probes.py --owlint build/test/owlint [FOLDER]
+usage: probes.py --owlint build/release/owlint [FOLDER]
 
 FOLDER has outcomes.tsv and probes/; it lies beside the repository (../shared/interpreter) and not in it, so that
 without it there is nothing to do. Modes: default; warnonly (`--feature 0x20`); mask (the INI's FEATURE mask, which

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Is every complaint about the INIs of LinuxCNC's own sample configurations true?
 
-usage: samples.py --owlint build/test/owlint
+usage: samples.py --owlint build/release/owlint
 
 Reads each INI below the package's sample-configs with owlint, and asks `inivar` and the file system what is really there:
 the mask of OW408 must be set, the folder of OW407 must be missing, the file of OW208 and OW402 must be in no folder of the

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Do the git hooks stop a commit of a faulty program, and no other? Do the CI jobs of docs/ci.md do what they say?
 
-usage: pre_commit.py --owlint build/test/owlint
+usage: pre_commit.py --owlint build/release/owlint
 
 Real commits in scratch repositories, with each of the three hooks: `owlint-system` and `owlint` of pre-commit, set up with
 the configuration that docs/ci.md shows, and the plain hook share/hooks/pre-commit.  Then the examples of CI jobs in docs/ci.md
