@@ -80,7 +80,7 @@ class Check {
   Check(const Profile& profile, const LintOptions& options, Library& library) : profile_(profile), options_(options), library_(library) {}
 
   ProgramReport run(const std::shared_ptr<const Program>& program) {
-    Linked linked(program, profile_, library_);
+    Linked linked(program, profile_, library_, options_.notes_inputs);
     flow::KnownCalls* const known = options_.known_calls;
     if (known == nullptr) return report(program, linked, analyze_flow(linked, profile_, options_.detail));
     known->next_check();
@@ -96,6 +96,7 @@ class Check {
     ProgramReport out;
     out.sub_file = program->sub_file;
     out.only_definitions = program->regions.size() > 1 && does_nothing(*program);
+    out.role_matters = !program->sub_file && defines_own_name(*program);
     out.own = check_file(program, flow[0], linked, true);
     out.own.statistics = flow[0].statistics;
     for (size_t i = 1; i < linked.files().size(); ++i) {
@@ -106,7 +107,15 @@ class Check {
       if (!called.findings.empty()) out.called.push_back(std::move(called));
     }
     if (profile_.may_be_python()) out.python = unknown_names(linked);
+    if (options_.notes_inputs) out.inputs = inputs_of(linked);
     return out;
+  }
+
+  static Inputs inputs_of(const Linked& linked) {
+    const Answers& answers = linked.search_path();
+    Inputs inputs{answers.path(), answers.noted(), {}, answers.compared()};
+    for (size_t i = 1; i < linked.files().size(); ++i) inputs.called.push_back(linked.files()[i].program->source);
+    return inputs;
   }
 
   FileReport check_file(const std::shared_ptr<const Program>& program, const FlowResult& flow, const Linked& linked, bool own) const {
@@ -214,6 +223,13 @@ ProgramReport check_all_versions(const std::shared_ptr<const Program>& program, 
     report.python = std::move(r.python);
     report.sub_file = r.sub_file;
     report.only_definitions = r.only_definitions;
+    report.role_matters = r.role_matters;
+    // What is asked may differ from version to version.
+    auto& answers = report.inputs.answers;
+    answers.insert(answers.end(), r.inputs.answers.begin(), r.inputs.answers.end());
+    report.inputs.search_path = r.inputs.search_path;
+    report.inputs.called.insert(report.inputs.called.end(), r.inputs.called.begin(), r.inputs.called.end());
+    report.inputs.compared.merge(r.inputs.compared);
   }
   join_versions(report.own.findings, std::move(own));
   for (const auto& source : order) {
@@ -278,7 +294,7 @@ void merge_findings(FileReport& into, std::vector<Finding> findings) {
     for (Related& related : f.related) {
       if (related.source == nullptr || same->related.size() >= kMaxCalls) continue;
       const bool known = std::ranges::any_of(same->related, [&](const Related& r) {
-        return r.source == related.source && r.span == related.span;
+        return r.source != nullptr && r.source->path() == related.source->path() && r.span == related.span;
       });
       if (!known) same->related.push_back(std::move(related));
     }

@@ -2,10 +2,12 @@
 // applies suppressions. All front ends come through here.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "analyzer/findings/severity.h"
+#include "analyzer/machine/answers.h"
 #include "rules/rule.h"
 
 namespace owlint {
@@ -18,6 +20,7 @@ struct LintOptions {
   std::map<std::string, Severity, std::less<>> severity;
   Detail detail = Detail::kBySize;
   flow::KnownCalls* known_calls = nullptr;  ///< an editor's memory of this one program; see known_calls.h
+  bool notes_inputs = false;  ///< ProgramReport::inputs is wanted
   bool all_versions = false;  ///< every supported LinuxCNC version, not only the profile's
 };
 
@@ -28,6 +31,14 @@ struct FileReport {
   FlowStatistics statistics;
 };
 
+/// What a program's report rests on besides its own bytes, the machine and the options.
+struct Inputs {
+  std::shared_ptr<const SearchPath> search_path;
+  std::vector<Answer> answers;
+  std::vector<std::shared_ptr<const Source>> called;  ///< all files that it calls
+  std::set<std::string> compared;                     ///< keys of files of which the bytes were compared with others
+};
+
 /// The result for one program and the files that it calls.
 struct ProgramReport {
   FileReport own;
@@ -36,6 +47,8 @@ struct ProgramReport {
   std::vector<std::string> python;  ///< called names found nowhere that may be functions of the INI's Python module
   bool sub_file = false;            ///< checked as a file that others call
   bool only_definitions = false;    ///< it defines subs and does nothing else
+  bool role_matters = false;        ///< it would be checked otherwise as a file that others call
+  Inputs inputs;                    ///< where they are wanted
 };
 
 /// Whether a file is taken for a program or for one that others call, where its content does not decide.

@@ -18,7 +18,7 @@ StatementId opener_of_target(const Program& p, const Call& call) { return p.regi
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  const SearchPath& search = in.linked.search_path();
+  const Answers& search = in.linked.search_path();
   std::unordered_set<NameId> told;
   const auto is_own = [&](const FoundFile& file) { return file_key(file.path) == file_key(p.source->path()); };
   for (const Call& call : p.calls) {

@@ -76,10 +76,10 @@ class Check {
 
   /// Files, their settings, and how they are read.
   bool find_files() {
-    Walk found = walk(line_.paths);
+    Walk found = walk(line_.paths, line_.walk);
     for (const std::string& problem : found.problems) trouble(problem);
     for (const std::string& folder : found.empty) complain("no programs in " + folder + " (*.ngc *.nc *.tap *.cnc *.gcode)");
-    files_ = std::move(found.files);
+    for (WalkedFile& file : found.files) files_.push_back(std::move(file.path));
     if (const auto input = std::ranges::find(files_, "-"); input != files_.end()) {
       *input = line_.stdin_filename;
       stdin_ = Source::own(line_.stdin_filename, std::string{std::istreambuf_iterator<char>(std::cin), {}});

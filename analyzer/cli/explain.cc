@@ -100,18 +100,21 @@ int graph_command(const CommandLine& line, const std::string& format) {
     return kUsage;
   }
   Library library;
-  const Linked linked(library.load(source), settings.profile, library);
+  const auto program = library.load(source);
+  const Linked linked(program, settings.profile, library);
+  const bool marks = format == "svg" || format == "dot";
+  const std::vector<Finding> findings = marks ? lint(program, settings.profile, settings.options, library).own.findings : std::vector<Finding>();
   if (format == "json") {
     write_graph_json(std::cout, linked);
   } else if (format == "mermaid") {
     write_graph_mermaid(std::cout, linked);
   } else if (format == "svg") {
-    if (const std::string problem = write_graph_svg(std::cout, linked); !problem.empty()) {
+    if (const std::string problem = write_graph_svg(std::cout, linked, findings); !problem.empty()) {
       complain(problem);
       return kUsage;
     }
   } else {
-    write_graph_dot(std::cout, linked);
+    write_graph_dot(std::cout, linked, findings);
   }
   return kClean;
 }

@@ -14,7 +14,7 @@
 namespace owlint::cli {
 
 int format_command(const CommandLine& line, bool check, bool diff) {
-  const Walk found = walk(line.paths);
+  const Walk found = walk(line.paths, line.walk);
   int status = kClean;
   const auto trouble = [&](const std::string& message) {
     complain(message);
@@ -22,7 +22,7 @@ int format_command(const CommandLine& line, bool check, bool diff) {
   };
   for (const std::string& problem : found.problems) trouble(problem);
   size_t changed = 0;
-  for (const std::string& path : found.files) {
+  for (const auto& [path, stamp, bytes] : found.files) {
     std::string error;
     const bool standard = path == "-";
     const auto source = standard ? Source::own("<stdin>", std::string{std::istreambuf_iterator<char>(std::cin), {}}) : Source::map(path, &error);

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <functional>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
 
+#include "analyzer/cli/audit.h"
 #include "analyzer/cli/commands.h"
 #include "analyzer/cli/generate.h"
 #include "analyzer/report/formats.h"
@@ -14,12 +16,21 @@
 
 namespace {
 
+using owlint::cli::AuditLine;
 using owlint::cli::CommandLine;
+using owlint::cli::WalkOptions;
 
-constexpr std::array<std::string_view, 8> kCommands = {"check", "graph", "explain", "rules", "fmt", "lsp", "config", "generate"};
+constexpr std::array<std::string_view, 9> kCommands = {"check", "audit", "graph", "explain", "rules", "fmt", "lsp", "config", "generate"};
 
-void add_check_options(CLI::App& app, CommandLine& line) {
-  app.add_option("PATH", line.paths, "programs, folders (searched for *.ngc *.nc *.tap *.cnc *.gcode), or - for standard input")->required();
+/// Which files are programs.
+void add_walk_options(CLI::App& app, WalkOptions& walk) {
+  app.add_option("--exclude", walk.exclude, "leave these files and folders out: a pattern as in .gitignore")->allow_extra_args(false)->type_name("PATTERN")->group("Files");
+  app.add_option("--include", walk.include, "files in folders whose names fit are programs as well, as *.txt")->allow_extra_args(false)->type_name("PATTERN")->group("Files");
+  app.add_flag("--ignore-files,!--no-ignore-files", walk.ignore_files, "leave out what .gitignore and .owlintignore in the folders say (default)")->group("Files");
+}
+
+/// Which machine, and which rules: the same wherever programs are checked.
+void add_settings_options(CLI::App& app, CommandLine& line) {
   app.add_option("--ini", line.ini, "INI file of the machine that runs the programs")->type_name("FILE")->group("Machine");
   app.add_flag("--find-ini,!--no-find-ini", line.find_ini, "without --ini, use the machine INI in the nearest folder above the programs, if there is just one (default)")->group("Machine");
   app.add_option("--feature", line.feature, "FEATURE mask, as 32 or 0x20; 0x20 makes OW101 to OW108 warnings")->type_name("MASK")->group("Machine");
@@ -31,6 +42,20 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("--fail-on", line.fail_on, "exit with 1 from this severity on")->check(CLI::IsMember({"error", "warning", "info"}))->type_name("error|warning|info")->capture_default_str()->group("Rules");
   app.add_option("--config", line.config, "use this owlint.toml instead of the nearest one above each file")->type_name("FILE")->group("Rules");
   app.add_flag("--isolated", line.isolated, "use no owlint.toml")->group("Rules");
+}
+
+std::string format_names(bool for_people) {
+  std::vector<std::string> names;
+  for (const owlint::Format& format : owlint::formats()) {
+    if (for_people || !format.for_people) names.emplace_back(format.name);
+  }
+  return fmt::format("{}", fmt::join(names, "|"));
+}
+
+void add_check_options(CLI::App& app, CommandLine& line) {
+  app.add_option("PATH", line.paths, "programs, folders (searched for *.ngc *.nc *.tap *.cnc *.gcode), or - for standard input")->required();
+  add_settings_options(app, line);
+  add_walk_options(app, line.walk);
   app.add_flag("--fix", line.fix, "mend what can be mended safely: a program that ran does the same afterwards")->group("Mend");
   app.add_flag("--unsafe", line.unsafe, "mend the rest as well, where it is known how; look at what comes out")->group("Mend");
   app.add_flag("--fix-only", line.fix_only, "mend, and report nothing")->group("Mend");
@@ -42,7 +67,7 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("--since", line.since, "only files that have changed since this git revision, or are new")->type_name("REV")->group("Old findings");
   std::vector<std::string> names;
   for (const owlint::Format& format : owlint::formats()) names.emplace_back(format.name);
-  app.add_option("--format", line.format, "how findings are written")->check(CLI::IsMember(names))->type_name(fmt::format("{}", fmt::join(names, "|")))->capture_default_str()->group("Output");
+  app.add_option("--format", line.format, "how findings are written")->check(CLI::IsMember(names))->type_name(format_names(true))->capture_default_str()->group("Output");
   app.add_option("--output", line.output, "write the report to a file")->type_name("FILE")->group("Output");
   app.add_option("--color", line.color, "colours in the text")->check(CLI::IsMember({"auto", "always", "never"}))->type_name("auto|always|never")->capture_default_str()->group("Output");
   app.add_option("--stdin-filename", line.stdin_filename, "what standard input is called in the report")->type_name("NAME")->group("Output");
@@ -50,6 +75,71 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_flag("--coarse", line.coarse, "analyse every program like a very large one")->group("");  // for tests, not shown
   app.add_flag("-q,--quiet", line.quiet, "no summary line")->group("Output");
   app.add_option("--jobs", line.jobs, "files checked at the same time (default: one per core)")->type_name("N")->group("Output");
+}
+
+/// `owlint audit` with its own commands, which come back as what they run.
+std::function<int()> add_audit(CLI::App& app, AuditLine& line, CLI::App*& audit) {
+  audit = app.add_subcommand("audit", "check a whole store of programs again and again: only what has changed is analysed");
+  CommandLine& check = line.check;
+  const auto store = [&](CLI::App& command) { command.add_option("--store", line.store, "the SQLite file that keeps what was found")->type_name("FILE")->capture_default_str(); };
+  const auto quiet = [&](CLI::App& command) { command.add_flag("-q,--quiet", check.quiet, "no summary"); };
+  const auto color = [&](CLI::App& command) { command.add_option("--color", check.color, "colours in the text")->check(CLI::IsMember({"auto", "always", "never"}))->type_name("auto|always|never")->capture_default_str(); };
+  const auto run = [&](CLI::App& command) { command.add_option("RUN", line.run, "a number of `owlint audit list`, last, last-1, or STORE:RUN")->capture_default_str(); };
+
+  audit->add_option("PATH", check.paths, "folders and programs");
+  store(*audit);
+  audit->add_option("--report", line.report, "write the page: one HTML file that needs nothing else")->type_name("FILE");
+  audit->add_flag("--fail-on-new", line.fail_on_new, "exit with 1 only for findings that the run before had not");
+  audit->add_flag("--watch", line.watch, "go on, and audit again whenever a program is saved");
+  audit->add_option("--shard", line.shard, "only one part of the programs, as 1/4: for several machines, see `merge`")->type_name("I/N");
+  audit->add_flag("--wait", line.wait, "wait where another audit is using the store");
+  audit->add_option("--jobs", check.jobs, "programs checked at the same time (default: one per core)")->type_name("N");
+  quiet(*audit);
+  color(*audit);
+  add_settings_options(*audit, check);
+  add_walk_options(*audit, check.walk);
+
+  CLI::App* list = audit->add_subcommand("list", "list the runs of a store");
+  store(*list);
+  CLI::App* show = audit->add_subcommand("show", "show the findings of a run");
+  run(*show);
+  store(*show);
+  color(*show);
+  quiet(*show);
+  CLI::App* exported = audit->add_subcommand("export", "write the findings of a run for other programs");
+  run(*exported);
+  store(*exported);
+  std::vector<std::string> names;
+  for (const owlint::Format& format : owlint::formats()) {
+    if (!format.for_people) names.emplace_back(format.name);
+  }
+  exported->add_option("--format", check.format, "how findings are written")->check(CLI::IsMember(names))->type_name(format_names(false))->required();
+  exported->add_option("--output", check.output, "write to a file")->type_name("FILE");
+  CLI::App* diff = audit->add_subcommand("diff", "what is new and what is gone from one run to another");
+  diff->add_option("A", line.from, "the older run: a number, last-1, STORE or STORE:RUN")->required();
+  diff->add_option("B", line.to, "the newer run")->required();
+  store(*diff);
+  diff->add_option("--fail-on", check.fail_on, "exit with 1 for new findings from this severity on")->check(CLI::IsMember({"error", "warning", "info"}))->type_name("error|warning|info")->capture_default_str();
+  color(*diff);
+  quiet(*diff);
+  CLI::App* merge = audit->add_subcommand("merge", "put the stores of all shards of a job together");
+  merge->add_option("STORE", line.stores, "a store for each shard")->required();
+  store(*merge);
+  merge->add_flag("--wait", line.wait, "wait where another audit is using the store");
+  quiet(*merge);
+  audit->require_subcommand(0, 1);
+  audit->footer("A folder that is named like one of the commands is written with a slash: `owlint audit ./show`.");
+  return [=, &line]() -> int {
+    if (list->parsed()) return owlint::cli::audit_list_command(line);
+    if (show->parsed() || exported->parsed()) return owlint::cli::audit_show_command(line);
+    if (diff->parsed()) return owlint::cli::audit_diff_command(line);
+    if (merge->parsed()) return owlint::cli::audit_merge_command(line);
+    if (line.check.paths.empty()) {
+      owlint::cli::complain("`owlint audit` needs a PATH: a folder of programs");
+      return owlint::cli::kUsage;
+    }
+    return owlint::cli::audit_command(line);
+  };
 }
 
 /// What somebody who reports a fault is asked for.
@@ -73,6 +163,10 @@ int run(std::vector<std::string> arguments) {
   CLI::App* check = app.add_subcommand("check", "lint programs");
   add_check_options(*check, line);
   check->footer("Silence a finding with a comment on the line before it: (owlint: ignore OW304 -- reason)");
+
+  AuditLine audit_line;
+  CLI::App* audit = nullptr;
+  const std::function<int()> run_audit = add_audit(app, audit_line, audit);
 
   CommandLine graph_line;
   graph_line.paths.resize(1);
@@ -139,6 +233,7 @@ int run(std::vector<std::string> arguments) {
     return status == 0 ? owlint::cli::kClean : owlint::cli::kUsage;
   }
   if (check->parsed()) return owlint::cli::check_command(line);
+  if (audit->parsed()) return run_audit();
   if (graph->parsed()) return owlint::cli::graph_command(graph_line, graph_format);
   if (format->parsed()) return owlint::cli::format_command(format_line, format_check, format_diff);
   if (config->parsed()) return owlint::cli::config_command(config_line, config_check);

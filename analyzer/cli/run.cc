@@ -1,9 +1,10 @@
 #include "analyzer/cli/run.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <mutex>
-#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,23 +15,6 @@ namespace owlint::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The files that machines call without any program: remaps, ngcgui, buttons, the start.
-std::set<std::string> called_by_machines(const std::vector<const Settings*>& settings) {
-  std::set<const MachineSetup*> machines;
-  for (const Settings* s : settings) {
-    if (s != nullptr && s->profile.setup != nullptr) machines.insert(s->profile.setup.get());
-  }
-  std::set<std::string> files;
-  for (const MachineSetup* machine : machines) {
-    for (const IniCall& call : machine->calls) {
-      for (const std::string& name : called_names(call.code)) {
-        if (const auto file = machine->search_path->find(name)) files.insert(file_key(file->path));
-      }
-    }
-  }
-  return files;
-}
 
 /// Of a file that some program of the run calls, what depends on the caller is known from there.
 void drop_guesses(FileReport& report) {
@@ -55,61 +39,63 @@ void drop_ends(FileReport& report) {
 
 }  // namespace
 
-RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
-                     const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     Library& library, const std::set<std::string>& called_elsewhere,
-                     const std::function<void(size_t done)>& checked) {
-  RunResult result;
-  result.errors.resize(files.size());
-  const std::set<std::string> by_machines = called_by_machines(settings);
-  std::vector<ProgramReport> programs(files.size());
-  const auto check = [&](size_t i, Role role) {
-    const auto source = read(files[i], &result.errors[i]);
-    if (source == nullptr) return;
-    programs[i] = lint(library.load(source), settings[i]->profile, settings[i]->options, library, role);
-  };
-  std::mutex telling;
-  size_t done = 0;
-  for_each(files.size(), [&](size_t i) {
-    if (checked) {
-      const std::lock_guard lock(telling);
-      checked(done++);
+std::set<std::string> called_by_machines(const std::vector<const Settings*>& settings) {
+  std::set<const MachineSetup*> machines;
+  for (const Settings* s : settings) {
+    if (s != nullptr && s->profile.setup != nullptr) machines.insert(s->profile.setup.get());
+  }
+  std::set<std::string> files;
+  for (const MachineSetup* machine : machines) {
+    for (const IniCall& call : machine->calls) {
+      for (const std::string& name : called_names(call.code)) {
+        if (const auto file = machine->search_path->find(name)) files.insert(file_key(file->path));
+      }
     }
-    if (settings[i] != nullptr) check(i, by_machines.contains(file_key(files[i])) ? Role::kSubFile : Role::kByContent);
-  });
+  }
+  return files;
+}
 
+Checked check_file(const std::shared_ptr<const Source>& source, const Settings& settings, Library& library, bool by_machine) {
+  const auto program = library.load(source);
+  Checked checked;
+  checked.report = lint(program, settings.profile, settings.options, library, by_machine ? Role::kSubFile : Role::kByContent);
+  if (checked.report.role_matters) checked.as_sub = lint(program, settings.profile, settings.options, library, Role::kSubFile);
+  checked.among_subs = among_subs(source->path(), settings);
+  return checked;
+}
+
+std::vector<FileReport> check_machines(const std::vector<const Settings*>& settings, Library& library) {
+  std::vector<FileReport> reports;
+  std::set<const MachineSetup*> machines;
+  for (const Settings* s : settings) {
+    if (s == nullptr || s->profile.setup == nullptr || !machines.insert(s->profile.setup.get()).second) continue;
+    std::ranges::move(lint_setup(s->profile, s->options, library), std::back_inserter(reports));
+  }
+  return reports;
+}
+
+RunResult put_together(const std::vector<std::string>& files, std::vector<Checked> checked, std::vector<FileReport> machines,
+                       std::set<std::string> called) {
+  RunResult result;
   // Files that others turned out to call are no programs, whatever else stands in them.
-  std::set<std::string> called = called_elsewhere;
   for (size_t i = 0; i < files.size(); ++i) {
-    for (const std::string& path : programs[i].calls) {
+    for (const std::string& path : checked[i].report.calls) {
       if (file_key(path) != file_key(files[i])) called.insert(file_key(path));
     }
   }
-  for (size_t i = 0; i < files.size(); ++i) {
-    if (programs[i].only_definitions && among_subs(files[i], *settings[i])) drop_ends(programs[i].own);
-  }
-  std::vector<size_t> again;
-  for (size_t i = 0; i < files.size(); ++i) {
-    if (programs[i].own.source == nullptr || !called.contains(file_key(files[i]))) continue;
-    if (programs[i].sub_file) {
-      drop_guesses(programs[i].own);
-    } else {
-      again.push_back(i);
-    }
-  }
-  for_each(again.size(), [&](size_t i) {
-    check(again[i], Role::kSubFile);
-    ProgramReport& program = programs[again[i]];
-    program.sub_file ? drop_guesses(program.own) : drop_ends(program.own);
-  });
-
-  for (ProgramReport& program : programs) result.calls.push_back(program.calls);
-
   std::map<std::string, size_t> place;  // of a file's report
   for (size_t i = 0; i < files.size(); ++i) {
-    if (programs[i].own.source == nullptr) continue;
-    place.emplace(file_key(files[i]), result.reports.size());
-    result.reports.push_back(std::move(programs[i].own));
+    ProgramReport& program = checked[i].report;
+    if (program.own.source != nullptr) {
+      if (program.only_definitions && checked[i].among_subs) drop_ends(program.own);
+      if (called.contains(file_key(files[i]))) {
+        if (checked[i].as_sub) program = std::move(*checked[i].as_sub);
+        program.sub_file ? drop_guesses(program.own) : drop_ends(program.own);
+      }
+      place.emplace(file_key(files[i]), result.reports.size());
+      result.reports.push_back(std::move(program.own));
+    }
+    result.calls.push_back(std::move(program.calls));
   }
   std::map<std::string, FileReport> others;
   const auto add = [&](FileReport report) {
@@ -120,19 +106,37 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
     merge_findings(into, std::move(report.findings));
   };
   std::set<std::string> python;
-  for (ProgramReport& program : programs) {
-    for (FileReport& report : program.called) add(std::move(report));
-    python.insert(program.python.begin(), program.python.end());
+  for (Checked& file : checked) {
+    for (FileReport& report : file.report.called) add(std::move(report));
+    python.insert(file.report.python.begin(), file.report.python.end());
   }
-  std::set<const MachineSetup*> machines;
-  for (const Settings* s : settings) {
-    if (s == nullptr || s->profile.setup == nullptr || !machines.insert(s->profile.setup.get()).second) continue;
-    for (FileReport& report : lint_setup(s->profile, s->options, library)) add(std::move(report));
-  }
+  for (FileReport& report : machines) add(std::move(report));
   for (auto& [key, report] : others) result.reports.push_back(std::move(report));
   if (!python.empty()) {
     result.notes.push_back(fmt::format("not found as subs or files, and taken for functions of the INI's [PYTHON] module: {}", fmt::join(python, ", ")));
   }
+  return result;
+}
+
+RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
+                     const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
+                     Library& library, const std::set<std::string>& called_elsewhere,
+                     const std::function<void(size_t done)>& checked) {
+  std::vector<std::string> errors(files.size());
+  const std::set<std::string> by_machines = called_by_machines(settings);
+  std::vector<Checked> all(files.size());
+  std::mutex telling;
+  size_t done = 0;
+  for_each(files.size(), [&](size_t i) {
+    if (checked) {
+      const std::lock_guard lock(telling);
+      checked(done++);
+    }
+    if (settings[i] == nullptr) return;
+    if (const auto source = read(files[i], &errors[i])) all[i] = check_file(source, *settings[i], library, by_machines.contains(file_key(files[i])));
+  });
+  RunResult result = put_together(files, std::move(all), check_machines(settings, library), called_elsewhere);
+  result.errors = std::move(errors);
   return result;
 }
 

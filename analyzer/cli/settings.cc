@@ -263,6 +263,23 @@ std::string Configuration::ini_above(const std::string& program) {
   return found;
 }
 
+/// A path for findings and messages.
+std::string Configuration::told(const std::string& path) const {
+  std::error_code ignored;
+  return line_.absolute ? file_key(path) : fs::proximate(path, ignored).string();
+}
+
+std::shared_ptr<const Settings> Configuration::shared_settings(const std::string& path, std::string* error) {
+  const std::string folder = path.substr(0, path.rfind('/') + 1);
+  if (last_shared_ != nullptr && folder == last_folder_) return last_shared_;
+  auto settings = std::make_shared<Settings>();
+  if (!settings_for(path, settings.get(), error)) return nullptr;
+  const File* file = line_.config ? load(*line_.config, error) : line_.isolated ? nullptr : nearest(path, error);
+  last_folder_ = folder;
+  last_shared_ = file == nullptr || file->overrides.empty() ? settings : nullptr;
+  return settings;
+}
+
 bool Configuration::settings_for(const std::string& path, Settings* settings, std::string* error) {
   const File* file = nullptr;
   error->clear();
@@ -288,6 +305,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   };
   const auto line_of = [&](std::string_view key) { return fmt::format("{}:{}", file->path, file->lines.find(key)->second); };
   std::optional<std::string> ini = line_.ini;
+  if (ini && line_.absolute) ini = told(*ini);
   if (ini) note("ini", *ini, "command line");
   std::optional<std::string> version = line_.linuxcnc;
   Profile& profile = settings->profile;
@@ -295,8 +313,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   if (file != nullptr) {
     if (!ini && file->ini) {
       // Relative, so that the paths of called files are as short as those of the programs.
-      std::error_code outside;
-      ini = fs::proximate(fs::path(file->folder) / *file->ini, outside).string();
+      ini = told((fs::path(file->folder) / *file->ini).string());
       note("ini", *ini, line_of("ini"));
     }
     if (!version && file->linuxcnc) {
@@ -337,9 +354,8 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     }
   }
   if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
-    std::error_code ignored;
     if (const std::string above = ini_above(path); !above.empty()) {
-      ini = fs::proximate(above, ignored).string();
+      ini = told(above);
       note("ini", *ini, "found above the program");
     }
   }

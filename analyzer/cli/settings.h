@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/cli/walk.h"
 #include "analyzer/machine/profile.h"
 #include "rules/lint.h"
 
@@ -15,6 +16,7 @@ namespace owlint::cli {
 /// What the command line says; unset where it is silent.
 struct CommandLine {
   std::vector<std::string> paths;
+  WalkOptions walk;
   std::optional<std::string> ini, feature, linuxcnc, config;
   std::vector<std::string> select, extend_select, ignore;
   std::vector<std::string> severity;  ///< CODE=LEVEL
@@ -30,6 +32,7 @@ struct CommandLine {
   bool fix = false, unsafe = false, diff = false, fix_only = false;
   std::string baseline, since, reason;  ///< empty where not given
   bool update_baseline = false, add_suppressions = false;
+  bool absolute = false;  ///< paths that findings name are absolute: they stay right wherever owlint is started
   bool coarse = false;   ///< for tests: analyse every program like a very large one
   bool find_ini = true;  ///< look for a machine INI above the programs
 };
@@ -60,6 +63,9 @@ class Configuration {
   /// The settings for a file; false and a message when a configuration, INI or option is wrong.
   bool settings_for(const std::string& path, Settings* settings, std::string* error);
 
+  /// The same, shared by the files of a folder where no override tells them apart; null and a message for an error.
+  std::shared_ptr<const Settings> shared_settings(const std::string& path, std::string* error);
+
   /// What users should know of the settings that were found, each told once.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -71,7 +77,11 @@ class Configuration {
   std::string ini_above(const std::string& program);
 
   const CommandLine& line_;
+  std::string told(const std::string& path) const;
+
   bool tells_origins_ = false;
+  std::string last_folder_;
+  std::shared_ptr<const Settings> last_shared_;
   std::map<std::string, std::shared_ptr<File>> files_;
   std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
   std::map<std::string, std::shared_ptr<const MachineSetup>> inis_;

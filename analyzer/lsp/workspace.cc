@@ -134,7 +134,8 @@ std::shared_ptr<const Source> Workspace::read(const std::string& path, std::stri
 }
 
 std::vector<std::string> Workspace::program_files() {
-  std::vector<std::string> files = cli::walk(folders_).files;
+  std::vector<std::string> files;
+  for (cli::WalkedFile& file : cli::walk(folders_, {}).files) files.push_back(std::move(file.path));
   std::set<std::string> known;
   for (const std::string& file : files) known.insert(file_key(file));
   for (const auto& [key, uri] : uri_of_) {

@@ -36,6 +36,7 @@ class SearchPath {
   std::vector<std::string> names() const;
 
   const std::vector<std::string>& folders() const { return folders_; }
+  const std::string& tree_root() const { return tree_root_; }
 
  private:
   std::vector<FoundFile> look_up(std::string_view name, size_t most) const;

@@ -113,14 +113,19 @@ std::string_view called_label(std::string_view name, Version version) {
   return name.substr(name.rfind('/') + 1);  // all of it where there is none
 }
 
-Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library) : library_(library) {
+namespace {
+
+std::shared_ptr<const SearchPath> search_path_of(const std::string& program, const Profile& profile, Library& library) {
+  if (profile.setup != nullptr) return profile.setup->search_path;
+  const std::string folder = std::filesystem::path(program).parent_path().string();
+  return library.beside(folder.empty() ? "." : folder);
+}
+
+}  // namespace
+
+Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes)
+    : answers_(search_path_of(program->source->path(), profile, library), notes), library_(library) {
   const std::string path = program->source->path();
-  if (profile.setup != nullptr) {
-    search_path_ = profile.setup->search_path;
-  } else {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    search_path_ = library.beside(folder.empty() ? "." : folder);
-  }
   by_path_.emplace(std::filesystem::path(path).lexically_normal().string(), 0);
   files_.push_back({std::move(program), 0, 0, true});
   follow(0);
@@ -150,7 +155,7 @@ void Linked::follow(size_t from) {
         looked[call.callee] = true;
         const std::string& name = program->name(call.callee);
         if (targets_.contains(name)) continue;
-        if (const auto found = search_path_->find(name)) targets_.emplace(name, CallTarget{add_file(*found), false});
+        if (const auto found = answers_.find(name)) targets_.emplace(name, CallTarget{add_file(*found), false});
       }
     }
   }
@@ -158,7 +163,7 @@ void Linked::follow(size_t from) {
 
 bool Linked::add(const std::string& name) {
   if (targets_.contains(name)) return false;
-  const auto found = search_path_->find(name);
+  const auto found = answers_.find(name);
   if (!found) return false;
   const size_t before = files_.size();
   targets_.emplace(name, CallTarget{add_file(*found), false});

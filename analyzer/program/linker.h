@@ -5,6 +5,7 @@
 
 #include <unordered_map>
 
+#include "analyzer/machine/answers.h"
 #include "analyzer/machine/profile.h"
 #include "analyzer/program/library.h"
 
@@ -27,8 +28,8 @@ struct CallTarget {
 
 class Linked {
  public:
-  /// `program` with everything that its calls lead to.
-  Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library);
+  /// `program` with everything that its calls lead to. `notes`: what is asked of the search path is noted.
+  Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes = false);
 
   /// All files as one program; the statements of the first file have the same numbers there.
   const Program& program() const { return joined_ == nullptr ? *files_[0].program : *joined_; }
@@ -42,7 +43,7 @@ class Linked {
   CallTarget target(const std::string& name) const;
   /// Adds a file for a name that only the flow analysis knows. False if there is none, or it is there already.
   bool add(const std::string& name);
-  const SearchPath& search_path() const { return *search_path_; }
+  const Answers& search_path() const { return answers_; }
 
  private:
   uint32_t add_file(const FoundFile& found);
@@ -52,7 +53,7 @@ class Linked {
   std::vector<LinkedFile> files_;
   std::unordered_map<std::string, uint32_t> by_path_;
   std::unordered_map<std::string, CallTarget> targets_;  // those that have a file
-  std::shared_ptr<const SearchPath> search_path_;
+  Answers answers_;
   std::shared_ptr<const Program> joined_;
   Library& library_;
 };

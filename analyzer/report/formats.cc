@@ -28,6 +28,7 @@ const std::vector<Format>& formats() {
       {"checkstyle", "XML of Checkstyle", false, write_checkstyle},
       {"junit", "XML of JUnit: each file a suite", false, write_junit},
       {"rdjson", "for reviewdog", false, write_rdjson},
+      {"csv", "for spreadsheets", false, write_csv},
   };
   return all;
 }

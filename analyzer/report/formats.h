@@ -38,6 +38,7 @@ void write_github(std::ostream& out, const Reports& files, const ReportStyle& st
 void write_gitlab(std::ostream& out, const Reports& files, const ReportStyle& style);
 void write_checkstyle(std::ostream& out, const Reports& files, const ReportStyle& style);
 void write_junit(std::ostream& out, const Reports& files, const ReportStyle& style);
+void write_csv(std::ostream& out, const Reports& files, const ReportStyle& style);
 void write_rdjson(std::ostream& out, const Reports& files, const ReportStyle& style);
 
 // --- what several of them need ---

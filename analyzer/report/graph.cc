@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <unordered_map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,11 +41,18 @@ std::string block_title(const Program& p, const Block& b) {
   return fmt::format("{} {}", p.head_of(b), lines);
 }
 
-/// One scope with the blocks that it holds.
-struct Scope {
+struct Node {
   std::string id;
   std::string title;
-  std::vector<std::pair<std::string, std::string>> blocks;  // id, title
+  uint32_t line = 0;              // 0: none
+  Severity worst = Severity::kOff;  // of its findings
+  std::string findings;           // a line each
+};
+
+/// One scope with the blocks that it holds.
+struct Scope {
+  Node node;
+  std::vector<Node> blocks;
 };
 
 struct Link {
@@ -87,12 +95,15 @@ Drawing draw(const Linked& linked) {
   for (size_t f = 0; f < linked.files().size(); ++f) {
     const Program& p = *linked.files()[f].program;
     Drawing::File file{p.source->path(), {}};
-    for (RegionId r = 0; r < p.regions.size(); ++r) file.scopes.push_back({scope_id(f, r), region_title(p, r), {}});
+    for (RegionId r = 0; r < p.regions.size(); ++r) {
+      const StatementId opener = p.regions[r].opener;
+      file.scopes.push_back({{scope_id(f, r), region_title(p, r), opener == kNoStatement ? 1 : p.at(opener).line, Severity::kOff, ""}, {}});
+    }
     // The inside of called files is left to a drawing of their own.
     for (BlockId b = 0; f == 0 && b < p.blocks.size(); ++b) {
       const Block& block = p.blocks[b];
       const std::string id = fmt::format("b{}", b);
-      file.scopes[block.region].blocks.emplace_back(id, block_title(p, block));
+      file.scopes[block.region].blocks.push_back({id, block_title(p, block), p.at(block.opener).line, Severity::kOff, ""});
       out.links.push_back({block.parent == kNoBlock ? scope_id(f, block.region) : fmt::format("b{}", block.parent), id, "", false});
     }
     for (const Call& call : p.calls) {
@@ -105,7 +116,7 @@ Drawing draw(const Linked& linked) {
     }
     // What stands outside of a called file's subs is not run; it is drawn only where something leads there.
     if (f > 0) {
-      const bool used = std::ranges::any_of(out.links, [&](const Link& link) { return link.from == file.scopes[0].id || link.to == file.scopes[0].id; });
+      const bool used = std::ranges::any_of(out.links, [&](const Link& link) { return link.from == file.scopes[0].node.id || link.to == file.scopes[0].node.id; });
       if (!used && file.scopes.size() > 1) file.scopes.erase(file.scopes.begin());
     }
     out.files.push_back(std::move(file));
@@ -113,23 +124,66 @@ Drawing draw(const Linked& linked) {
   return out;
 }
 
+/// Puts findings on the innermost block that their line belongs to, else on the sub or the main program.
+void mark(Drawing& drawing, const Program& p, const std::vector<Finding>& findings) {
+  std::unordered_map<std::string_view, Node*> nodes;
+  for (Scope& scope : drawing.files[0].scopes) {
+    nodes.emplace(scope.node.id, &scope.node);
+    for (Node& node : scope.blocks) nodes.emplace(node.id, &node);
+  }
+  for (const Finding& f : findings) {
+    if (f.source != nullptr && f.source->path() != p.source->path()) continue;
+    const auto after = std::ranges::upper_bound(p.syntax.statements, f.span.begin, {}, &Statement::offset);
+    const bool before_all = after == p.syntax.statements.begin();
+    const auto statement = static_cast<StatementId>(after - p.syntax.statements.begin() - (before_all ? 0 : 1));
+    const BlockId block = before_all || p.block_of.empty() ? kNoBlock : p.block_of[statement];
+    const RegionId region = before_all || p.region_of.empty() ? kMainRegion : p.region_of[statement];
+    const auto node = nodes.find(block != kNoBlock ? fmt::format("b{}", block) : scope_id(0, region));
+    if (node == nodes.end()) continue;
+    node->second->worst = std::max(node->second->worst, f.severity);
+    node->second->findings += fmt::format("{}{} on line {}: {}", node->second->findings.empty() ? "" : "\n", f.code, p.source->position(f.span.begin).line, f.message);
+  }
+}
+
+/// The attributes of a node. What is found is told by a sign as well as by colour.
+std::string dot_attributes(const Node& node, size_t file, std::string_view shape) {
+  static constexpr std::string_view kColors[] = {"", "#2f6fb0", "#b26a00", "#c62828"};
+  static constexpr std::string_view kSigns[] = {"", "(i) ", "(!) ", "(X) "};
+  const auto level = static_cast<size_t>(node.worst);
+  std::string classes = fmt::format("line-{}", node.line);
+  if (file > 0) classes += fmt::format(" file-{}", file);
+  std::string out = fmt::format("label=\"{}{}\"{}", kSigns[level], escaped(node.title, false), shape);
+  if (node.worst != Severity::kOff) {
+    classes += fmt::format(" {}", severity_text(node.worst));
+    std::string words;
+    for (size_t at = 0; at <= node.findings.size();) {
+      const size_t feed = std::min(node.findings.find('\n', at), node.findings.size());
+      words += (at == 0 ? "" : "\\n") + escaped(std::string_view(node.findings).substr(at, feed - at), false);
+      at = feed + 1;
+    }
+    out += fmt::format(", color=\"{}\", penwidth=2, tooltip=\"{}\"", kColors[level], words);
+  }
+  return out + fmt::format(", class=\"{}\"", classes);
+}
+
 }  // namespace
 
-void write_graph_dot(std::ostream& out, const Linked& linked) {
-  const Drawing drawing = draw(linked);
+void write_graph_dot(std::ostream& out, const Linked& linked, const std::vector<Finding>& findings) {
+  Drawing drawing = draw(linked);
+  mark(drawing, *linked.files()[0].program, findings);
   const auto text = [](std::string_view words) { return escaped(words, false); };
   out << fmt::format("digraph \"{}\" {{\n  rankdir=TB;\n  fontname=\"monospace\";\n  node [shape=box, fontname=\"monospace\"];\n  edge [fontname=\"monospace\", fontsize=10];\n", text(drawing.files[0].path));
   for (size_t f = 0; f < drawing.files.size(); ++f) {
     const std::string indent(f == 0 ? 2 : 4, ' ');
     if (f > 0) out << fmt::format("  subgraph cluster_f{} {{\n    label=\"{}\";\n    style=filled; color=\"#eeeeee\";\n", f, text(drawing.files[f].path));
     for (const Scope& scope : drawing.files[f].scopes) {
-      const std::string node = fmt::format("{} [label=\"{}\", shape=oval];\n", scope.id, text(scope.title));
+      const std::string node = fmt::format("{} [{}];\n", scope.node.id, dot_attributes(scope.node, f, ", shape=oval"));
       if (scope.blocks.empty()) {
         out << indent << node;
         continue;
       }
-      out << fmt::format("{0}subgraph cluster_{1} {{\n{0}  color=\"#bbbbbb\";\n{0}  {2}", indent, scope.id, node);
-      for (const auto& [id, title] : scope.blocks) out << fmt::format("{}  {} [label=\"{}\"];\n", indent, id, text(title));
+      out << fmt::format("{0}subgraph cluster_{1} {{\n{0}  color=\"#bbbbbb\";\n{0}  {2}", indent, scope.node.id, node);
+      for (const Node& block : scope.blocks) out << fmt::format("{}  {} [{}];\n", indent, block.id, dot_attributes(block, f, ""));
       out << indent << "}\n";
     }
     if (f > 0) out << "  }\n";
@@ -149,8 +203,8 @@ void write_graph_mermaid(std::ostream& out, const Linked& linked) {
     const std::string indent(f == 0 ? 2 : 4, ' ');
     if (f > 0) out << fmt::format("  subgraph file{}[\"{}\"]\n", f, text(drawing.files[f].path));
     for (const Scope& scope : drawing.files[f].scopes) {
-      out << fmt::format("{0}subgraph s{1}[\"{2}\"]\n{0}  {1}([\"{2}\"])\n", indent, scope.id, text(scope.title));
-      for (const auto& [id, title] : scope.blocks) out << fmt::format("{}  {}[\"{}\"]\n", indent, id, text(title));
+      out << fmt::format("{0}subgraph s{1}[\"{2}\"]\n{0}  {1}([\"{2}\"])\n", indent, scope.node.id, text(scope.node.title));
+      for (const Node& block : scope.blocks) out << fmt::format("{}  {}[\"{}\"]\n", indent, block.id, text(block.title));
       out << indent << "end\n";
     }
     if (f > 0) out << "  end\n";
@@ -205,9 +259,9 @@ void write_graph_json(std::ostream& out, const Linked& linked) {
   out << graph.dump(2) << '\n';
 }
 
-std::string write_graph_svg(std::ostream& out, const Linked& linked) {
+std::string write_graph_svg(std::ostream& out, const Linked& linked, const std::vector<Finding>& findings) {
   std::ostringstream dot;
-  write_graph_dot(dot, linked);
+  write_graph_dot(dot, linked, findings);
   const Ran ran = run_program({"dot", "-Tsvg"}, dot.str());
   if (!ran.started) return "the SVG is drawn by Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
   if (ran.status != 0) return "Graphviz's `dot` failed";

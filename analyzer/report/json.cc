@@ -1,4 +1,4 @@
-#include <nlohmann/json.hpp>
+#include "analyzer/report/json.h"
 
 #include "analyzer/report/report.h"
 
@@ -11,6 +11,8 @@ Json position(const Source& source, uint64_t offset) {
   const Position p = source.position(offset);
   return {{"line", p.line}, {"column", p.column}, {"offset", p.offset}};
 }
+
+}  // namespace
 
 Json finding_json(const Source& source, const Finding& f) {
   const auto place_in = [](Json& json, const Source& file, Span span) {
@@ -59,8 +61,6 @@ Json finding_json(const Source& source, const Finding& f) {
   if (!f.versions.empty()) json["versions"] = f.versions;
   return json;
 }
-
-}  // namespace
 
 void write_json(std::ostream& out, const std::vector<FileReport>& files) {
   Json report;

@@ -66,7 +66,7 @@ class Writer {
     return {{"startLine", begin.line}, {"startColumn", column(begin)}, {"endLine", end.line}, {"endColumn", column(end)}};
   }
 
-  static bool has_mark(const Source& source) { return source.bytes().starts_with(kMark); }
+  static bool has_mark(const Source& source) { return source.slice({0, kMark.size()}) == kMark; }
 
   /// What a fix replaces; the mark can only be told in bytes.
   static Json deleted(const Source& source, Span span) {

@@ -26,7 +26,7 @@ void write_snippet(std::ostream& out, const Source& source, Span span, char mark
                    std::string_view color, const Colors& c) {
   const Position start = source.position(span.begin);
   Span line = source.line(start.line);
-  if (line.end > line.begin && source.bytes()[line.end - 1] == '\r') --line.end;  // a line end, not part of the line
+  if (source.slice(line).ends_with('\r')) --line.end;  // a line end, not part of the line
   uint64_t from = line.begin;
   if (span.begin > from + kWidest / 2 && line.end - line.begin > kWidest) from = span.begin - kWidest / 2;
   const uint64_t to = std::min<uint64_t>(line.end, from + kWidest);

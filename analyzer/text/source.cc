@@ -106,6 +106,33 @@ std::shared_ptr<const Source> Source::own(std::string path, std::string bytes) {
   return source;
 }
 
+std::shared_ptr<const Source> Source::excerpt(std::string path, const std::vector<KeptLine>& lines, uint32_t line_count) {
+  std::shared_ptr<Source> source(new Source(std::move(path)));
+  for (const KeptLine& line : lines) {
+    const uint64_t begin = source->owned_.size();
+    source->owned_ += line.text;
+    source->kept_.push_back({line.number, line.offset, {begin, source->owned_.size()}});
+    source->owned_ += '\n';
+  }
+  source->bytes_ = source->owned_;
+  source->is_excerpt_ = true;
+  source->line_count_ = line_count;
+  return source;
+}
+
+/// The last kept line that begins at an offset of the file or before it.
+const Source::Kept* Source::kept_at(uint64_t offset) const {
+  const auto after = std::ranges::upper_bound(kept_, offset, {}, &Kept::offset);
+  return after == kept_.begin() ? nullptr : &*(after - 1);
+}
+
+std::string_view Source::kept_slice(Span span) const {
+  const Kept* line = kept_at(span.begin);
+  if (line == nullptr) return {};
+  const uint64_t begin = std::min(line->text.begin + (span.begin - line->offset), line->text.end);
+  return bytes_.substr(begin, span.end - span.begin);
+}
+
 Source::~Source() {
   if (mapping_ != nullptr) ::munmap(mapping_, mapping_size_);
 }
@@ -146,11 +173,17 @@ void Source::will_read(Span part) const {
 void Source::let_go(Span part) const { advise(part, MADV_DONTNEED); }
 
 uint32_t Source::line_count() const {
+  if (is_excerpt_) return line_count_;
   index();
   return line_count_;
 }
 
 Span Source::line(uint32_t number) const {
+  if (is_excerpt_) {
+    const auto line = std::ranges::find(kept_, number, &Kept::number);
+    if (line == kept_.end()) return {};
+    return {line->offset, line->offset + (line->text.end - line->text.begin)};
+  }
   index();
   if (number == 0 || number > line_count_) return {bytes_.size(), bytes_.size()};
   uint64_t begin = marks_[(number - 1) / kMarkEvery];
@@ -160,6 +193,11 @@ Span Source::line(uint32_t number) const {
 }
 
 Position Source::position(uint64_t offset) const {
+  if (is_excerpt_) {
+    const Kept* line = kept_at(offset);
+    if (line == nullptr) return {1, 1, offset};
+    return {line->number, count_code_points(slice({line->offset, offset})) + 1, offset};
+  }
   index();
   offset = std::min<uint64_t>(offset, bytes_.size());
   const auto mark = std::upper_bound(marks_.begin(), marks_.end(), offset) - 1;

@@ -27,6 +27,13 @@ struct Position {
   uint64_t offset = 0;  ///< bytes from 0
 };
 
+/// One line of an excerpt.
+struct KeptLine {
+  uint32_t number = 1;  ///< in the file, from 1
+  uint64_t offset = 0;  ///< of its first byte in the file
+  std::string text;     ///< without its line end
+};
+
 /// The bytes of one program, mapped or owned, and never changed. A Source always exists: an empty file is empty bytes.
 class Source {
  public:
@@ -37,13 +44,20 @@ class Source {
   /// Takes bytes that are already in memory (standard input, an editor's buffer); `path` is how reports name them.
   static std::shared_ptr<const Source> own(std::string path, std::string bytes);
 
+  /// What is left of a file when only some of its lines were kept, in their order: places in these are told as in the
+  /// whole file; others are taken for the nearest one before. bytes() are the kept lines.
+  static std::shared_ptr<const Source> excerpt(std::string path, const std::vector<KeptLine>& lines, uint32_t line_count);
+
   ~Source();
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
   const std::string& path() const { return path_; }
   std::string_view bytes() const { return bytes_; }
-  std::string_view slice(Span span) const { return bytes_.substr(span.begin, span.end - span.begin); }
+  std::string_view slice(Span span) const {
+    if (is_excerpt_) return kept_slice(span);
+    return bytes_.substr(span.begin, span.end - span.begin);
+  }
 
   /// Says that a part is about to be read from end to end; only saves time.
   void will_read(Span part) const;
@@ -66,6 +80,15 @@ class Source {
   void find_marks() const;
   void advise(Span part, int advice) const;
 
+  /// A line of an excerpt: where it is in the file, and where its text is in bytes().
+  struct Kept {
+    uint32_t number;
+    uint64_t offset;
+    Span text;
+  };
+  const Kept* kept_at(uint64_t offset) const;
+  std::string_view kept_slice(Span span) const;
+
   std::string path_;
   std::string owned_;
   std::string_view bytes_;
@@ -75,6 +98,8 @@ class Source {
   mutable std::once_flag indexed_;
   mutable std::vector<uint64_t> marks_;
   mutable uint32_t line_count_ = 0;
+  bool is_excerpt_ = false;
+  std::vector<Kept> kept_;
 };
 
 /// One text for one file, however its path was written; the file need not exist.

@@ -144,9 +144,9 @@ TEST_CASE("folders are searched for programs", "[settings]") {
   const test::Scratch scratch;
   for (const char* name : {"b.ngc", "a.NC", "c.tap", "d.cnc", "e.gcode", "f.txt", "sub/g.ngc", ".hidden/h.ngc", "sub/.i.ngc", "j.ngc.bak"}) scratch.write(name, "M2\n");
   std::filesystem::create_symlink(scratch.path(), scratch.path() + "/sub/loop");
-  const cli::Walk found = cli::walk({scratch.path(), scratch.path() + "/f.txt", scratch.path() + "/b.ngc", "-"});
+  const cli::Walk found = cli::walk({scratch.path(), scratch.path() + "/f.txt", scratch.path() + "/b.ngc", "-"}, {});
   std::vector<std::string> names;
-  for (const std::string& path : found.files) names.push_back(path == "-" ? path : path.substr(scratch.path().size() + 1));
+  for (const auto& [path, stamp, bytes] : found.files) names.push_back(path == "-" ? path : path.substr(scratch.path().size() + 1));
   CHECK(names == std::vector<std::string>{"a.NC", "b.ngc", "c.tap", "d.cnc", "e.gcode", "sub/g.ngc", "f.txt", "-"});
   CHECK(found.problems.empty());
   CHECK(found.empty.empty());

@@ -1,0 +1,49 @@
+// One run of an audit: finds the programs, analyses those that are not known from a run before, and writes down what
+// there is now. The store is what a run leaves; everything that people look at is made from it.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analyzer/audit/store.h"
+#include "analyzer/cli/settings.h"
+
+namespace owlint::audit {
+
+/// One part of a job that several machines share: the `index`th of `count`, from 1.
+struct Shard {
+  uint32_t index = 1;
+  uint32_t count = 1;
+
+  std::string text() const;
+  /// Whether a file is one of its part; by its path alone, so that machines agree without asking each other.
+  bool has(const std::string& path) const;
+};
+
+struct Job {
+  const cli::CommandLine& line;
+  Shard shard;
+  /// Told how many of the programs that have to be analysed are done; `total` does not change.
+  std::function<void(size_t done, size_t total)> progress;
+  /// Set from outside to end early: what is done is kept.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+struct Outcome {
+  int64_t run = 0;
+  int64_t previous = 0;  ///< the last complete run before; 0 if there is none
+  bool interrupted = false;
+  bool unchanged = false;  ///< everything is as in the previous run
+  size_t files = 0, analysed = 0, folders_without = 0;
+  size_t errors = 0, warnings = 0, infos = 0, fresh = 0, gone = 0;  ///< findings; against the previous run
+  double seconds = 0;
+  std::vector<std::string> problems;  ///< what could not be read or is configured wrongly
+  std::vector<std::string> notes;
+};
+
+/// Throws StoreProblem and SQLite::Exception.
+Outcome run_audit(const Job& job, Store& store);
+
+}  // namespace owlint::audit

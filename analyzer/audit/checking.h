@@ -1,0 +1,63 @@
+// Analyses programs over all cores and stores each as soon as it is done: nothing that is finished is lost, whatever
+// happens to the rest.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analyzer/audit/facts.h"
+#include "analyzer/audit/store.h"
+#include "analyzer/cli/run.h"
+#include "analyzer/cli/walk.h"
+
+namespace owlint::audit {
+
+/// A program of this run.
+struct Item {
+  std::string key;  ///< its path, absolute
+  uint64_t stamp = 0;
+  int64_t file = 0;  ///< its number in the store; 0: new
+  std::string hash;  ///< of its bytes, as far as it is known
+  std::shared_ptr<const cli::Settings> settings;  ///< null: they are wrong, and it is not checked
+  int64_t settings_id = 0;
+  bool by_machine = false;
+  bool analyse = false;
+  std::string problem;  ///< why it cannot be read
+};
+
+class Checking {
+ public:
+  Checking(Store& store, Facts& facts, int64_t run) : store_(store), facts_(facts), run_(run) {}
+
+  /// Analyses the items that are to be; returns how many were done before `stop` was set.
+  size_t run(std::vector<Item>& items, const std::function<void(size_t done, size_t total)>& progress, const std::atomic<bool>* stop);
+
+  Library& library() { return library_; }
+
+ private:
+  struct Done {
+    Item* item = nullptr;
+    std::string record;
+    std::vector<Fact> facts;
+    double seconds = 0;
+    uint64_t bytes = 0;
+    uint32_t lines = 0;
+  };
+  Done check(Item& item);
+  std::string bytes_of(const Source& source);
+  void put_away(std::vector<Done>& batch);
+
+  Store& store_;
+  Facts& facts_;
+  int64_t run_;
+  Library library_;
+  std::mutex hashing_;
+  std::map<std::string, std::string> hashes_;  // of called files
+};
+
+/// The number of a path in the store; it gets one if it has none.
+int64_t file_number(SQLite::Database& db, const std::string& key);
+
+}  // namespace owlint::audit

@@ -1,0 +1,20 @@
+// What tells one thing from another in the store: bytes, this owlint, settings.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "analyzer/cli/settings.h"
+
+namespace owlint::audit {
+
+/// XXH3, 128 bits, as 32 hexadecimal digits.
+std::string hash_of(std::string_view bytes);
+
+/// Of the program that runs: another build may find other things.
+const std::string& tool_hash();
+
+/// Of everything that decides what is found in a program besides programs: the tool, the machine's INI, the options.
+std::string settings_hash(const cli::Settings& settings);
+
+}  // namespace owlint::audit

@@ -1,0 +1,219 @@
+#include "analyzer/audit/record.h"
+
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace owlint::audit {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Writes findings, and gathers the lines that they point at.
+class Writer {
+ public:
+  Json report(const FileReport& report) {
+    Json findings = Json::array();
+    for (const Finding& f : report.findings) findings.push_back(finding(*report.source, f));
+    return {source(*report.source), std::move(findings)};
+  }
+
+  Json list(const std::vector<FileReport>& reports) {
+    Json all = Json::array();
+    for (const FileReport& one : reports) all.push_back(report(one));
+    return all;
+  }
+
+  Json program(const ProgramReport& program) {
+    return {{"own", report(program.own)}, {"called", list(program.called)}, {"calls", program.calls}, {"python", program.python},
+            {"sub_file", program.sub_file}, {"only_definitions", program.only_definitions}};
+  }
+
+  std::string finish(Json json) {
+    Json sources = Json::array();
+    for (const auto& [source, lines] : sources_) {
+      Json kept = Json::array();
+      for (const uint32_t number : lines) {
+        const Span line = source->line(number);
+        kept.push_back({number, line.begin, std::string(source->slice(line))});
+      }
+      sources.push_back({source->path(), source->line_count(), std::move(kept)});
+    }
+    json["sources"] = std::move(sources);
+    std::string bytes;
+    Json::to_msgpack(json, bytes);
+    return bytes;
+  }
+
+ private:
+  size_t source(const Source& source) {
+    for (size_t i = 0; i < sources_.size(); ++i) {
+      if (sources_[i].first == &source) return i;
+    }
+    sources_.emplace_back(&source, std::set<uint32_t>{});
+    return sources_.size() - 1;
+  }
+
+  /// A place, and a promise that its lines are kept.
+  Json place(const Source& in, Span span) {
+    std::set<uint32_t>& lines = sources_[source(in)].second;
+    constexpr uint32_t kMost = 64;  // in between more than that nothing is shown
+    const uint32_t first = in.position(span.begin).line;
+    const uint32_t last = in.position(span.end).line;
+    lines.insert(last);
+    for (uint32_t line = first; line < last && line - first < kMost; ++line) lines.insert(line);
+    return {span.begin, span.end};
+  }
+
+  Json related(const Source& own, const std::vector<Related>& places) {
+    Json all = Json::array();
+    for (const Related& r : places) {
+      const Source& in = r.source == nullptr ? own : *r.source;
+      all.push_back({place(in, r.span), r.message, r.source == nullptr ? Json(nullptr) : Json(source(in))});
+    }
+    return all;
+  }
+
+  Json finding(const Source& own, const Finding& f) {
+    const Source& in = f.source == nullptr ? own : *f.source;
+    Json fixes = Json::array();
+    for (const Fix& fix : f.fixes) {
+      Json edits = Json::array();
+      for (const Edit& edit : fix.edits) edits.push_back({place(in, edit.span), edit.text});
+      fixes.push_back({fix.title, fix.safe, std::move(edits)});
+    }
+    Json consequences = Json::array();
+    for (const Consequence& c : f.consequences) consequences.push_back({c.code, place(in, c.span), c.interpreter});
+    return {{"code", f.code}, {"severity", static_cast<int>(f.severity)}, {"span", place(in, f.span)}, {"source", f.source == nullptr ? Json(nullptr) : Json(source(in))},
+            {"scope", f.scope}, {"message", f.message}, {"help", f.help}, {"interpreter", f.interpreter}, {"reach", static_cast<int>(f.reach)},
+            {"stops", f.stops}, {"unproven", f.unproven}, {"never_ends", f.never_ends}, {"related", related(in, f.related)}, {"path", related(in, f.path)},
+            {"fixes", std::move(fixes)}, {"consequences", std::move(consequences)}, {"versions", f.versions}};
+  }
+
+  std::vector<std::pair<const Source*, std::set<uint32_t>>> sources_;
+};
+
+using Sources = std::vector<std::shared_ptr<const Source>>;
+
+Span span_of(const Json& json) { return {json.at(0).get<uint64_t>(), json.at(1).get<uint64_t>()}; }
+
+std::shared_ptr<const Source> source_at(const Json& json, const Sources& sources) { return json.is_null() ? nullptr : sources.at(json.get<size_t>()); }
+
+std::vector<Related> related_of(const Json& json, const Sources& sources) {
+  std::vector<Related> all;
+  for (const Json& r : json) all.push_back({span_of(r.at(0)), r.at(1).get<std::string>(), source_at(r.at(2), sources)});
+  return all;
+}
+
+Finding finding_of(const Json& json, const Sources& sources) {
+  Finding f;
+  const Rule* rule = find_rule(json.at("code").get<std::string>());
+  if (rule == nullptr) throw std::runtime_error("a record names a rule that does not exist");
+  f.code = rule->code;
+  f.rule = rule->name;
+  f.severity = static_cast<Severity>(json.at("severity").get<int>());
+  f.span = span_of(json.at("span"));
+  f.source = source_at(json.at("source"), sources);
+  json.at("scope").get_to(f.scope);
+  json.at("message").get_to(f.message);
+  json.at("help").get_to(f.help);
+  json.at("interpreter").get_to(f.interpreter);
+  f.reach = static_cast<Reach>(json.at("reach").get<int>());
+  f.stops = json.at("stops");
+  f.unproven = json.at("unproven");
+  f.never_ends = json.at("never_ends");
+  f.related = related_of(json.at("related"), sources);
+  f.path = related_of(json.at("path"), sources);
+  for (const Json& fix : json.at("fixes")) {
+    Fix& made = f.fixes.emplace_back();
+    fix.at(0).get_to(made.title);
+    made.safe = fix.at(1);
+    for (const Json& edit : fix.at(2)) made.edits.push_back({span_of(edit.at(0)), edit.at(1).get<std::string>()});
+  }
+  for (const Json& c : json.at("consequences")) {
+    const Rule* other = find_rule(c.at(0).get<std::string>());
+    if (other != nullptr) f.consequences.push_back({other->code, span_of(c.at(1)), c.at(2).get<std::string>()});
+  }
+  json.at("versions").get_to(f.versions);
+  return f;
+}
+
+}  // namespace
+
+std::string record_of(const cli::Checked& checked) {
+  Writer writer;
+  Json json{{"report", writer.program(checked.report)}, {"among_subs", checked.among_subs}};
+  if (checked.as_sub) json["as_sub"] = writer.program(*checked.as_sub);
+  return writer.finish(std::move(json));
+}
+
+std::string record_of(const std::vector<FileReport>& reports) {
+  Writer writer;
+  Json json{{"reports", writer.list(reports)}};
+  return writer.finish(std::move(json));
+}
+
+size_t Records::add(const std::string& bytes) {
+  Json record = Json::from_msgpack(bytes);
+  for (const Json& source : record.at("sources")) {
+    Kept& kept = kept_[source.at(0).get<std::string>()];
+    kept.line_count = source.at(1);
+    for (const Json& line : source.at(2)) {
+      const uint32_t number = line.at(0);
+      kept.lines.try_emplace(number, KeptLine{number, line.at(1), line.at(2)});
+    }
+  }
+  records_.push_back(std::move(record));
+  return records_.size() - 1;
+}
+
+std::vector<std::shared_ptr<const Source>> Records::sources_of(const Json& record) {
+  Sources sources;
+  for (const Json& json : record.at("sources")) {
+    const auto at = kept_.find(json.at(0).get_ref<const std::string&>());
+    if (at->second.source == nullptr) {
+      std::vector<KeptLine> lines;
+      for (auto& [number, line] : at->second.lines) lines.push_back(std::move(line));
+      at->second.source = Source::excerpt(at->first, lines, at->second.line_count);
+    }
+    sources.push_back(at->second.source);
+  }
+  return sources;
+}
+
+FileReport Records::report(const Json& json, const Sources& sources) const {
+  FileReport report;
+  report.source = sources.at(json.at(0).get<size_t>());
+  for (const Json& f : json.at(1)) report.findings.push_back(finding_of(f, sources));
+  return report;
+}
+
+std::vector<FileReport> Records::list(const Json& json, const Sources& sources) const {
+  std::vector<FileReport> all;
+  for (const Json& one : json) all.push_back(report(one, sources));
+  return all;
+}
+
+cli::Checked Records::checked(size_t number) {
+  const Json& record = records_[number];
+  const Sources sources = sources_of(record);
+  const auto program = [&](const Json& json) {
+    ProgramReport out;
+    out.own = report(json.at("own"), sources);
+    out.called = list(json.at("called"), sources);
+    json.at("calls").get_to(out.calls);
+    json.at("python").get_to(out.python);
+    out.sub_file = json.at("sub_file");
+    out.only_definitions = json.at("only_definitions");
+    return out;
+  };
+  cli::Checked checked;
+  checked.report = program(record.at("report"));
+  if (record.contains("as_sub")) checked.as_sub = program(record.at("as_sub"));
+  checked.among_subs = record.at("among_subs");
+  return checked;
+}
+
+std::vector<FileReport> Records::reports(size_t number) { return list(records_[number].at("reports"), sources_of(records_[number])); }
+
+}  // namespace owlint::audit

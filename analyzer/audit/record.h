@@ -1,0 +1,44 @@
+// What the check of a file gave, as bytes for the store: findings with everything that belongs to them, and of the files
+// that they point into just the lines that they point at. The bytes are MessagePack, because names and programs need
+// not be UTF-8.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "analyzer/cli/run.h"
+
+namespace owlint::audit {
+
+std::string record_of(const cli::Checked& checked);
+/// For a list of reports: INIs, or one finding.
+std::string record_of(const std::vector<FileReport>& reports);
+
+/// Reads records back. The lines that several of them have kept of one file are joined into one excerpt, so that the
+/// findings of all of them can stand in one report: first all records are taken in, then they are asked for.
+class Records {
+ public:
+  /// Takes a record in; its number, from 0. Throws nlohmann::json::exception for bytes that are no record.
+  size_t add(const std::string& bytes);
+  size_t size() const { return records_.size(); }
+  cli::Checked checked(size_t number);
+  std::vector<FileReport> reports(size_t number);
+
+ private:
+  struct Kept {
+    uint32_t line_count = 0;
+    std::map<uint32_t, KeptLine> lines;
+    std::shared_ptr<const Source> source;
+  };
+  std::vector<std::shared_ptr<const Source>> sources_of(const nlohmann::json& record);
+  FileReport report(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;
+  std::vector<FileReport> list(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;
+
+  std::vector<nlohmann::json> records_;
+  std::map<std::string, Kept> kept_;
+};
+
+}  // namespace owlint::audit

@@ -1,0 +1,22 @@
+// Waits until a program in one of some folders is saved, moved or deleted.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace owlint::audit {
+
+class Watch {
+ public:
+  /// Watches the folders and all below them. Throws std::runtime_error where the system does not let it.
+  explicit Watch(const std::vector<std::string>& folders);
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  /// Returns when something has changed and then nothing more for a moment, true; or when `stop` was set, false.
+  bool wait(const std::atomic<bool>& stop);
+};
+
+}  // namespace owlint::audit
