@@ -44,7 +44,7 @@ import bundle
 from messages import EOF, FILE_LACKS_SUB, call_line, codes_of, moved_up, warned_lines
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-CPU_LIMIT_S = 0.03          # of processor time, so that a busy machine does not make a hang; 100 usual runs
+CPU_LIMIT_S = 0.05          # of its own processor time: what a busy machine adds in the kernel makes no hang; 150 usual runs
 RUNS_PER_CHILD = 3000       # gcode.parse loses about 5 kB a run
 MAX_NOTES = 64
 PADDING = 99                # lines put before a program when warnings are read: all its lines have three digits then
@@ -184,7 +184,7 @@ class Interpreter:
         self.pipe.send((data, bytes(choices)))
         try:
             if not self.pipe.poll(20):
-                os.kill(self.child, signal.SIGPROF)
+                os.kill(self.child, signal.SIGVTALRM)
             failed, message, offset = self.pipe.recv()
         except (EOFError, ConnectionError):
             return self._died()
@@ -225,7 +225,7 @@ class Interpreter:
         if not os.WIFSIGNALED(status):      # not the interpreter's doing
             raise RuntimeError(os.pread(self.messages.fileno(), WARNINGS_READ, 0).decode("latin-1"))
         killed = os.WTERMSIG(status)
-        outcome = "hang" if killed in (signal.SIGPROF, signal.SIGKILL) else "crash"
+        outcome = "hang" if killed in (signal.SIGVTALRM, signal.SIGKILL) else "crash"
         warned, codes = self._warnings()
         if outcome == "hang":
             return Run(outcome, 0, frozenset(), "", self._trace(), warned)
@@ -290,7 +290,7 @@ class Interpreter:
 
     def _serve(self, pipe):
         """Answer requests until the parent closes the pipe.  Never returns."""
-        signal.signal(signal.SIGPROF, signal.SIG_DFL)
+        signal.signal(signal.SIGVTALRM, signal.SIG_DFL)
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         os.chdir(self.folder)
         os.environ["INI_FILE_NAME"] = self.ini      # read anew by each gcode.parse
@@ -322,14 +322,14 @@ class Interpreter:
             for file in filter(None, (self.messages, self.record)):
                 file.seek(0)
                 file.truncate()
-            signal.setitimer(signal.ITIMER_PROF, self.cpu_limit)
+            signal.setitimer(signal.ITIMER_VIRTUAL, self.cpu_limit)
             try:
                 result, _ = gcode.parse(self.program, canon, "", "")
                 failed = result > gcode.MIN_ERROR
                 message = gcode.strerror(result) if failed else ""
             except Exception as error:              # a callback failed: not the program's doing, but say so
                 failed, message = True, "python: %r" % (error,)
-            signal.setitimer(signal.ITIMER_PROF, 0)
+            signal.setitimer(signal.ITIMER_VIRTUAL, 0)
             pipe.send((failed, message.replace(self.program, "PROGRAM"), self._offset() if failed else 0))
 
     @staticmethod
