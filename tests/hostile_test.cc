@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 #include <catch2/catch.hpp>
 
-#include "analyzer/report/report.h"
+#include "analyzer/report/formats.h"
 #include "rules/lint.h"
 #include "support/files.h"
 #include "support/process.h"
@@ -54,7 +54,7 @@ void check_report(const FileReport& report) {
   write_json(json, {report});
   expect(nlohmann::json::accept(json.str()), "JSON that is none");
   std::ostringstream text;
-  write_text(text, report, false);
+  write_text(text, report, {});
   REQUIRE(wrong == "");
 }
 

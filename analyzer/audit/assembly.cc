@@ -80,8 +80,10 @@ void assemble(Store& store, std::vector<Item>& items, const std::set<std::string
   const cli::RunResult result = cli::put_together(files, std::move(checked), std::move(complaints), {});
   write_contents(store, outcome.run, items);
   const Changes changes = write_findings(store, outcome.run, result.reports);
-  outcome.fresh = changes.fresh;
-  outcome.gone = changes.gone;
+  if (outcome.previous != 0) {  // in the first run nothing is new
+    outcome.fresh = changes.fresh;
+    outcome.gone = changes.gone;
+  }
   const Summary summary = summarize(result.reports);
   outcome.errors = summary.errors;
   outcome.warnings = summary.warnings;

@@ -191,7 +191,8 @@ class AuditRun {
   /// What there is, and what is new; how many findings make the audit fail.
   size_t tell(Store& store, const Outcome& outcome) {
     if (!line_.check.quiet) {
-      std::cerr << fmt::format("run {}: {}, {} analysed, {:.1f} s, in {}\n", outcome.run, plural(outcome.files, "program"), outcome.analysed == outcome.files ? "all" : grouped(outcome.analysed), outcome.seconds, line_.store);
+      std::cerr << fmt::format("run {}: {}, {} analysed, {}in {}\n", outcome.run, plural(outcome.files, "program"), outcome.analysed == outcome.files ? "all" : grouped(outcome.analysed),
+                                outcome.seconds < 1 ? "" : fmt::format("{:.1f} s, ", outcome.seconds), line_.store);
       std::cerr << counts(outcome.errors, outcome.warnings, outcome.infos);
       if (outcome.previous != 0) std::cerr << fmt::format("; {} new, {} gone since run {}", grouped(outcome.fresh), grouped(outcome.gone), outcome.previous);
       std::cerr << '\n';
@@ -199,7 +200,7 @@ class AuditRun {
     const Severity level = fail_on(line_.check);
     const size_t failing = outcome.errors + (level <= Severity::kWarning ? outcome.warnings : 0) + (level <= Severity::kInfo ? outcome.infos : 0);
     if (outcome.previous == 0) {
-      if (!line_.check.quiet && outcome.errors + outcome.warnings + outcome.infos > 0) std::cerr << fmt::format("`owlint audit show --store {}` lists them\n", line_.store);
+      if (!line_.check.quiet && outcome.errors + outcome.warnings + outcome.infos > 0) std::cerr << fmt::format("`owlint audit show{}` lists them\n", line_.store == AuditLine().store ? "" : " --store " + line_.store);
       return line_.fail_on_new ? 0 : failing;
     }
     if (outcome.fresh == 0 && outcome.gone == 0) return line_.fail_on_new ? 0 : failing;
@@ -264,7 +265,7 @@ int audit_command(const AuditLine& line) {
 int audit_list_command(const AuditLine& line) {
   return guarded(line.store, [&] {
     Store store = Store::open(line.store, Store::For::kReading);
-    std::cout << fmt::format("{:>4}  {:<20}  {:>9}  {:>9}  {:>8}  {:>8}  {:>6}  {:>6}  {:>8}  {}\n", "run", "started (UTC)", "programs", "analysed", "errors", "warnings", "new", "gone", "seconds", "");
+    std::cout << fmt::format("{:>4}  {:<20}  {:>9}  {:>9}  {:>8}  {:>8}  {:>6}  {:>6}  {:>8}\n", "run", "started (UTC)", "programs", "analysed", "errors", "warnings", "new", "gone", "seconds");
     for (const audit::RunRow& run : audit::runs_of(store)) {
       const std::string kind = run.state == "complete" ? (run.shard.empty() ? "" : "shard " + run.shard) : run.state;
       std::string row = fmt::format("{:>4}  {:<20}  {:>9}  {:>9}  {:>8}  {:>8}  {:>6}  {:>6}  {:>8.1f}  {}", run.id, run.started, run.files, run.analysed, run.errors, run.warnings, run.fresh, run.gone, run.seconds, kind);

@@ -39,7 +39,7 @@ const Format* find_format(std::string_view name) {
 }
 
 void write_text_report(std::ostream& out, const Reports& files, const ReportStyle& style) {
-  for (const FileReport& file : files) write_text(out, file, style.color);
+  for (const FileReport& file : files) write_text(out, file, style);
 }
 
 std::string shown_path(const Source& source, const ReportStyle& style) {

@@ -30,6 +30,8 @@ struct Format {
 const std::vector<Format>& formats();
 const Format* find_format(std::string_view name);
 
+/// One file for people: place, message, the line with carets, related places, what LinuxCNC says, how to mend it.
+void write_text(std::ostream& out, const FileReport& file, const ReportStyle& style);
 void write_text_report(std::ostream& out, const Reports& files, const ReportStyle& style);
 void write_grouped(std::ostream& out, const Reports& files, const ReportStyle& style);
 void write_gcc(std::ostream& out, const Reports& files, const ReportStyle& style);

@@ -24,8 +24,6 @@ struct Summary {
 
 Summary summarize(const std::vector<FileReport>& files);
 
-/// For people: place, message, the line with carets, related places, what LinuxCNC says, how to mend it.
-void write_text(std::ostream& out, const FileReport& file, bool color);
 /// `2 errors, 1 warning in 3 files`.
 std::string summary_text(const Summary& summary);
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/report/report.h"
+#include "analyzer/report/formats.h"
 
 namespace owlint {
 namespace {
@@ -76,19 +76,19 @@ Summary summarize(const std::vector<FileReport>& files) {
   return summary;
 }
 
-void write_text(std::ostream& out, const FileReport& file, bool color) {
-  const Colors& c = color ? kAnsi : kPlain;
+void write_text(std::ostream& out, const FileReport& file, const ReportStyle& style) {
+  const Colors& c = style.color ? kAnsi : kPlain;
   const Source& source = *file.source;
   for (const Finding& f : file.findings) {
     const Position at = source.position(f.span.begin);
     const std::string_view tint = severity_color(c, f.severity);
-    out << fmt::format("{}{}:{}:{}:{} {}{}{} {}{}{} {}[{} {}]{}\n", c.bold, printable(source.path()), at.line, at.column,
+    out << fmt::format("{}{}:{}:{}:{} {}{}{} {}{}{} {}[{} {}]{}\n", c.bold, shown_path(source, style), at.line, at.column,
                        c.reset, tint, severity_text(f.severity), c.reset, c.bold, printable(f.message), c.reset, c.dim,
                        f.code, f.rule, c.reset);
     write_snippet(out, source, f.span, '^', "", tint, c);
     for (const Related& related : f.related) {
       const Source& place = related.source == nullptr ? source : *related.source;
-      if (&place != &source) out << fmt::format("{}  in {}:{}\n", c.dim, printable(place.path()), c.reset);
+      if (&place != &source) out << fmt::format("{}  in {}:{}\n", c.dim, shown_path(place, style), c.reset);
       write_snippet(out, place, related.span, '-', printable(related.message), c.blue, c);
     }
     const auto line = [&](std::string_view label, std::string_view words) {

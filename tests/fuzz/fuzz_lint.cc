@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "analyzer/report/report.h"
+#include "analyzer/report/formats.h"
 
 using namespace owlint;
 
@@ -36,6 +36,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   std::ostringstream out;
   write_json(out, {report});
-  write_text(out, report, true);
+  write_text(out, report, {true, ""});
   return 0;
 }

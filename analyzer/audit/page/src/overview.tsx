@@ -1,0 +1,100 @@
+// The first view: how many programs stop the machine, how it went from run to run, and where to look first.
+import type { Model } from "./model";
+import { number, plural } from "./model";
+import { link } from "./route";
+import { Trend } from "./trend";
+import { Badge, Count, Message, Panel, Path } from "./words";
+
+function Totals({ model }: { model: Model }) {
+  const { run, before, counts } = model;
+  const stopping = counts[2].reduce((n, errors) => n + (errors > 0 ? 1 : 0), 0);
+  const change = (now: number, then: number | undefined) => {
+    if (then === undefined || now === then) return null;
+    return <span class={now > then ? "worse" : "better"}>{now > then ? "▲" : "▼"} {number(Math.abs(now - then))} since run {before!.id}</span>;
+  };
+  return (
+    <ul class="totals">
+      <li class={stopping > 0 ? "bad" : "good"}><strong>{number(stopping)}</strong> {stopping === 1 ? "program stops" : "programs stop"} the machine<span>of {plural(run.files, "program")}</span></li>
+      <li><a href={link("findings", "", { severity: "2" })}><strong>{number(run.errors)}</strong> {run.errors === 1 ? "error" : "errors"}</a>{change(run.errors, before?.errors)}</li>
+      <li><a href={link("findings", "", { severity: "1" })}><strong>{number(run.warnings)}</strong> {run.warnings === 1 ? "warning" : "warnings"}</a>{change(run.warnings, before?.warnings)}</li>
+      {before && <li><a href={link("findings", "", { state: "new" })}><strong>{number(run.new)}</strong> new</a><span>{number(run.gone)} gone since run {before.id}</span></li>}
+    </ul>
+  );
+}
+
+function Rules({ model }: { model: Model }) {
+  const rows = model.byRule();
+  if (rows.length === 0) return <p class="empty">Nothing was found.</p>;
+  return (
+    <div class="scroll" tabIndex={0} role="region" aria-label="findings by rule">
+      <table class="wide">
+        <thead><tr><th scope="col">rule</th><th scope="col">errors</th><th scope="col">warnings</th></tr></thead>
+        <tbody>{rows.map(({ rule, counts }) => {
+          const { code, name, summary } = model.index.rules[rule];
+          return (
+            <tr key={code}>
+              <th scope="row"><a href={link("findings", "", { rule: code })}><span class="code">{code}</span> {name}</a><span class="about"><Message text={summary} /></span></th>
+              <td><Count n={counts[2]} kind="error" /></td><td><Count n={counts[1]} kind="warning" /></td>
+            </tr>
+          );
+        })}</tbody>
+      </table>
+    </div>
+  );
+}
+
+function Folders({ model, below }: { model: Model; below: string }) {
+  const rows = model.folders(below).slice(0, 200);
+  const steps = below.split("/").filter(Boolean);
+  return (
+    <>
+      <nav class="steps" aria-label="folder"><a href={link("")}>all</a>{steps.map((step, i) => <span key={i}> / <a href={link("", "", { folder: `${steps.slice(0, i + 1).join("/")}/` })}><Path path={step} /></a></span>)}</nav>
+      <div class="scroll" tabIndex={0} role="region" aria-label="findings by folder">
+        <table class="wide">
+          <thead><tr><th scope="col">folder</th><th scope="col">programs</th><th scope="col">errors</th><th scope="col">warnings</th></tr></thead>
+          <tbody>{rows.map((row) => (
+            <tr key={row.path}>
+              <th scope="row"><a href={row.path === "" ? link("programs", "", { q: below }) : link("", "", { folder: row.path })}><Path path={row.path === "" ? "programs right here" : row.path.slice(below.length)} /></a></th>
+              <td>{number(row.programs)}</td><td><Count n={row.errors} kind="error" /></td><td><Count n={row.warnings} kind="warning" /></td>
+            </tr>
+          ))}</tbody>
+        </table>
+      </div>
+    </>
+  );
+}
+
+function News({ model }: { model: Model }) {
+  const { findings, gone, rules } = model.index;
+  const fresh: number[] = [];
+  for (let i = 0; i < findings.isNew.length && fresh.length < 8; ++i) if (findings.isNew[i]) fresh.push(i);
+  if (!model.before) return <p class="empty">This is the first run; from the next one on, what is new and what is gone stands here.</p>;
+  return (
+    <>
+      {fresh.length === 0 && gone.path.length === 0 && <p class="empty">Nothing has changed since run {model.before.id}.</p>}
+      {fresh.length > 0 && <ul class="plain">{fresh.map((i) => (
+        <li key={i}><a href={link("program", findings.file[i], { line: String(findings.line[i]) })}><Badge severity={findings.severity[i]} /> <span><Message text={findings.message[i]} /></span><small><Path path={model.shown[findings.file[i]]} />:{findings.line[i]} · {rules[findings.rule[i]].code}</small></a></li>
+      ))}</ul>}
+      {model.run.new > fresh.length && <p><a href={link("findings", "", { state: "new" })}>All {number(model.run.new)} new findings</a></p>}
+      {gone.path.length > 0 && <details><summary>{plural(gone.path.length, "finding")} gone</summary>
+        <ul class="plain gone">{gone.path.slice(0, 200).map((path, i) => <li key={i}><span><Message text={gone.message[i]} /></span><small><Path path={path.startsWith(model.common) ? path.slice(model.common.length) : path} />:{gone.line[i]} · {rules[gone.rule[i]].code}</small></li>)}</ul>
+        {gone.path.length > 200 && <p>and {number(gone.path.length - 200)} more</p>}</details>}
+    </>
+  );
+}
+
+export function Overview({ model, folder }: { model: Model; folder: string }) {
+  return (
+    <>
+      <h1>{model.index.roots.map((root, i) => <span key={i}>{i > 0 && ", "}<Path path={root} /></span>)}</h1>
+      <p class="when">Run {model.run.id}, {model.run.started.replace("T", " ").replace("Z", " UTC")}: {plural(model.run.files, "program")}, {number(model.run.checked)} of them analysed anew.</p>
+      <Totals model={model} />
+      <div class="columns">
+        <Panel title="From run to run"><Trend runs={model.index.runs} /></Panel>
+        <Panel title="New and gone"><News model={model} /></Panel>
+        <Panel title="By rule"><Rules model={model} /></Panel>
+        <Panel title="By folder"><Folders model={model} below={folder} /></Panel>
+      </div>
+    </>
+  );
+}

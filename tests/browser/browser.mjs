@@ -1,0 +1,78 @@
+// A browser that may go nowhere, and pages of real audits for it.
+import { execFileSync, spawnSync } from "node:child_process";
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+const here = dirname(fileURLToPath(import.meta.url));
+export const repository = join(here, "..", "..");
+export const shots = process.env.SHOTS ?? join(here, "shots");
+const owlint = process.env.OWLINT ?? join(repository, "build", "release", "owlint");
+const axeFile = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+export function scratch() {
+  return mkdtempSync(join(tmpdir(), "owlint-page-"));
+}
+
+/** One run of an audit; findings make its status 1, which is no fault here. */
+export function audit(folder, ...options) {
+  const done = spawnSync(owlint, ["audit", "shop", "--isolated", ...options], { cwd: folder, encoding: "utf8" });
+  if (done.status > 1 || done.status === null) throw new Error(`owlint audit: ${done.status} ${done.stderr}`);
+  return done;
+}
+
+/** The corpus and all fixtures as a shop, audited twice with changes in between: the page of the second run. */
+export function shopPage(change = () => {}) {
+  const folder = scratch();
+  const shop = join(folder, "shop");
+  cpSync(join(repository, "corpus"), shop, { recursive: true });
+  for (const code of readdirSync(join(repository, "tests", "programs"))) cpSync(join(repository, "tests", "programs", code), join(shop, "fixtures", code), { recursive: true });
+  writeFileSync(join(shop, "old.ngc"), "o100 endif\nM2\n");
+  audit(folder);
+  writeFileSync(join(shop, "old.ngc"), "M2\n");
+  writeFileSync(join(shop, "new.ngc"), "o<probe> sub\n  o100 if [#1 GT 1]\n    o<touch> call [#1]\n  o100 endif\no<probe> endsub\no<touch> sub\no<touch> endsub\no<probe> call [2]\no100 if [1]\no100 if [0]\no100 endif\no100 endif\nM2\n");
+  change(shop);
+  audit(folder, "--report", "audit.html");
+  return join(folder, "audit.html");
+}
+
+let browser;
+
+export async function start() {
+  mkdirSync(shots, { recursive: true });
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"],
+  });
+}
+
+export async function stop() {
+  await browser.close();
+}
+
+/** A view of a page; whatever goes wrong in it, and every request that is not for the file itself, ends up in `troubles`. */
+export async function open(file, route = "#/", options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.troubles = [];
+  page.on("console", (message) => { if (message.type() === "error") page.troubles.push(message.text()); });
+  page.on("pageerror", (error) => page.troubles.push(String(error)));
+  page.on("request", (request) => { if (!request.url().startsWith(`file://${file}`) && !request.url().startsWith("data:")) page.troubles.push(`request: ${request.url()}`); });
+  await page.goto(`file://${file}${route}`);
+  await page.waitForSelector("#app[data-ready]", { timeout: 120_000 });
+  return page;
+}
+
+/** What axe-core finds against the page. */
+export async function violations(page) {
+  await page.addScriptTag({ path: axeFile });
+  const found = await page.evaluate(() => window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] }));
+  return found.violations.map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.target} ${n.failureSummary}`).join(" | ")}`);
+}
+
+export function run(...command) {
+  return execFileSync(owlint, command, { encoding: "utf8" });
+}
