@@ -34,6 +34,8 @@ export function shopPage(change = () => {}) {
   audit(folder);
   writeFileSync(join(shop, "old.ngc"), "M2\n");
   writeFileSync(join(shop, "new.ngc"), "o<probe> sub\n  o100 if [#1 GT 1]\n    o<touch> call [#1]\n  o100 endif\no<probe> endsub\no<touch> sub\no<touch> endsub\no<probe> call [2]\no100 if [1]\no100 if [0]\no100 endif\no100 endif\nM2\n");
+  writeFileSync(join(shop, "calling.ngc"), "o<called> call [1]\nM2\n");
+  writeFileSync(join(shop, "called.ngc"), "o<called> sub\no<called> endsub\nM2\n");
   change(shop);
   audit(folder, "--report", "audit.html");
   return join(folder, "audit.html");

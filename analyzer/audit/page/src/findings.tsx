@@ -48,7 +48,7 @@ export function Findings({ model, route }: { model: Model; route: Route }) {
     replaceQuery(next);
   };
   const select = (name: string, key: string, choices: [string, string][]) => (
-    <label>{name}<select value={query.get(key) ?? ""} onChange={(e) => set(key, e.currentTarget.value)}>{choices.map(([value, words]) => <option key={value} value={value}>{words}</option>)}</select></label>
+    <label>{name}<select aria-label={name} value={query.get(key) ?? ""} onChange={(e) => set(key, e.currentTarget.value)}>{choices.map(([value, words]) => <option key={value} value={value}>{words}</option>)}</select></label>
   );
   const place = (i: number) => <small><Path path={model.shown[findings.file[i]]} />:{findings.line[i]} · {rules[findings.rule[i]].code} {rules[findings.rule[i]].name}{findings.isNew[i] === 1 && <b class="new">new</b>}</small>;
   return (

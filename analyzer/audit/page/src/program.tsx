@@ -17,6 +17,11 @@ function Files({ model, title, files }: { model: Model; title: string; files: nu
 
 export function ProgramView({ model, route }: { model: Model; route: Route }) {
   const file = Number(route.id);
+  if (!Number.isInteger(file) || model.shown[file] === undefined) return <><h1>Program</h1><p class="empty">There is no such program in this audit.</p></>;
+  return <Known key={file} model={model} route={route} file={file} />;
+}
+
+function Known({ model, route, file }: { model: Model; route: Route; file: number }) {
   const line = Number(route.query.get("line") ?? 0);
   const tab = route.query.get("view") ?? "lines";
   const [details, setDetails] = useState<Details | null | undefined>(undefined);
@@ -34,8 +39,6 @@ export function ProgramView({ model, route }: { model: Model; route: Route }) {
     if (at) setCode(at.code);
   }, [line]);
   const calls = useMemo(() => callGraph(model, file), [file]);
-  if (!(file >= 0 && file < model.shown.length)) return <><h1>Program</h1><p class="empty">There is no such program in this audit.</p></>;
-
   const { lines, problem } = model.index.files;
   const hasCalls = model.calls(file).length + model.callers(file).length > 0;
   const lineOf = (classes: DOMTokenList) => Number([...classes].find((c) => /^line-\d+$/.test(c))?.slice(5) ?? 0);

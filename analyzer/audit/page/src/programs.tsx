@@ -44,8 +44,8 @@ export function Programs({ model, route }: { model: Model; route: Route }) {
       <h1>Programs</h1>
       <form class="filters" role="search" onSubmit={(e) => e.preventDefault()}>
         <label class="search">Search<input type="search" id="search" value={query.get("q") ?? ""} placeholder="part of a path" onInput={(e) => set("q", e.currentTarget.value)} /></label>
-        <label>Show<select value={query.get("only") ?? ""} onChange={(e) => set("only", e.currentTarget.value)}><option value="">all</option><option value="errors">with errors</option><option value="clean">with nothing found</option><option value="unread">not readable</option></select></label>
-        <label>Sort by<select value={query.get("sort") ?? ""} onChange={(e) => set("sort", e.currentTarget.value)}><option value="">path</option><option value="findings">findings</option><option value="lines">length</option></select></label>
+        <label>Show<select aria-label="Show" value={query.get("only") ?? ""} onChange={(e) => set("only", e.currentTarget.value)}><option value="">all</option><option value="errors">with errors</option><option value="clean">with nothing found</option><option value="unread">not readable</option></select></label>
+        <label>Sort by<select aria-label="Sort by" value={query.get("sort") ?? ""} onChange={(e) => set("sort", e.currentTarget.value)}><option value="">path</option><option value="findings">findings</option><option value="lines">length</option></select></label>
       </form>
       <p class="found" role="status">{number(rows.length)} of {number(model.shown.length)}</p>
       {rows.length === 0 ? <p class="empty">No program fits.</p> : (

@@ -12,7 +12,7 @@ function elements(tokens: Token[] | undefined): ComponentChildren[] {
   return (tokens ?? []).map((token, i) => {
     const inner = () => elements((token as Tokens.Generic).tokens);
     switch (token.type) {
-      case "heading": return token.depth === 1 ? <h3 key={i}>{inner()}</h3> : <h4 key={i}>{inner()}</h4>;
+      case "heading": return token.depth === 1 ? <h2 key={i}>{inner()}</h2> : <h3 key={i}>{inner()}</h3>;
       case "paragraph": return <p key={i}>{inner()}</p>;
       case "code": return <pre key={i} tabIndex={0}><code>{token.text}</code></pre>;
       case "list": return token.ordered ? <ol key={i}>{elements(token.items)}</ol> : <ul key={i}>{elements(token.items)}</ul>;

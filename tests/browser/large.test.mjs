@@ -1,0 +1,39 @@
+// A shop of 100,000 programs with 50,000 findings. How long it takes is told; the bounds only keep it from hanging.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { open, start, stop } from "./browser.mjs";
+import { samplePage } from "./sample.mjs";
+
+before(start);
+after(stop);
+
+test("100,000 programs with 50,000 findings can be used", async (t) => {
+  const file = samplePage(100_000, 50_000);
+  const started = Date.now();
+  const page = await open(file, "#/findings");
+  t.diagnostic(`loaded in ${Date.now() - started} ms`);
+  assert.equal(await page.locator(".found").textContent(), "50,000 of 50,000");
+  assert.ok((await page.locator(".row").count()) < 60, "only what is in view is there");
+  for (const [words, expected] of [["part12", /^\d/], ["ow508", /^\d/], ["o77", /^\d/]]) {
+    const took = await page.evaluate(async (text) => {
+      const input = document.getElementById("search");
+      const before = performance.now();
+      input.value = text;
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      return performance.now() - before;
+    }, words);
+    t.diagnostic(`filtered by ${words} in ${Math.round(took)} ms`);
+    assert.match(await page.locator(".found").textContent(), expected);
+    assert.ok(took < 5000);
+  }
+  await page.goto(`${page.url().split("#")[0]}#/programs`);
+  assert.equal(await page.locator(".found").textContent(), "100,000 of 100,000");
+  await page.locator(".row a").first().focus();
+  await page.keyboard.press("End");
+  await page.waitForFunction(() => Number(document.activeElement.closest(".row")?.dataset.index) === 99_999);
+  await page.goto(`${page.url().split("#")[0]}#/`);
+  await page.getByRole("link", { name: "customer000/" }).waitFor();
+  assert.deepEqual(page.troubles, []);
+  await page.context().close();
+});
