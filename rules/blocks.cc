@@ -142,6 +142,7 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
       if (branch) return;  // a branch within another block is none of the `if` around that
       continue;
     }
+    if (block.label == line.label) return;  // the right one already: something else is wrong
     const std::string label = p.label_text(block.label);
     finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line) + " is meant";
     finding.fixes.push_back({"write `" + label + "`", false, {{line.label_span(), label}}});
@@ -163,7 +164,9 @@ void check_parts(const Input& in, Reporter& out, const std::function<bool(Keywor
       relate(f, p, block->opener, "`" + p.head_of(*block) + "` is open here");
       const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
       f.help = "write `" + right + "`";
-      if (!may_end_at(p, *block, s.statement)) return &f;
+      // Where its label was another block's before, the end would be that one's.
+      const bool shared = std::ranges::any_of(in.index.shared_labels, [&](const auto& pair) { return pair.second == block->opener; });
+      if (shared || block->crossed != kNoBlock || !may_end_at(p, *block, s.statement)) return &f;
       if (block->label != line.label) {
         f.fixes.push_back({"write `" + right + "`", !comes_again(p, *block, s.statement), {{line.head_span(), right}}, true});
       } else if (block->kind != Keyword::kDo) {

@@ -24,7 +24,9 @@ Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   if (!near.empty() && near != written && written.find_first_of("0123456789") == std::string::npos) {
     f.help = "write `" + near + "`";
     const Span word{s.offset + s.keyword_from, s.offset + s.rest_from + written.size() - spelling(s.keyword).size()};
-    f.fixes.push_back({"write `" + near + "`", false, {{word, near}}});
+    // What may stand behind one keyword may not behind another.
+    const bool takes_value = near == "if" || near == "elseif" || near == "while" || near == "repeat" || near == "call" || near == "return" || near == "endsub";
+    if (takes_value || text.find('[') == std::string::npos) f.fixes.push_back({"write `" + near + "`", false, {{word, near}}});
   } else if (s.is(Keyword::kCall) && number) {
     f.help = "write each argument in brackets of its own: `[4] [5]`";
   } else if ((s.is(Keyword::kReturn) || s.is(Keyword::kEndsub)) && number) {
