@@ -172,7 +172,7 @@ void write_graph_dot(std::ostream& out, const Linked& linked, const std::vector<
   Drawing drawing = draw(linked);
   mark(drawing, *linked.files()[0].program, findings);
   const auto text = [](std::string_view words) { return escaped(words, false); };
-  out << fmt::format("digraph \"{}\" {{\n  rankdir=TB;\n  fontname=\"monospace\";\n  node [shape=box, fontname=\"monospace\"];\n  edge [fontname=\"monospace\", fontsize=10];\n", text(drawing.files[0].path));
+  out << fmt::format("digraph \"{}\" {{\n  rankdir=TB;\n  fontname=\"Courier\";\n  node [shape=box, fontname=\"Courier\"];\n  edge [fontname=\"Courier\", fontsize=10];\n", text(drawing.files[0].path));
   for (size_t f = 0; f < drawing.files.size(); ++f) {
     const std::string indent(f == 0 ? 2 : 4, ' ');
     if (f > 0) out << fmt::format("  subgraph cluster_f{} {{\n    label=\"{}\";\n    style=filled; color=\"#eeeeee\";\n", f, text(drawing.files[f].path));

@@ -54,7 +54,7 @@ export function callGraph(model: Model, file: number): string {
   };
   const kind = (f: number) => `goto-${f}${model.counts[2][f] > 0 ? " error" : model.counts[1][f] > 0 ? " warning" : ""}${f === file ? " here" : ""}`;
   const more = left > 0 ? `more [label="and ${left} more", shape=plaintext];` : "";
-  return `digraph calls { rankdir=LR; node [shape=box, fontname="monospace"]; ${[...nodes].map((f) => `n${f} [label="${label(f)}", class="${kind(f)}"];`).join(" ")} ${edges.join(" ")} ${more} }`;
+  return `digraph calls { rankdir=LR; node [shape=box, fontname="Courier"]; ${[...nodes].map((f) => `n${f} [label="${label(f)}", class="${kind(f)}"];`).join(" ")} ${edges.join(" ")} ${more} }`;
 }
 
 export function Graph({ dot, label, go, target }: { dot: string; label: string; go: (target: Target) => void; target: (classes: DOMTokenList) => Target | null }) {

@@ -54,7 +54,7 @@ export function SourceView({ model, file, details, line, open }: Props) {
     const target = list.current?.querySelector<HTMLElement>(`[data-line="${line}"]`);
     if (line === 0 || !target) return;
     target.focus({ preventScroll: true });
-    target.scrollIntoView({ block: "center" });
+    target.scrollIntoView({ block: "nearest" });
   }, [line, details]);
   const rows: ComponentChildren[] = [];
   let next = 1;
