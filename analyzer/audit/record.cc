@@ -1,8 +1,13 @@
 #include "analyzer/audit/record.h"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "analyzer/audit/store.h"
 
 namespace owlint::audit {
 namespace {
@@ -95,6 +100,18 @@ class Writer {
 
 using Sources = std::vector<std::shared_ptr<const Source>>;
 
+/// What `work` returns, if the record that it reads is whole.
+template <typename Work>
+auto whole(const Work& work) {
+  try {
+    return work();
+  } catch (const Json::exception& problem) {
+    throw StoreProblem(fmt::format("the store is damaged: {}", problem.what()));
+  } catch (const std::out_of_range& problem) {
+    throw StoreProblem(fmt::format("the store is damaged: {}", problem.what()));
+  }
+}
+
 Span span_of(const Json& json) { return {json.at(0).get<uint64_t>(), json.at(1).get<uint64_t>()}; }
 
 std::shared_ptr<const Source> source_at(const Json& json, const Sources& sources) { return json.is_null() ? nullptr : sources.at(json.get<size_t>()); }
@@ -108,17 +125,17 @@ std::vector<Related> related_of(const Json& json, const Sources& sources) {
 Finding finding_of(const Json& json, const Sources& sources) {
   Finding f;
   const Rule* rule = find_rule(json.at("code").get<std::string>());
-  if (rule == nullptr) throw std::runtime_error("a record names a rule that does not exist");
+  if (rule == nullptr) throw std::out_of_range("a rule that does not exist");
   f.code = rule->code;
   f.rule = rule->name;
-  f.severity = static_cast<Severity>(json.at("severity").get<int>());
+  f.severity = static_cast<Severity>(std::clamp(json.at("severity").get<int>(), 1, 3));
   f.span = span_of(json.at("span"));
   f.source = source_at(json.at("source"), sources);
   json.at("scope").get_to(f.scope);
   json.at("message").get_to(f.message);
   json.at("help").get_to(f.help);
   json.at("interpreter").get_to(f.interpreter);
-  f.reach = static_cast<Reach>(json.at("reach").get<int>());
+  f.reach = static_cast<Reach>(std::clamp(json.at("reach").get<int>(), 0, 2));
   f.stops = json.at("stops");
   f.unproven = json.at("unproven");
   f.never_ends = json.at("never_ends");
@@ -154,6 +171,10 @@ std::string record_of(const std::vector<FileReport>& reports) {
 }
 
 size_t Records::add(const std::string& bytes) {
+  return whole([&] { return take_in(bytes); });
+}
+
+size_t Records::take_in(const std::string& bytes) {
   Json record = Json::from_msgpack(bytes);
   for (const Json& source : record.at("sources")) {
     Kept& kept = kept_[source.at(0).get<std::string>()];
@@ -195,7 +216,10 @@ std::vector<FileReport> Records::list(const Json& json, const Sources& sources) 
 }
 
 cli::Checked Records::checked(size_t number) {
-  const Json& record = records_[number];
+  return whole([&] { return read_checked(records_[number]); });
+}
+
+cli::Checked Records::read_checked(const Json& record) {
   const Sources sources = sources_of(record);
   const auto program = [&](const Json& json) {
     ProgramReport out;
@@ -214,6 +238,8 @@ cli::Checked Records::checked(size_t number) {
   return checked;
 }
 
-std::vector<FileReport> Records::reports(size_t number) { return list(records_[number].at("reports"), sources_of(records_[number])); }
+std::vector<FileReport> Records::reports(size_t number) {
+  return whole([&] { return list(records_[number].at("reports"), sources_of(records_[number])); });
+}
 
 }  // namespace owlint::audit

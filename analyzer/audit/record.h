@@ -21,7 +21,7 @@ std::string record_of(const std::vector<FileReport>& reports);
 /// findings of all of them can stand in one report: first all records are taken in, then they are asked for.
 class Records {
  public:
-  /// Takes a record in; its number, from 0. Throws nlohmann::json::exception for bytes that are no record.
+  /// Takes a record in; its number, from 0. This and the others throw StoreProblem for bytes that are no record.
   size_t add(const std::string& bytes);
   size_t size() const { return records_.size(); }
   cli::Checked checked(size_t number);
@@ -33,6 +33,8 @@ class Records {
     std::map<uint32_t, KeptLine> lines;
     std::shared_ptr<const Source> source;
   };
+  size_t take_in(const std::string& bytes);
+  cli::Checked read_checked(const nlohmann::json& record);
   std::vector<std::shared_ptr<const Source>> sources_of(const nlohmann::json& record);
   FileReport report(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;
   std::vector<FileReport> list(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "analyzer/findings/fixing.h"
 #include "analyzer/report/formats.h"
 
 using namespace owlint;
@@ -34,6 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       for (const Edit& edit : fix.edits) inside(edit.span, size - 1);
     }
   }
+  apply_edits(report.source->bytes(), round_of_fixes(report.findings, true).edits);
   std::ostringstream out;
   write_json(out, {report});
   write_text(out, report, {true, ""});
