@@ -177,9 +177,12 @@ class Run {
     SQLite::Statement since(db_, "SELECT count(*) FROM analysis WHERE run > ?");  // by runs that did not come to their end
     since.bind(1, out_.previous);
     since.executeStep();
-    const bool same = out_.previous != 0 && came_ == 0 && vanished_ == 0 && out_.analysed == 0 && since.getColumn(0).getInt64() == 0;
+    const bool same_programs = out_.previous != 0 && came_ == 0 && vanished_ == 0 && out_.analysed == 0 && since.getColumn(0).getInt64() == 0;
     since.reset();
-    if (same && machine_records(store_) == machines) {
+    // A program that cannot be read or checked, now or in the run before: what is said of it has changed, or may have.
+    const bool troubles = db_.execAndGet("SELECT count(*) FROM content WHERE until IS NULL AND problem <> ''").getInt() > 0 ||
+                          std::ranges::any_of(items_, [](const Item& item) { return !item.problem.empty(); });
+    if (same_programs && !troubles && machine_records(store_) == machines) {
       take_over(store_, out_);
     } else {
       assemble(store_, items_, machines, out_);

@@ -71,6 +71,9 @@ Store Store::open(const std::string& path, For use, bool wait) {
   std::error_code problem;
   const bool writing = use == For::kWriting;
   if (!writing && !std::filesystem::exists(path, problem)) throw StoreProblem(fmt::format("there is no store {}: `owlint audit PATH… --store FILE` makes one", path));
+  const auto kind = std::filesystem::status(path, problem).type();
+  using Type = std::filesystem::file_type;
+  if (kind != Type::regular && kind != Type::directory && kind != Type::not_found && kind != Type::none) throw StoreProblem(fmt::format("{} is no store of owlint's: it is no file", path));
   if (is_other_file(path)) throw StoreProblem(fmt::format("{} is no store of owlint's", path));
   if (writing) store.hold_ = std::make_unique<Hold>(path, wait);
   try {

@@ -22,7 +22,7 @@ void indented(std::string_view program) {
 
 }  // namespace
 
-void complain(const std::string& message) { std::cerr << "owlint: " << message << '\n'; }
+void complain(const std::string& message) { std::cerr << "owlint: " << printable_text(message) << '\n'; }  // names of files may steer terminals
 
 int explain_command(const std::string& code_or_name) {
   const Rule* rule = find_rule(code_or_name);

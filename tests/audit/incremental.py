@@ -66,6 +66,12 @@ def test(options, folder):
     shop.audit("a folder is moved", min(options.files, 100))
     shutil.move(shop.root + "/g0000", shop.root + "/f0000")
     shop.audit("and back", min(options.files, 100))
+    write(shop.root + "/f0001/owlint.toml" if options.files > 100 else shop.root + "/owlint.toml", "ignroe = []\n")
+    run(shop.owlint, "audit", shop.root, "--store", shop.store, "--ini", shop.root + "/machine.ini", "-q", statuses=(2,))
+    check(last_run(shop.store)["gone"] > 0, "programs that cannot be checked keep their findings")
+    os.remove(shop.root + "/f0001/owlint.toml" if options.files > 100 else shop.root + "/owlint.toml")
+    run(shop.owlint, "audit", shop.root, "--store", shop.store, "--ini", shop.root + "/machine.ini", "-q")
+    shop.audit("a wrong configuration, and it is mended", 0)
     shop.audit("another option", all_files, ("--ignore", "OW104"), gone=faulty)
     shop.audit("and back", all_files, new=faulty)
     with open(shop.root + "/machine.ini", "a", encoding="utf-8") as ini:
