@@ -6,6 +6,7 @@
 
 #include "analyzer/cli/commands.h"
 #include "analyzer/report/graph.h"
+#include "analyzer/text/printable.h"
 #include "analyzer/report/pages.h"
 #include "rules/rule.h"
 
