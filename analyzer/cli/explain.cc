@@ -6,8 +6,8 @@
 
 #include "analyzer/cli/commands.h"
 #include "analyzer/report/graph.h"
-#include "analyzer/text/printable.h"
 #include "analyzer/report/pages.h"
+#include "analyzer/text/printable.h"
 #include "rules/rule.h"
 
 namespace owlint::cli {
