@@ -103,7 +103,7 @@ def callers(programs, sub):
 
 def run(owlint, *command, cwd=None, statuses=(0, 1), **options):
     done = subprocess.run([owlint, *command], capture_output=True, text=True, cwd=cwd, errors="surrogateescape", **options)
-    check(done.returncode in statuses, "%s ends with %s: %s%s" % (" ".join(command)[:200], done.returncode, done.stdout[-500:], done.stderr[-800:]))
+    check(done.returncode in statuses, "%s ends with %s: %s%s" % (" ".join(map(os.fsdecode, command))[:200], done.returncode, done.stdout[-500:], done.stderr[-800:]))
     return done
 
 
