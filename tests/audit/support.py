@@ -1,6 +1,5 @@
 """What the tests of `owlint audit` share: made-up shops, runs, and what a store or an export says."""
 import argparse
-import contextlib
 import json
 import os
 import random
@@ -8,7 +7,6 @@ import sqlite3
 import subprocess
 import sys
 import tempfile
-import time
 
 SUBS = 24
 
@@ -37,28 +35,6 @@ def main(test, options):
         except Failed as problem:
             print("wrong: %s" % problem)
             sys.exit(1)
-
-
-def cases(tests, options):
-    """Tests that do not hang on each other, each in a folder of its own: one that fails does not hide the others."""
-    wrong = 0
-    for test in tests:
-        with tempfile.TemporaryDirectory(prefix="owlint-audit-") as folder:
-            os.chmod(folder, 0o755)
-            try:
-                print("%s: %s" % (test.__name__, test(options, folder) or "as it should be"), flush=True)
-            except Failed as problem:
-                wrong += 1
-                print("%s: wrong: %s" % (test.__name__, problem), flush=True)
-    sys.exit(1 if wrong else 0)
-
-
-def until(ready, what, seconds=60):
-    """Waits for something that has no event of its own."""
-    end = time.monotonic() + seconds
-    while not ready():
-        check(time.monotonic() < end, what + " does not come about")
-        time.sleep(0.01)
 
 
 def write(path, text):
@@ -103,18 +79,18 @@ def callers(programs, sub):
 
 def run(owlint, *command, cwd=None, statuses=(0, 1), **options):
     done = subprocess.run([owlint, *command], capture_output=True, text=True, cwd=cwd, errors="surrogateescape", **options)
-    check(done.returncode in statuses, "%s ends with %s: %s%s" % (" ".join(map(os.fsdecode, command))[:200], done.returncode, done.stdout[-500:], done.stderr[-800:]))
+    check(done.returncode in statuses, "%s ends with %s: %s%s" % (" ".join(command)[:200], done.returncode, done.stdout[-500:], done.stderr[-800:]))
     return done
 
 
 def query(store, sql, *values):
-    with contextlib.closing(sqlite3.connect(store)) as db:  # closed, or its file system stays in use
+    with sqlite3.connect(store) as db:
         return db.execute(sql, values).fetchall()
 
 
 def last_run(store):
     """The row of the last run, by column."""
-    with contextlib.closing(sqlite3.connect(store)) as db:
+    with sqlite3.connect(store) as db:
         db.row_factory = sqlite3.Row
         return dict(db.execute("SELECT * FROM run ORDER BY id DESC LIMIT 1").fetchone())
 
