@@ -1,9 +1,10 @@
 // Work spread over cores, by OpenMP. How many there are is said once, by use_cores(). Inside work that is spread already
-// nothing is spread again. What the work throws is thrown again to the caller when all of it is over.
+// nothing is spread again. What the work throws is thrown again to the caller; what was not begun before is not begun then.
 #pragma once
 
 #include <omp.h>
 
+#include <atomic>
 #include <cstddef>
 #include <exception>
 
@@ -15,14 +16,16 @@ inline void use_cores(unsigned count) { omp_set_num_threads(count == 0 ? omp_get
 /// Whether work would not be spread: one core, or inside work that is spread already.
 inline bool one_core() { return omp_get_max_threads() == 1 || omp_in_parallel() != 0; }
 
-/// The first exception of several threads.
+/// The first exception of several threads. After it nothing more is begun.
 class FirstProblem {
  public:
   template <typename Work>
   void guard(const Work& work) {
+    if (met_.load(std::memory_order_relaxed)) return;
     try {
       work();
     } catch (...) {
+      met_.store(true, std::memory_order_relaxed);
 #pragma omp critical(owlint_first_problem)
       if (!problem_) problem_ = std::current_exception();
     }
@@ -32,6 +35,7 @@ class FirstProblem {
   }
 
  private:
+  std::atomic<bool> met_ = false;
   std::exception_ptr problem_;
 };
 

@@ -54,6 +54,18 @@ TEST_CASE("a large file is read alike by one core and by several", "[scanner]") 
   }
 }
 
+TEST_CASE("after a problem nothing more is begun, and the problem is told") {
+  const AllCores all;
+  use_cores(1);
+  std::vector<size_t> begun;
+  const auto work = [&](size_t i) {
+    begun.push_back(i);
+    if (i == 3) throw std::runtime_error("no space");
+  };
+  CHECK_THROWS_WITH(for_each(100, work), "no space");
+  CHECK(begun == std::vector<size_t>{0, 1, 2, 3});
+}
+
 TEST_CASE("one line may be longer than a stretch", "[scanner]") {
   const AllCores again;
   const auto source = Source::own("line.ngc", "o1 if [#1]\n" + std::string(30'000'000, 'G') + "\no1 endif\nM2\n");
