@@ -70,8 +70,18 @@ extern const Rule kOw509;
 extern const Rule kOw510;
 extern const Rule kOw511;
 extern const Rule kOw512;
+extern const Rule kOw601;
+extern const Rule kOw602;
 extern const Rule kOw603;
 extern const Rule kOw604;
+extern const Rule kOw605;
+extern const Rule kOw606;
+extern const Rule kOw607;
+extern const Rule kOw608;
+extern const Rule kOw609;
+extern const Rule kOw610;
+extern const Rule kOw611;
+extern const Rule kOw612;
 
 }  // namespace rules
 
@@ -151,8 +161,18 @@ const std::vector<const Rule*>& catalogue() {
       &kOw510,
       &kOw511,
       &kOw512,
+      &kOw601,
+      &kOw602,
       &kOw603,
       &kOw604,
+      &kOw605,
+      &kOw606,
+      &kOw607,
+      &kOw608,
+      &kOw609,
+      &kOw610,
+      &kOw611,
+      &kOw612,
   };
   return all;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "analyzer/flow/data_flow.h"
 #include "analyzer/flow/known_calls.h"
 
 namespace owlint {
@@ -123,8 +124,9 @@ class Check {
     report.source = program->source;
     std::vector<Suppression> suppressions = suppressions_of(*program);
     const Index index(*program, flow);
+    const flow::DataFlow data(*program);
     const SeverityPolicy policy = policy_of(profile_, options_);
-    run_rules({*program, flow, profile_, linked, suppressions, index, false}, options_, policy, report.findings);
+    run_rules({*program, flow, profile_, linked, suppressions, index, data, false}, options_, policy, report.findings);
     if (!own) {
       // Of a called file only what this program's calls lead to; the rest is told when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
@@ -132,7 +134,7 @@ class Check {
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);
-    if (own) run_rules({*program, flow, profile_, linked, suppressions, index, true}, options_, policy, report.findings);
+    if (own) run_rules({*program, flow, profile_, linked, suppressions, index, data, true}, options_, policy, report.findings);
     for (Finding& f : report.findings) {
       if (f.source == nullptr) f.scope = scope_of(*program, f.span.begin);
     }

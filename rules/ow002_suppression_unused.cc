@@ -10,7 +10,8 @@ namespace {
 /// The code; with the blanks before it and the whole comment, or its line, where nothing else is left.
 Span removed(const Input& in, const Suppression& unused) {
   const Source& source = *in.program.source;
-  const bool alone = std::ranges::count(in.suppressions, unused.comment.begin, [](const Suppression& s) { return s.comment.begin; }) == 1;
+  // They are in the order of the file.
+  const bool alone = std::ranges::equal_range(in.suppressions, unused.comment.begin, {}, [](const Suppression& s) { return s.comment.begin; }).size() == 1;
   if (!alone) {
     Span span = unused.span;
     while (span.begin > unused.comment.begin && std::string_view(" ,\t").find(source.bytes()[span.begin - 1]) != std::string_view::npos) --span.begin;

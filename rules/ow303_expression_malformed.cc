@@ -28,6 +28,11 @@ constexpr Words kWords[] = {
     {"Bad character ']'", "this bracket closes nothing", "remove it"},
     {"Bad format unsigned integer", "`N` is not followed by a number", "write a line number, or remove the `N`"},
     {"Attempt to divide by zero", "this divides by zero", "change the divisor, or test it before"},
+    {"Non integer value", "a parameter's number must be a whole one", "check what it is computed from"},
+    {"Negative argument to sqrt", "this takes the root of a negative number", "test the value before"},
+    {"Zero or negative argument to ln", "this takes the logarithm of zero or a negative number", "test the value before"},
+    {"Argument to a", "the argument is not between -1 and 1", "test the value before"},
+    {"Attempt to raise negative", "a negative number has no power that is not a whole number", "test the value before"},
     {"Parameter number out of range", "there is no parameter with that number", "numbers go from #1 to #5601"},
     {"Expected", "`EXISTS` takes one parameter", "write `EXISTS[#<name>]`"},
 };

@@ -17,6 +17,9 @@
 namespace owlint {
 
 class Reporter;
+namespace flow {
+class DataFlow;
+}
 
 /// The catalogue's groups, by the digit after `OW`.
 enum class Group : uint8_t { kLinter, kAbortList, kBlocks, kLine, kFiles, kHazards, kDataFlow };
@@ -37,6 +40,8 @@ struct Index {
   std::vector<StatementId> ends;          ///< M2, M30, M99, `%`
   std::vector<StatementId> stray_parts;   ///< parts and ends of blocks that belong to none, or close one by mistake
   std::vector<StatementId> odd_lines;     ///< with an open name, a NUL, a carriage return inside, or a refused character
+  std::vector<StatementId> several_items;  ///< lines that assign a parameter and do more
+  std::vector<StatementId> tests;          ///< `if`, `elseif` and `while` with a condition
   mutable std::unordered_set<long> given_numbers;  ///< labels that fixes already take
   std::vector<std::pair<StatementId, StatementId>> shared_labels;  ///< openers of one region: first and later with its label
 
@@ -53,6 +58,7 @@ struct Input {
   const Linked& linked;  ///< the program with the files that it calls
   const std::vector<Suppression>& suppressions;
   const Index& index;
+  const flow::DataFlow& data;
   bool suppressions_applied = false;  ///< the second round, for rules about suppressions themselves
 };
 
@@ -73,6 +79,8 @@ struct Page {
   std::string_view fix;          ///< how to mend it, when to ignore it
   std::string_view interpreter;  ///< the message LinuxCNC prints for `bad`; N stands for a line number
   std::string_view options;      ///< command line options that `bad` needs
+  std::string_view moves;        ///< where the last rapid move of `bad` goes, as `X5`, if that is the surprise
+  std::string_view moves_good;   ///< the same of `good`
 };
 
 struct Rule {

@@ -51,7 +51,9 @@ void Index::add_line(const Program& program, StatementId id) {
     if (odd_lines.empty() || odd_lines.back() != id) odd_lines.push_back(id);
   }
   if (s.kind == LineKind::kProgramEnd || s.kind == LineKind::kM99 || s.kind == LineKind::kPercent) ends.push_back(id);
+  if (s.has_items() && s.item_count > 1) several_items.push_back(id);
   if (s.kind != LineKind::kOWord) return;
+  if ((s.keyword == Keyword::kIf || s.keyword == Keyword::kElseif || s.keyword == Keyword::kWhile) && s.value_count > 0) tests.push_back(id);
   if (s.keyword == Keyword::kSub || s.keyword == Keyword::kEndsub || s.keyword == Keyword::kReturn) {
     sub_lines.push_back(id);
   } else if (!global_label(s.keyword) && s.label != kNoName) {

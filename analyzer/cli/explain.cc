@@ -39,8 +39,10 @@ int explain_command(const std::string& code_or_name) {
   if (!page.interpreter.empty()) std::cout << fmt::format("LinuxCNC says: {}\n\n", page.interpreter);
   std::cout << "Found here" << (page.options.empty() ? "" : fmt::format(" with {}", page.options)) << ":\n\n";
   indented(page.bad);
+  if (!page.moves.empty()) std::cout << fmt::format("\nThe last rapid move goes to {}.\n", page.moves);
   std::cout << "\nUse instead:\n\n";
   indented(page.good);
+  if (!page.moves_good.empty()) std::cout << fmt::format("\nThe last rapid move goes to {}.\n", page.moves_good);
   std::cout << fmt::format("\n{}\n", page.fix);
   return kClean;
 }
@@ -59,7 +61,8 @@ int rules_command(const std::string& format) {
       list.push_back({{"code", rule->code}, {"name", rule->name}, {"summary", rule->summary}, {"group", group_title(rule->group)},
                       {"severity", severity_text(rule->level)}, {"default", rule->level != Severity::kInfo},
                       {"what", rule->page.what}, {"why", rule->page.why}, {"bad", rule->page.bad}, {"good", rule->page.good},
-                      {"fix", rule->page.fix}, {"options", rule->page.options}, {"interpreter", rule->page.interpreter}});
+                      {"fix", rule->page.fix}, {"options", rule->page.options}, {"interpreter", rule->page.interpreter},
+                      {"moves", rule->page.moves}, {"moves_good", rule->page.moves_good}});
     }
     std::cout << list.dump(2) << '\n';
     return kClean;

@@ -145,6 +145,7 @@ class Analysis final : public Listener {
   void recall(ContextId context, const State& at, const State& entry);
   void disturb(ContextId context);
   void learn_calls();
+  bool followed(const std::vector<Decision>& path) const;
   void finish();
   void blame_calls();
   void not_found(ContextId context, const Caller& caller);

@@ -9,13 +9,15 @@ void Evaluator::note_number(long number, Dependence& out) const {
   const bool local = number < kFirstGlobalNumber;
   out.circumstances.push_back(relevant_number_[number] ? 'r' : '-');
   if (local) out.circumstances.push_back(read_argument_[number] ? 'a' : '-');
+  out.circumstances.push_back(compared_[!local].contains(static_cast<uint32_t>(number)) ? 'c' : '-');
   (local ? out.locals : out.globals).push_back(static_cast<uint32_t>(number));
 }
 
 void Evaluator::note_name(NameId name, Dependence& out) const {
   const bool global = syntax_.names.text(name).starts_with('_');
   out.circumstances.push_back(relevant_name_[name] ? 'r' : '-');
-  out.circumstances.push_back(kept_[name] ? 'k' : '-');
+  out.circumstances.push_back(kept_[name] || asked_for_[name] ? 'k' : '-');
+  out.circumstances.push_back(compared_[global].contains((global ? kGlobalNames : kLocalNames) + name) ? 'c' : '-');
   (global ? out.globals : out.locals).push_back((global ? kGlobalNames : kLocalNames) + name);
 }
 

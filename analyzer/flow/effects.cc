@@ -45,6 +45,9 @@ const Effects& EffectsOfSubs::of(NameId sub) {
   Effects& effects = entry->second;
   if (!added) return effects;
   effects.everything = !regular_;
+  for (const char* result : {"_value", "_value_returned"}) {
+    if (const NameId name = program_.syntax.names.find(result); name != kNoName) effects.globals.insert(kGlobalNames + name);
+  }
   std::vector<NameId> todo{sub};
   while (!todo.empty() && !effects.everything) {
     const NameId name = todo.back();

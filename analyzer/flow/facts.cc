@@ -28,7 +28,7 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
     case Operator::kNamed: {
       const std::string_view text = syntax.names.text(expr.name());
       const bool global = text.starts_with("_");
-      if (predefined_name(text) || text.find('[') != std::string_view::npos) reads.trackable = false;
+      if (predefined_name(text) || machine_name(text)) reads.trackable = false;
       (global ? reads.global : reads.local).push_back((global ? kGlobalNames : kLocalNames) + expr.name());
       return mix(hash, expr.name());
     }
@@ -114,6 +114,7 @@ void Evaluator::forget_facts(Parameters& p, uint32_t key, bool global) const {
 
 void Evaluator::call_outside(Parameters& p) {
   p.outside = true;
+  p.globals = {};
   p.global_facts = {};
 }
 

@@ -47,7 +47,7 @@ struct FlowStop {
 /// Something that runs, but not as written.
 enum class HazardKind : uint8_t {
   kStaleBreak, kStaleRepeatCount, kArgumentNotPassed, kEndlessLoop, kStaleContinue, kContinueMeetsBreak,
-  kValueAtDefinition, kNestedDo, kCrash, kLookupCrash, kHang, kWarned,
+  kValueAtDefinition, kNestedDo, kCrash, kLookupCrash, kHang, kWarned, kValueNotReturned, kValueCleared, kRepeatCount,
 };
 
 struct Hazard {
@@ -59,6 +59,7 @@ struct Hazard {
   StopKind warned = StopKind::kNone;     ///< under FEATURE 0x20: the error that became a message
   std::string interpreter;
   Elsewhere other_elsewhere;             ///< instead of `other`, in another file
+  std::string detail;                    ///< the number of passes that a `repeat` is given
 };
 
 struct FlowStatistics {

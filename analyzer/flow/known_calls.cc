@@ -75,11 +75,14 @@ std::optional<std::string> CallKeys::of(const Context& callee, const State& entr
   const auto add_values = [&](const std::vector<uint32_t>& keys, const PersistentMap& map) {
     for (const uint32_t k : keys) {
       const ValueId value = map.get(k);
-      const Constants& constants = machine_.evaluator().constants();
       key.push_back(static_cast<char>(std::min(value, kFirstConstant)));
-      if (constants.is_constant(value)) add_number(key, std::bit_cast<uint64_t>(constants.value(value)));
+      if (value < kFirstConstant) continue;
+      const Range range = machine_.evaluator().values().range(value);
+      key.push_back(static_cast<char>(range.above_low << 1 | range.below_high));
+      for (const double end : {range.low, range.high}) add_number(key, std::bit_cast<uint64_t>(end));
     }
   };
+  add_values(machine_.evaluator().result_keys(), p.globals);
   add_values(sub.dependence.locals, p.locals);
   add_values(sub.dependence.globals, p.globals);
   return key;

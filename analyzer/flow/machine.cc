@@ -89,7 +89,7 @@ uint32_t Definers::without_undefined(uint32_t packed) {
 }
 
 Machine::Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool)
-    : linked_(linked), program_(linked.program()), profile_(profile), pool_(pool), evaluator_(program_.syntax, constants_, pool),
+    : linked_(linked), program_(linked.program()), profile_(profile), pool_(pool), evaluator_(program_.syntax, values_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
       reads_break_(profile.warn_only()), structure_(program_), effects_(program_, structure_.regular) {
@@ -106,6 +106,10 @@ void Machine::index() {
     if (s.kind == LineKind::kOWord && s.label_expr != kNoExpr) computed_.push_back(id);
     if (s.is(Keyword::kDo)) reads_break_ = true;
     if (s.opens_sub()) definitions_.push_back(id);
+    if ((s.is(Keyword::kEndsub) || s.is(Keyword::kReturn)) && s.value_count > 0 && s.label != kNoName) {
+      if (s.label >= returns_value_.size()) returns_value_.resize(std::max<size_t>(s.label + 1, syntax.names.size()));
+      returns_value_[s.label] = true;
+    }
     if (s.kind == LineKind::kPercent) percents_.push_back(id);
     if (s.kind == LineKind::kFileEnd) file_ends_.push_back(id);
     if (refuses_fanuc(s)) {
@@ -251,7 +255,7 @@ State Machine::join(const State& a, const State& b) {
   out.mixed = a.mixed && b.mixed;
   out.table = PersistentMap::merge(pool_, a.table, b.table, [this](uint32_t, uint32_t x, uint32_t y) { return definers_.join(x, y); });
   if (a.counts != b.counts) out.counts = join_counts(a.counts, b.counts);
-  const auto join = [](uint32_t, uint32_t x, uint32_t y) { return join_values(x, y); };
+  const auto join = [this](uint32_t, uint32_t x, uint32_t y) { return values_.join(x, y); };
   out.parameters.locals = PersistentMap::merge(pool_, a.parameters.locals, b.parameters.locals, join);
   out.parameters.globals = PersistentMap::merge(pool_, a.parameters.globals, b.parameters.globals, join);
   const auto same = [](uint32_t, uint32_t x, uint32_t y) { return x == y ? x : 0; };

@@ -3,6 +3,7 @@
 // docs/interpreter.md; where a set has several members, a step has several successors.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -155,7 +156,9 @@ class Machine {
   NameId scope_of(FullLabel label) const { return labels_[label].first; }
   /// What else a call depends on, besides lines and parameters, as a number.
   uint64_t circumstances() const {
-    return static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 | static_cast<uint64_t>(evaluator_.distrusts_globals());
+    uint64_t out = static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 | static_cast<uint64_t>(evaluator_.distrusts_globals());
+    for (const double number : values_.thresholds().numbers()) out = mix(out, std::bit_cast<uint64_t>(number));
+    return out;
   }
 
  private:
@@ -168,7 +171,7 @@ class Machine {
   const Program& program_;
   const Profile& profile_;
   PersistentMap::Pool& pool_;
-  Constants constants_;
+  KnownValues values_;
   Evaluator evaluator_;
   Definers definers_;
   bool no_fanuc_;                 // DISABLE_FANUC_STYLE_SUB
@@ -181,6 +184,7 @@ class Machine {
   std::vector<FullLabel> sub_labels_;                  // by label
   // Positions at which a skip may be interrupted, each sorted.
   std::vector<StatementId> computed_, always_errors_, unknown_keywords_, definitions_, percents_, file_ends_;
+  std::vector<bool> returns_value_;  // by label of a sub: some `return` or `endsub` has a value
   Names computed_names_;  // numbered behind the program's own
   std::unordered_set<NameId> computed_calls_;
 };

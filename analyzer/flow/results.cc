@@ -38,6 +38,7 @@ void Analysis::add_stop(RecordId record, FlowStop stop) {
   // A stop without a line to blame is told at the end of its file.
   const uint32_t file = stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
   const StopKey key{stop.statement, stop.kind, stop.detail, file};
+  const bool unsure = stop.unproven;
   auto found = stops_.find(key);
   if (found == stops_.end()) {
     found = stops_.emplace(key, StopInfo{next_key_++, record, std::move(stop)}).first;
@@ -45,7 +46,7 @@ void Analysis::add_stop(RecordId record, FlowStop stop) {
     found->second.stop.unproven = false;
     found->second.record = record;
   }
-  trace_->terminate(record, found->second.key);
+  trace_->terminate(record, found->second.key, unsure);
 }
 
 void Analysis::stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) {
@@ -77,7 +78,7 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
 
 void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) {
   disturb(at.context);
-  Hazard hazard{kind, at.position, kNoStatement, number, Reach::kMaybe, warned, std::move(message), {}};
+  Hazard hazard{kind, at.position, kNoStatement, number, Reach::kMaybe, warned, std::move(message), {}, {}};
   const auto executed = [&](Keyword keyword, Keyword loop) {
     return [this, keyword, loop](StatementId id) {
       if (!program_.at(id).is(keyword)) return false;
@@ -92,7 +93,8 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
   };
   // Looking for where it began walks back along the run; a few such places are enough.
   constexpr size_t kMaxOrigins = 4;
-  const bool has_origin = kind == HazardKind::kStaleBreak || kind == HazardKind::kStaleContinue ||
+  const bool of_value = kind == HazardKind::kValueNotReturned || kind == HazardKind::kValueCleared;
+  const bool has_origin = of_value || kind == HazardKind::kStaleBreak || kind == HazardKind::kStaleContinue ||
                           kind == HazardKind::kContinueMeetsBreak || kind == HazardKind::kStaleRepeatCount;
   if (has_origin && ++origins_[{kind, at.position}] > kMaxOrigins) return;
   if (has_origin && trace_->leaves_out()) trace_->miss_left_out();  // it may have begun there
@@ -102,6 +104,13 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
     case HazardKind::kContinueMeetsBreak: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;
     case HazardKind::kStaleRepeatCount: begins_at(trace_->nearest(at.record, executed(Keyword::kReturn, Keyword::kUnknown))); break;
     case HazardKind::kArgumentNotPassed: not_passed_.emplace_back(at.context, number, at.position); return;
+    case HazardKind::kValueNotReturned: case HazardKind::kValueCleared:
+      hazard.other = trace_->nearest(at.record, [this](StatementId id) {
+        const Statement& s = program_.at(id);
+        return s.is(Keyword::kReturn) || s.is(Keyword::kEndsub) || s.kind == LineKind::kM99;
+      });
+      break;
+    case HazardKind::kRepeatCount: hazard.detail = std::move(hazard.interpreter); hazard.interpreter.clear(); break;
     case HazardKind::kWarned: warned_.insert(at.record); break;
     case HazardKind::kLookupCrash: trace_->terminate(at.record, next_key_++); return;
     case HazardKind::kCrash: trace_->terminate(at.record, next_key_++); break;
@@ -127,7 +136,7 @@ void Analysis::endless_loops() {
   std::ranges::sort(loops);
   loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
   for (const StatementId loop : loops) {
-    Hazard hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}};
+    Hazard hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}};
     hazards_.emplace(std::make_tuple(hazard.kind, loop, kNoStatement, 0U), std::move(hazard));
   }
 }
@@ -157,7 +166,7 @@ void Analysis::idle_loops() {
     }
     if (loop.warned == kNoStatement) continue;
     hazards_.emplace(std::make_tuple(HazardKind::kHang, loop.warned, kNoStatement, 0U),
-                     Hazard{HazardKind::kHang, loop.warned, loop.first, 0, Reach::kMaybe, StopKind::kNone, "", {}});
+                     Hazard{HazardKind::kHang, loop.warned, loop.first, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}});
   }
 }
 
@@ -249,6 +258,29 @@ void Analysis::blame_calls() {
   }
 }
 
+/// Whether a path is one that somebody will take: its branches go as they do independently of each other, or are known not to,
+/// and it needs neither a loop without a pass nor a value that a list of cases does not have.
+bool Analysis::followed(const std::vector<Decision>& path) const {
+  std::vector<std::vector<uint64_t>> exact;
+  std::vector<std::vector<uint64_t>> others;
+  for (const Decision& decision : path) {
+    const Statement& s = program_.at(decision.statement);
+    const BlockId block = program_.block_of[decision.statement];
+    const auto has_else = [&] { return std::ranges::any_of(program_.parts[block], [this](StatementId part) { return program_.at(part).is(Keyword::kElse); }); };
+    if (!decision.taken && (s.is(Keyword::kWhile) || s.is(Keyword::kRepeat))) return false;
+    if (!decision.taken && s.is(Keyword::kElseif) && block != kNoBlock && !has_else()) return false;
+    if (s.value_count == 0 || s.is(Keyword::kRepeat)) continue;
+    std::vector<uint64_t> reads;
+    const bool is_exact = machine_.evaluator().followed(program_.syntax.values[s.first], reads);
+    for (const uint64_t key : reads) {
+      const auto shares = [&](const std::vector<uint64_t>& other) { return key == UINT64_MAX || std::ranges::count(other, key) + std::ranges::count(other, UINT64_MAX) > 0; };
+      if (std::ranges::any_of(others, shares) || (!is_exact && std::ranges::any_of(exact, shares))) return false;
+    }
+    (is_exact ? exact : others).push_back(std::move(reads));
+  }
+  return true;
+}
+
 void Analysis::finish() {
   blame_calls();
   trace_->finish(result_.executed);
@@ -261,7 +293,7 @@ void Analysis::finish() {
       const StatementId call = caller.state.position;
       if (program_.at(call).value_count >= number) continue;
       hazards_.emplace(std::make_tuple(HazardKind::kArgumentNotPassed, call, read, number),
-                       Hazard{HazardKind::kArgumentNotPassed, call, read, number, Reach::kMaybe, StopKind::kNone, "", {}});
+                       Hazard{HazardKind::kArgumentNotPassed, call, read, number, Reach::kMaybe, StopKind::kNone, "", {}, {}});
     }
   }
   for (const auto& [context, call] : deepest_) {
@@ -271,14 +303,18 @@ void Analysis::finish() {
     }
   }
   constexpr size_t kMaxPaths = 64;
+  constexpr size_t kToldDecisions = 8;  // the last ones: a longer list helps nobody
   size_t paths = 0;
   for (auto& [key, info] : stops_) {
     FlowStop stop = std::move(info.stop);
     stop.reach = trace_->only_end(info.key) ? Reach::kAlways : Reach::kMaybe;
-    // Without values, a name that only some branches assign may be read on just the same ones; a global one may come
-    // from another program.
-    if (key.kind == StopKind::kNameUndefined && (stop.reach != Reach::kAlways || key.detail.starts_with("_"))) stop.unproven = true;
     if (stop.reach == Reach::kMaybe && paths++ < kMaxPaths) stop.path = trace_->path(info.record, info.key);
+    // A global name may come from another program; a branch that is not followed exactly may go as one before it.
+    if (key.kind == StopKind::kNameUndefined) {
+      const bool told = stop.reach == Reach::kAlways || (level_ < kCoarse && !stop.path.empty() && followed(stop.path));
+      if (!told || key.detail.starts_with("_")) stop.unproven = true;
+    }
+    if (stop.path.size() > kToldDecisions) stop.path.erase(stop.path.begin(), stop.path.end() - kToldDecisions);
     result_.stops.push_back(std::move(stop));
   }
   result_.trace = trace_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "analyzer/flow/machine.h"
 
@@ -22,6 +23,7 @@ struct Machine::Step {
   bool skipping;
   FullLabel label = kNoLabel;
   Fact tested;  ///< the condition of this line, when its outcome can be remembered
+  std::optional<ValueId> returned;  ///< the value on this `return` or `endsub`
   bool decided = false;  ///< the condition has one outcome only here: going on is no branch
   ReadLog reads;
 
@@ -38,7 +40,10 @@ struct Machine::Step {
 
   /// `branch`: 1 when this outcome needs a true condition, 2 a false one.
   void go(State next, StatementId position, uint8_t branch = 0) {
-    if (branch != 0) m.evaluator_.learn(next.parameters, tested, branch == 1);
+    if (branch != 0 && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
+      m.evaluator_.learn(next.parameters, tested, branch == 1);
+      m.evaluator_.refine(next.parameters, value(0), branch == 1);
+    }
     next.position = position;
     next.branch = decided ? 0 : branch;
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
@@ -71,11 +76,15 @@ struct Machine::Step {
       std::string detail;
       if (e.name != kNoName) {
         detail = m.name(e.name);
-        message = kind == StopKind::kNameReadOnly ? "Cannot assign to read-only parameter #<" + detail + ">"
-                                                  : "Named parameter #<" + detail + "> not defined";
+        message = "Named parameter #<" + detail + "> not defined";
       }
       if (at_definition) out.hazard(state, HazardKind::kValueAtDefinition, 0, kind, message);
+      const bool merged = e.fails == StopKind::kNone;
+      const bool mixed = state.mixed;
+      state.mixed = mixed || (merged && kind == StopKind::kNameUndefined);  // on which of the merged paths, nobody knows here
       stop(kind, std::move(message), kNoStatement, std::move(detail));
+      state.mixed = mixed;
+      if (merged && kind == StopKind::kNameUndefined) m.evaluator_.assume_assigned(e.name, state.parameters);
     }
     return e.fails == StopKind::kNone;
   }
@@ -89,6 +98,14 @@ struct Machine::Step {
       if ((reads.not_passed >> n & 1) != 0) out.hazard(state, HazardKind::kArgumentNotPassed, n, StopKind::kNone, "");
     }
     reads.not_passed = 0;
+    report_value_reads();
+  }
+  void report_value_reads() {
+    if (reads.no_value == kUnassigned) return;
+    // Where paths were joined, the outcomes of `#<_value_returned>` are not told apart any more.
+    const bool guarded = reads.no_value == kMaybeNotReturned && m.program_.syntax.names.find("_value_returned") != kNoName;
+    if (!guarded) out.hazard(state, reads.no_value == kCleared ? HazardKind::kValueCleared : HazardKind::kValueNotReturned, 0, StopKind::kNone, "");
+    reads.no_value = kUnassigned;
   }
 
   ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first + i]; }
@@ -101,16 +118,19 @@ struct Machine::Step {
     }
     const Evaluation e = evaluate(value(0));
     reads.not_passed = 0;  // testing an argument that was not passed is how optional arguments are written
+    report_value_reads();
     if (!settle(e)) return false;
-    const bool known = m.constants_.is_constant(e.value);
-    *truth = !known ? Truth::kOpen : m.constants_.value(e.value) != 0 ? Truth::kTrue : Truth::kFalse;
+    const bool constant = m.values_.is_constant(e.value);
+    const Range range = m.values_.range(e.value);
+    const bool known = constant || !range.has(0);
+    *truth = !known ? Truth::kOpen : range.has(0) ? Truth::kFalse : Truth::kTrue;
     if (!known && !s.is(Keyword::kRepeat)) {
       tested = m.evaluator_.fact(value(0));
       const int before = Evaluator::known(state.parameters, tested);
       if (before != 0) *truth = before == 1 ? Truth::kTrue : Truth::kFalse;
     }
     decided = *truth != Truth::kOpen;
-    if (number != nullptr && known) *number = m.constants_.value(e.value);
+    if (number != nullptr && constant) *number = m.values_.value(e.value);
     return true;
   }
 
@@ -181,6 +201,7 @@ struct Machine::Step {
   void sub();
   void bare();
   void leave_sub();
+  void come_back();
   void call(int repeats, bool fanuc);
   void repeat(Truth truth, double number);
   void count_passes(Truth truth, double number);

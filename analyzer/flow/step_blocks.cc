@@ -1,7 +1,11 @@
 // Transitions of loops and branches.
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "analyzer/flow/step.h"
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
 
@@ -55,12 +59,18 @@ void Machine::Step::count_passes(Truth truth, double number) {
     go(std::move(after), here + 1, 2);
   };
   const bool fresh = left < 0 || left == kAnyCount;
+  if (fresh && !std::isnan(number)) {
+    double written = 0;
+    const bool literal = literal_value(m.program_.syntax.exprs, value(0), &written);
+    const bool odd = number < 0 || std::fabs(number - std::nearbyint(number)) > kEqualTolerance || (literal && number == 0);
+    if (odd) out.hazard(state, HazardKind::kRepeatCount, 0, StopKind::kNone, fmt::format("{:.6g}", number));
+  }
   if (fresh) {
     if (truth == Truth::kOpen) {
       enter(kManyLeft);
       pass_by();
     } else {
-      const double times = std::round(number);
+      const double times = std::nearbyint(number);  // measured: 2.5 passes are 2, 3.5 are 4
       if (times > 0) {
         enter(times - 1 <= kLargestExactCount ? static_cast<int>(times) - 1 : kManyLeft);
       } else {
@@ -150,7 +160,9 @@ void Machine::Step::end_loop_at(StatementId opener) {
     after.continuing = kNo;
     go(std::move(after), here + 1);
   }
-  if ((continuing & kStale) != 0) out.hazard(state, HazardKind::kStaleContinue, 0, StopKind::kNone, "");
+  // Behind a condition that is false, the loop only asks once more.
+  const bool by_break = (state.breaking & (kYes | kStale)) != 0;
+  if ((continuing & kStale) != 0 && (s.is(Keyword::kEndrepeat) || by_break)) out.hazard(state, HazardKind::kStaleContinue, 0, StopKind::kNone, "");
   if ((continuing & (kYes | kStale)) != 0) {
     state.continuing = kNo;
     go(std::move(state), opener);

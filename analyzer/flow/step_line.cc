@@ -31,6 +31,7 @@ void Machine::Step::plain() {
     return out.end(state);
   }
   if (skipping) return next_line();
+  if (s.kind == LineKind::kAbort) return out.end(state);
   if (s.kind == LineKind::kPercent) return stop(StopKind::kBadCharacter, "Bad character '%' used");
   if (s.kind == LineKind::kM98 || s.kind == LineKind::kM99) {
     if (error() != nullptr) return stop_error();
@@ -41,8 +42,8 @@ void Machine::Step::plain() {
       if (s.value_count > 0) {
         const Evaluation times = evaluate(value(0));
         if (!settle(times)) return;
-        repeats = m.constants_.is_constant(times.value)
-                      ? static_cast<int>(std::clamp(m.constants_.value(times.value), 0.0, 1e6))
+        repeats = m.values_.is_constant(times.value)
+                      ? static_cast<int>(std::clamp(m.values_.value(times.value), 0.0, 1e6))
                       : kUnknownRepeats;
       }
       return call(repeats, true);
@@ -51,6 +52,7 @@ void Machine::Step::plain() {
     if (!context.fanuc) {
       return stop(StopKind::kStyleNeedsEndsub, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
     }
+    m.evaluator_.come_back(state.parameters, nullptr, true);
     return out.leave(state);
   }
   const State before = state;
@@ -61,8 +63,13 @@ void Machine::Step::plain() {
     state = before;
     if (!settle(e)) return;
     state = std::move(after);
+    if (e.may_fail == StopKind::kNameUndefined) m.evaluator_.assume_assigned(e.name, state.parameters);
   }
   if (error() != nullptr) return stop_error();
+  if (e.read_only != kNoName) {
+    const std::string& name = m.name(e.read_only);
+    return stop(StopKind::kNameReadOnly, "Cannot assign to read-only parameter #<" + name + ">", kNoStatement, name);
+  }
   if (s.kind == LineKind::kProgramEnd) return out.end(state);
   next_line();
 }
@@ -74,9 +81,9 @@ bool Machine::Step::resolve_label() {
     const Evaluation e = m.evaluator_.evaluate(s.label_expr, state.parameters, false, defining(), &reads);
     report_reads();
     if (!settle(e)) return false;
-    if (!m.constants_.is_constant(e.value)) return true;
+    if (!m.values_.is_constant(e.value)) return true;
     std::string text;
-    if (!label_of_number(m.constants_.value(e.value), &text)) {
+    if (!label_of_number(m.values_.value(e.value), &text)) {
       stop(StopKind::kLabelNotInteger, "Non integer value for integer");
       return false;
     }
@@ -125,6 +132,7 @@ void Machine::Step::o_word() {
           e.message = fresh.message;
         }
         if (!settle(e, defining())) return;
+        returned = e.value;
       } else if (s.has_bracket) {
         return stop_error();
       }

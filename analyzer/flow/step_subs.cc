@@ -53,14 +53,21 @@ void Machine::Step::bare() {
   next_line();
 }
 
+void Machine::Step::come_back() {
+  const bool never = s.label >= m.returns_value_.size() || !m.returns_value_[s.label];
+  m.evaluator_.come_back(state.parameters, returned ? &*returned : nullptr, never);
+}
+
 void Machine::Step::leave_sub() {
   const bool endsub = s.keyword == Keyword::kEndsub;
   if (called()) {
     if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
     if (endsub) state.skip = kNoLabel;
+    come_back();
     return out.leave(state);
   }
   if (defining()) {
+    come_back();  // measured: passing over the definition is enough
     if (endsub) {
       state.skip = kNoLabel;
       state.defining = kNoName;
@@ -117,7 +124,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
     }
     const NameId count = m.program_.syntax.names.find("n_args");
     if (count != kNoName && m.profile_.setup != nullptr && m.profile_.setup->counts_arguments) {
-      m.evaluator_.set_name(enter.parameters, count, m.constants_.intern(static_cast<double>(arguments.size())));
+      m.evaluator_.set_name(enter.parameters, count, m.values_.intern(static_cast<double>(arguments.size())));
     }
   }
   if (repeats == 0 || repeats == kUnknownRepeats) {

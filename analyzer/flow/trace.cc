@@ -9,7 +9,7 @@ namespace {
 // are true as well, only less telling.
 constexpr size_t kMaxWork = 16'000'000;  // records looked at for `reach`, over all questions
 constexpr size_t kMaxRecords = 2'000'000;
-constexpr size_t kMaxDecisions = 8;
+constexpr size_t kMaxDecisions = 64;
 
 void pack(const std::vector<std::pair<RecordId, RecordId>>& edges, size_t nodes, bool forward,
           std::vector<uint32_t>& first, std::vector<uint32_t>& list) {
@@ -188,7 +188,7 @@ std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {
   if (records_.size() < kMaxRecords) {
     std::vector<RecordId> goals;
     for (const auto& [at, k] : terminals_) {
-      if (k == key) goals.push_back(at);
+      if (k == key && (unsure_.contains(stop) || !unsure_.contains(at))) goals.push_back(at);
     }
     can_stop = backward_from(goals);
   }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,11 @@ class Trace {
   /// The call made at the record `call` has come back at `after`, a record made for that with `after_call`.
   void come_back(RecordId call, RecordId after) { calls_.push_back({call, after}); }
   /// A run ends here; `key` tells different ends apart (0: a program end without error).
-  void terminate(RecordId at, uint32_t key) { terminals_.emplace_back(at, key); }
+  /// `unsure`: the record stands for several runs, and only some of them end here.
+  void terminate(RecordId at, uint32_t key, bool unsure = false) {
+    terminals_.emplace_back(at, key);
+    if (unsure) unsure_.insert(at);
+  }
 
   const Record& at(RecordId id) const { return records_[id]; }
   size_t size() const { return records_.size(); }
@@ -87,6 +92,7 @@ class Trace {
   std::vector<Record> records_;
   std::vector<Link> links_;
   std::vector<std::pair<RecordId, RecordId>> calls_;
+  std::unordered_set<RecordId> unsure_;
   std::vector<std::pair<RecordId, uint32_t>> terminals_;
   // Successors and predecessors, packed: those of record i are [first[i], first[i + 1]).
   std::vector<uint32_t> next_first_, next_, previous_first_, previous_;

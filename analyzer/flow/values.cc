@@ -13,46 +13,50 @@ namespace {
 // Above this many tracked numbers a write to a computed number would cost too much to model.
 constexpr size_t kMaxTracked = 512;
 
-// LinuxCNC's predefined named parameters; each was tried: reading works, assigning stops.
-constexpr std::string_view kPredefined[] = {
-    "_a", "_abs_a", "_abs_b", "_abs_c", "_abs_x", "_abs_y", "_abs_z", "_absolute", "_adaptive_feed", "_b", "_c",
-    "_call_level", "_ccomp", "_coord_system", "_current_pocket", "_current_tool", "_feed", "_feed_hold",
-    "_feed_override", "_flood", "_ijk_absolute_mode", "_imperial", "_incremental", "_inverse_time",
-    "_lathe_diameter_mode", "_lathe_radius_mode", "_line", "_metric", "_mist", "_motion_mode", "_plane",
-    "_remap_level", "_retract_old_z", "_retract_r_plane", "_rpm", "_selected_pocket", "_selected_tool",
-    "_speed_override", "_spindle_css_mode", "_spindle_cw", "_spindle_on", "_spindle_rpm_mode", "_task",
-    "_tool_offset", "_u", "_units_per_minute", "_units_per_rev", "_v", "_value", "_value_returned", "_vmajor",
-    "_vminor", "_w", "_x", "_y", "_z"};
-
-bool is_global_name(std::string_view name) { return !name.empty() && name[0] == '_'; }
-
 }  // namespace
 
-bool predefined_name(std::string_view name) { return std::ranges::binary_search(kPredefined, name); }
-
-bool read_only_number(long number) {
-  return (number >= 5400 && number <= 5413) || (number >= 5420 && number <= 5428);
-}
-
-ValueId Constants::intern(double value) {
+ValueId KnownValues::intern(double value) {
   if (value == 0) value = 0;  // -0 is 0
-  const auto [entry, added] =
-      ids_.emplace(std::bit_cast<uint64_t>(value), static_cast<ValueId>(values_.size()) + kFirstConstant);
-  if (added) values_.push_back(value);
+  const auto [entry, added] = ids_.emplace(std::bit_cast<uint64_t>(value), static_cast<ValueId>(constants_.size()) + kFirstConstant);
+  if (added) constants_.push_back(value);
   return entry->second;
 }
 
-ValueId join_values(ValueId a, ValueId b) {
-  if (a == b) return a;
-  const auto assigned = [](ValueId v) { return v != kUnassigned && v != kMaybeUnassigned; };
-  return assigned(a) && assigned(b) ? kUnknown : kMaybeUnassigned;
+ValueId KnownValues::intern(const Range& range) {
+  if (range.is_empty()) return kUnknown;
+  if (range.is_one()) return intern(range.low);
+  const Range wide = thresholds_.widened(range);
+  if (wide.is_all()) return kUnknown;
+  std::vector<ValueId>& alike = range_ids_[mix(std::bit_cast<uint64_t>(wide.low), std::bit_cast<uint64_t>(wide.high))];
+  for (const ValueId id : alike) {
+    if (ranges_[id - kFirstRange] == wide) return id;
+  }
+  alike.push_back(kFirstRange + static_cast<ValueId>(ranges_.size()));
+  ranges_.push_back(wide);
+  return alike.back();
 }
 
-Evaluator::Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::Pool& pool)
-    : syntax_(syntax), constants_(constants), pool_(pool), relevant_number_(kLastNumber + 1),
-      relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber), kept_(syntax.names.size()) {
+Range KnownValues::range(ValueId id) const {
+  if (id >= kFirstRange) return ranges_[id - kFirstRange];
+  return is_constant(id) ? Range::of(value(id)) : Range();
+}
+
+ValueId KnownValues::join(ValueId a, ValueId b) {
+  if (a == b) return a;
+  const auto not_returned = [](ValueId v) { return v >= kNotReturned && v <= kMaybeNotReturned; };
+  if (not_returned(a) || not_returned(b)) return kMaybeNotReturned;
+  const auto assigned = [](ValueId v) { return v != kUnassigned && v != kMaybeUnassigned; };
+  if (!assigned(a) || !assigned(b)) return kMaybeUnassigned;
+  return a >= kFirstConstant && b >= kFirstConstant ? intern(hull(range(a), range(b))) : kUnknown;
+}
+
+Evaluator::Evaluator(const Syntax& syntax, KnownValues& values, PersistentMap::Pool& pool)
+    : syntax_(syntax), values_(values), pool_(pool), relevant_number_(kLastNumber + 1),
+      relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber), kept_(syntax.names.size()), asked_for_(syntax.names.size()),
+      value_name_(syntax.names.find("_value")), value_returned_name_(syntax.names.find("_value_returned")) {
   find_relevant();
   find_facts();
+  find_compared();
 }
 
 /// Marks the parameters that an expression reads; true when one of them is new. Recursion is bounded by the length of
@@ -76,14 +80,47 @@ bool Evaluator::mark(ExprId id) {
   return grew;
 }
 
+/// A parameter whose value decides whether an operation fails.
+void Evaluator::mark_operand(ExprId id) {
+  uint32_t key = 0;
+  bool global = false;
+  if (may_narrow(id, &key, &global)) compared_[global][key] |= kCanFail;
+  mark(id);
+}
+
+/// Marks what decides whether a value can be computed.
+void Evaluator::mark_what_can_fail(ExprId id) {
+  const Expr& expr = syntax_.exprs[id];
+  double number = 0;
+  switch (expr.op) {
+    case Operator::kNumber: case Operator::kNamed: case Operator::kExistsNamed: return;
+    case Operator::kParameter:
+      if (!literal_value(syntax_.exprs, expr.left(), &number)) mark(expr.left());
+      return;
+    case Operator::kDivide:
+      if (!literal_value(syntax_.exprs, expr.right(), &number)) mark(expr.right());
+      break;
+    case Operator::kSqrt: case Operator::kLn: case Operator::kAcos: case Operator::kAsin: mark_operand(expr.left()); return;
+    case Operator::kPower: mark(id); return;
+    default: break;
+  }
+  mark_what_can_fail(expr.left());
+  if (expr.right() != kNoExpr) mark_what_can_fail(expr.right());
+}
+
 void Evaluator::find_relevant() {
   for (const Expr& expr : syntax_.exprs) {
-    if (expr.op == Operator::kExistsNamed || (expr.op == Operator::kNamed && expr.target)) kept_[expr.name()] = true;
+    if (expr.op == Operator::kExistsNamed) asked_for_[expr.name()] = true;
+    if (expr.op == Operator::kNamed && expr.target && !kept_[expr.name()]) {
+      kept_[expr.name()] = true;
+      if (is_global_name(syntax_.names.text(expr.name()))) globals_.push_back(expr.name());
+    }
     double number = 0;
     if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) continue;
     if (number >= 1 && number < kFirstGlobalNumber) read_argument_[static_cast<size_t>(number)] = true;
   }
   for (const ExprId value : syntax_.values) mark(value);
+  for (const Item& item : syntax_.items) mark_what_can_fail(item.value);
   for (const Statement& s : syntax_.statements) {
     if (s.label_expr != kNoExpr) mark(s.label_expr);
   }
@@ -171,7 +208,7 @@ ValueId Evaluator::read_number(long number, const Parameters& in) const {
 
 bool Evaluator::always_there(NameId global) const {
   const std::string_view text = syntax_.names.text(global);
-  return predefined_name(text) || kept_[global] || text.find('[') != std::string_view::npos;
+  return predefined_name(text) || machine_name(text) || (coarse_ && (kept_[global] || asked_for_[global]));
 }
 
 bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
@@ -188,34 +225,46 @@ bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
 
 void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& parameters) const {
   const auto value = [&](uint32_t key, bool global) {
-    return certain ? kUnknown : join_values((global ? parameters.globals : parameters.locals).get(key), kUnknown);
+    return certain ? kUnknown : values_.join((global ? parameters.globals : parameters.locals).get(key), kUnknown);
   };
   if (!p.named) return set_number(parameters, p.id, value(p.id, p.id >= kFirstGlobalNumber));
   const bool global = is_global_name(syntax_.names.text(p.id));
   set_name(parameters, p.id, value((global ? kGlobalNames : kLocalNames) + p.id, global));
 }
 
-Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool defining) const {
+Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const {
   const std::string_view text = syntax_.names.text(name);
   Evaluation out;
   if (is_global_name(text)) {
     // `#<_ini[...]...>` and `#<_hal[...]>` are looked up in the machine; a sub from elsewhere may have assigned any.
-    // One that the program assigns or asks for with EXISTS may be there from the run before.
     const ValueId known = in.globals.get(kGlobalNames + name);
-    if (!predefined_name(text) && !distrusts_globals_ && constants_.is_constant(known)) {
+    const bool result = name == value_name_ || name == value_returned_name_;
+    if (result && coarse_) return out;
+    if (name == value_name_ && known >= kNotReturned && known <= kMaybeNotReturned) {
+      if (log != nullptr) log->no_value = known;
+      if (known != kMaybeNotReturned) out.value = values_.intern(0);
+      return out;
+    }
+    const bool own = result || !predefined_name(text);
+    if (own && !distrusts_globals_ && known >= kFirstConstant) {
       out.value = known;
       return out;
     }
     if (in.outside || always_there(name)) return out;
-    out.value = known;
+    out.value = distrusts_globals_ && known >= kFirstConstant ? kUnknown : known;
   } else {
     out.value = in.locals.get(kLocalNames + name);
   }
   if (out.value >= kFirstConstant || out.value == kUnknown || out.value == kNotPassed) return out;
-  if (!defining) {
-    (out.value == kUnassigned ? out.fails : out.may_fail) = StopKind::kNameUndefined;
-    out.name = name;
+  if (defining) {
+    // Read all the same: as what happens to be in memory, mostly 0 or next to it (measured).
+    out.value = zero_when_unassigned ? values_.intern(0) : kUnknown;
+    return out;
   }
+  // A global that the program assigns elsewhere is there from the second run on.
+  const bool from_before = is_global_name(text) && (kept_[name] || asked_for_[name]);
+  (out.value == kUnassigned && !from_before ? out.fails : out.may_fail) = StopKind::kNameUndefined;
+  out.name = name;
   out.value = kUnknown;
   return out;
 }
@@ -226,12 +275,12 @@ Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
   const std::string_view text = syntax_.names.text(expr.name());
   if (is_global_name(text)) {
     const ValueId value = predefined_name(text) ? kUnknown : in.globals.get(kGlobalNames + expr.name());
-    if (value == kUnknown || value >= kFirstConstant) out.value = constants_.intern(1);
+    if (value == kUnknown || value >= kFirstConstant) out.value = values_.intern(1);
     return out;
   }
   const ValueId value = in.locals.get(kLocalNames + expr.name());
-  if (value == kUnassigned) out.value = constants_.intern(0);
-  if (value == kUnknown || value >= kFirstConstant) out.value = constants_.intern(1);
+  if (value == kUnassigned) out.value = values_.intern(0);
+  if (value == kUnknown || value >= kFirstConstant) out.value = values_.intern(1);
   return out;
 }
 
@@ -242,10 +291,10 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
   Evaluation out;
   switch (expr.op) {
     case Operator::kNumber:
-      out.value = constants_.intern(expr.value());
+      out.value = values_.intern(expr.value());
       return out;
     case Operator::kNamed:
-      return read_name(expr.name(), in, defining);
+      return read_name(expr.name(), in, zero_when_unassigned, defining, log);
     case Operator::kExistsNamed: case Operator::kExistsNumbered:
       return exists(expr, in);
     default:
@@ -257,9 +306,9 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
   out.name = left.name;
   out.message = left.message;
   if (expr.op == Operator::kParameter) {
-    if (!constants_.is_constant(left.value)) return out;
+    if (!values_.is_constant(left.value)) return out;
     long number = 0;
-    if (!to_integer(constants_.value(left.value), &number)) {
+    if (!to_integer(values_.value(left.value), &number)) {
       out.fails = StopKind::kParameterRange;
       out.message = "Non integer value for integer";
     } else if (number < 1 || number > kLastNumber) {
@@ -269,9 +318,9 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
       out.value = read_number(number, in);
       if (out.value == kNotPassed) {
         if (log != nullptr) log->not_passed |= 1U << number;
-        out.value = constants_.intern(0);
+        out.value = values_.intern(0);
       }
-      if (out.value == kUnassigned && zero_when_unassigned) out.value = constants_.intern(0);
+      if (out.value == kUnassigned && zero_when_unassigned) out.value = values_.intern(0);
       if (out.value < kFirstConstant) out.value = kUnknown;
     }
     return out;
@@ -287,27 +336,37 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
     }
     right_value = right.value;
   }
-  const bool left_known = constants_.is_constant(left.value);
-  const bool right_known = constants_.is_constant(right_value);
-  if (left_known && right_known) {
+  if (values_.is_constant(left.value) && values_.is_constant(right_value)) {
     double result = 0;
-    const char* message = apply(expr.op, constants_.value(left.value), constants_.value(right_value), &result);
+    const char* message = apply(expr.op, values_.value(left.value), values_.value(right_value), &result);
     if (message != nullptr) {
       out.fails = StopKind::kValueFails;
       out.message = message;
     } else {
-      out.value = constants_.intern(result);
+      out.value = values_.intern(result);
     }
-  } else if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
-    // One known side can decide: nothing is true together with 0.
-    const bool deciding = expr.op == Operator::kOr;
-    const auto decides = [&](bool known, ValueId value) { return known && (constants_.value(value) != 0) == deciding; };
-    if (decides(left_known, left.value) || decides(right_known, right_value)) out.value = constants_.intern(deciding ? 1 : 0);
-  } else if (expr.op == Operator::kDivide && right_known && constants_.value(right_value) == 0) {
-    out.fails = StopKind::kValueFails;
-    out.message = "Attempt to divide by zero";
+  } else if (left.value >= kFirstConstant || right_value >= kFirstConstant) {
+    const Range a = values_.range(left.value);
+    const Range b = values_.range(right_value);
+    if (const char* message = always_fails(expr.op, a, b)) {
+      out.fails = StopKind::kValueFails;
+      out.message = message;
+    } else {
+      out.value = values_.intern(apply(expr.op, a, b));
+    }
   }
   return out;
+}
+
+/// A name exists from where it stands before `=`, for its own value and for the rest of the line: new ones read 0 there, others
+/// what they were before the line (measured).
+void Evaluator::begin_name(NameId name, Parameters& p) const {
+  const bool global = is_global_name(syntax_.names.text(name));
+  PersistentMap& map = global ? p.globals : p.locals;
+  const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
+  const ValueId before = map.get(key);
+  if (before != kUnassigned && before != kMaybeUnassigned) return;
+  map.set(pool_, key, global || before == kMaybeUnassigned || coarse_ ? kUnknown : values_.intern(0));
 }
 
 Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) const {
@@ -321,15 +380,16 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
   Parameters reading = parameters;
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = syntax_.items[s.first + i];
+    if (item.target_name != kNoName) begin_name(item.target_name, reading);
     Write write{-1, item.target_name, kUnknown};
     if (item.target != kNoExpr) {
       const Evaluation index = evaluate(item.target, reading, false, false, log);
       if (index.fails != StopKind::kNone) return index;
       write.number = 0;
-      if (constants_.is_constant(index.value)) {
+      if (values_.is_constant(index.value)) {
         Evaluation out;
-        if (!to_integer(constants_.value(index.value), &write.number)) {
-          out.fails = StopKind::kParameterReadOnly;
+        if (!to_integer(values_.value(index.value), &write.number)) {
+          out.fails = StopKind::kParameterRange;
           out.message = "Non integer value for integer";
         } else if (write.number < 1 || write.number > kLastNumber) {
           out.fails = StopKind::kParameterReadOnly;
@@ -343,22 +403,20 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     }
     const Evaluation value = evaluate(item.value, reading, false, false, log);
     if (value.fails != StopKind::kNone) return value;
-    if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) may = value;
+    if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) {
+      may.may_fail = value.may_fail;
+      may.name = value.name;
+      may.message = value.message;
+    }
     write.value = value.value;
     const bool assigns = item.target != kNoExpr || item.target_name != kNoName;
     if (!assigns) continue;
     if (item.target_name != kNoName) {
-      if (predefined_name(syntax_.names.text(item.target_name))) {
-        Evaluation out;
-        out.fails = StopKind::kNameReadOnly;
-        out.name = item.target_name;
-        return out;
-      }
-      // A name exists from here on, also for the rest of its own line (measured).
-      set_name(reading, item.target_name, kUnknown);
+      if (predefined_name(syntax_.names.text(item.target_name)) && may.read_only == kNoName) may.read_only = item.target_name;
     }
     writes.push_back(write);
   }
+  if (may.read_only != kNoName) return may;
   for (const Write& write : writes) {
     if (write.number == 0) {
       forget_numbers(parameters);

@@ -1,5 +1,6 @@
-// What is known of parameters: nothing, one constant, or that something was assigned. Constants come from literals
-// and arithmetic on them; everything else is unknown, so that both outcomes of a condition are followed.
+// What is known of parameters: nothing, that something was assigned, a range of numbers, or one constant. Constants come
+// from literals and arithmetic on them, ranges from conditions and from constants that are joined; everything else is
+// unknown, so that both outcomes of a condition are followed.
 #pragma once
 
 #include <cstdint>
@@ -7,38 +8,45 @@
 #include <unordered_map>
 #include <vector>
 
+#include "analyzer/flow/parameters.h"
 #include "analyzer/flow/persistent_map.h"
+#include "analyzer/flow/ranges.h"
 #include "analyzer/syntax/statement.h"
 
 namespace owlint::flow {
 
-/// A value in a state's parameter maps. Constants are numbered from kFirstConstant.
+/// A value in a state's parameter maps. Constants are numbered from kFirstConstant, ranges from kFirstRange.
 using ValueId = uint32_t;
 inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
 inline constexpr ValueId kUnknown = 1;          ///< assigned, value not known
 inline constexpr ValueId kMaybeUnassigned = 2;  ///< assigned on some paths
 inline constexpr ValueId kNotPassed = 3;        ///< #n of a sub whose call passes fewer arguments: reads 0
-inline constexpr ValueId kFirstConstant = 4;
+inline constexpr ValueId kNotReturned = 4;      ///< `#<_value>` after a call that returned nothing: reads 0
+inline constexpr ValueId kCleared = 5;          ///< the same where a call before that one had returned something
+inline constexpr ValueId kMaybeNotReturned = 6;  ///< one of these on some paths
+inline constexpr ValueId kFirstConstant = 7;
+inline constexpr ValueId kFirstRange = 1U << 31;
 
-/// #1 to #30 belong to the sub that is executed, named ones without `_` too; the rest is global.
-inline constexpr long kFirstGlobalNumber = 31;
-inline constexpr long kLastNumber = 5601;
-/// From here on positions, offsets, probe results, tool data: the machine changes these between two lines.
-inline constexpr long kFirstVolatileNumber = 5061;
-
-/// Keys of names in Parameters: these plus the NameId. Numbers are their own keys.
-inline constexpr uint32_t kLocalNames = 32;
-inline constexpr uint32_t kGlobalNames = 8192;
-
-class Constants {
+/// Constants and ranges by number.
+class KnownValues {
  public:
   ValueId intern(double value);
-  bool is_constant(ValueId id) const { return id >= kFirstConstant; }
-  double value(ValueId id) const { return values_[id - kFirstConstant]; }
+  /// A range is widened to the thresholds first; one that holds everything is kUnknown.
+  ValueId intern(const Range& range);
+  static bool is_constant(ValueId id) { return id >= kFirstConstant && id < kFirstRange; }
+  double value(ValueId id) const { return constants_[id - kFirstConstant]; }
+  Range range(ValueId id) const;
+  /// What is known when two paths meet.
+  ValueId join(ValueId a, ValueId b);
+  void set_thresholds(std::vector<double> numbers) { thresholds_ = Thresholds(std::move(numbers)); }
+  const Thresholds& thresholds() const { return thresholds_; }
 
  private:
-  std::vector<double> values_;
+  std::vector<double> constants_;
   std::unordered_map<uint64_t, ValueId> ids_;
+  std::vector<Range> ranges_;
+  std::unordered_map<uint64_t, std::vector<ValueId>> range_ids_;
+  Thresholds thresholds_;
 };
 
 /// A condition, the same for all lines that test the same thing. While nothing that it reads is assigned, it has the
@@ -47,15 +55,6 @@ struct Fact {
   uint32_t id = 0;      ///< 0: not tracked
   bool global = false;  ///< reads globals only; otherwise locals only
 };
-
-/// A parameter by number or by name.
-struct ParameterId {
-  uint32_t id = 0;  ///< the number, or a NameId
-  bool named = false;
-};
-
-/// What is known when two paths meet.
-ValueId join_values(ValueId a, ValueId b);
 
 /// Parameters as one state sees them.
 struct Parameters {
@@ -73,17 +72,14 @@ struct Evaluation {
   StopKind may_fail = StopKind::kNone;   ///< on some of the merged paths it stops
   NameId name = kNoName;                 ///< the undefined name
   const char* message = nullptr;         ///< the interpreter's words for a failing operation
+  NameId read_only = kNoName;            ///< a line that assigns this name, which is noticed when all of it has been read (measured)
 };
 
 /// What the evaluator tells about reads, besides the value.
 struct ReadLog {
   uint32_t not_passed = 0;  ///< bit n: #n was read though the call did not pass it
+  ValueId no_value = kUnassigned;  ///< `#<_value>` was read: kNotReturned, kCleared or kMaybeNotReturned
 };
-
-/// Whether a name is one that LinuxCNC predefines and that cannot be assigned.
-bool predefined_name(std::string_view name);
-/// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured).
-bool read_only_number(long number);
 
 /// What the outcome of lines depends on, besides their text.
 struct Dependence {
@@ -95,11 +91,11 @@ struct Dependence {
 
 class Evaluator {
  public:
-  Evaluator(const Syntax& syntax, Constants& constants, PersistentMap::Pool& pool);
+  Evaluator(const Syntax& syntax, KnownValues& values, PersistentMap::Pool& pool);
 
   /// Evaluates `id`. `zero_when_unassigned`: numbered parameters that the program never set read 0, as they do
   /// in a freshly started interpreter; used only to tell whether a value can fail. `defining`: while a sub
-  /// definition is passed over, undefined names do not stop.
+  /// definition is passed over, undefined names do not stop; with `zero_when_unassigned` they read 0 then.
   Evaluation evaluate(ExprId id, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const;
 
   /// Applies the assignments of a line, in order, after all its values were read.
@@ -121,6 +117,14 @@ class Evaluator {
   Fact fact(ExprId condition) const;
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
+  /// Adds the parameters that a condition reads, by their keys; global ones with kGlobal. Whether its outcomes are followed
+  /// exactly: what it compares are parameters with numbers, and they keep their values.
+  static constexpr uint64_t kGlobal = 1ULL << 32;
+  bool followed(ExprId condition, std::vector<uint64_t>& reads) const;
+  /// A name was read without a stop: it is assigned.
+  void assume_assigned(NameId name, Parameters& p) const;
+  /// What the outcome of a condition tells of the parameters that it compares.
+  void refine(Parameters& p, ExprId condition, bool truth) const;
   /// Forgets all that an unknown sub may have changed.
   static void call_outside(Parameters& p);
 
@@ -130,8 +134,13 @@ class Evaluator {
   bool note_assignments(const Statement& s, Dependence& out) const;
   bool distrusts_globals() const { return distrusts_globals_; }
 
-  Constants& constants() const { return constants_; }
+  KnownValues& values() const { return values_; }
+  /// Keys of `#<_value>` and `#<_value_returned>`, as far as anything reads them.
+  std::vector<uint32_t> result_keys() const;
   void set_number(Parameters& p, long number, ValueId value) const;
+  /// A sub comes back, or its definition is passed over: sets `#<_value>` and `#<_value_returned>`. `value`: null without
+  /// one; `never`: the sub has no line that returns a value.
+  void come_back(Parameters& p, const ValueId* value, bool never) const;
   /// M98 shares #1 to #30 with its sub, but not names: `names` with the numbers of `numbers`.
   PersistentMap share_numbers(PersistentMap names, const PersistentMap& numbers) const;
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
@@ -142,24 +151,42 @@ class Evaluator {
   void find_relevant();
   void find_facts();
   void forget_facts(Parameters& p, uint32_t key, bool global) const;
+  void find_compared();
+  void count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds);
+  bool tells_existence(const Expr& comparison, bool truth, NameId* name) const;
+  bool may_narrow(ExprId side, uint32_t* key, bool* global) const;
+  void assume_there(NameId name, Parameters& p) const;
+  void find_existing(Parameters& p, ExprId condition, bool truth) const;
+  void narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const;
   bool mark(ExprId id);
+  void mark_operand(ExprId id);
+  void mark_what_can_fail(ExprId id);
+  void begin_name(NameId name, Parameters& p) const;
   void note_number(long number, Dependence& out) const;
   void note_name(NameId name, Dependence& out) const;
   ValueId read_number(long number, const Parameters& in) const;
-  Evaluation read_name(NameId name, const Parameters& in, bool defining) const;
+  Evaluation read_name(NameId name, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const;
   Evaluation exists(const Expr& expr, const Parameters& in) const;
   void forget_numbers(Parameters& p) const;
 
   const Syntax& syntax_;
-  Constants& constants_;
+  KnownValues& values_;
   PersistentMap::Pool& pool_;
   // Only parameters on which a condition, label, count, argument or value can depend are tracked: others would
   // tell states apart that behave alike.
   std::vector<bool> relevant_number_;
   std::vector<bool> relevant_name_;
   std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere
-  std::vector<bool> kept_;           // names that are assigned, or asked for by EXISTS, anywhere
+  std::vector<bool> kept_;           // names that are assigned anywhere
+  std::vector<NameId> globals_;      // global names that are assigned anywhere
+  std::vector<bool> asked_for_;      // names that EXISTS asks for anywhere
   std::vector<uint32_t> tracked_numbers_;
+  /// How a parameter is compared: once, more than once, in the condition of a `while`; and that it is set to something that is
+  /// no plain number, so that it may count, or that an operation can fail for its value.
+  enum Comparison : uint32_t { kOnce = 1, kMoreThanOnce = 2, kByLoop = 4, kComputed = 8, kCanFail = 16 };
+  std::unordered_map<uint32_t, uint32_t> compared_[2];  // by parameter key, local and global: how it is compared
+  NameId value_name_;           // `#<_value>`; kNoName where nothing reads it
+  NameId value_returned_name_;
   std::vector<Fact> facts_;                                          // by condition, as far as there are any
   std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global
   bool computed_targets_ = false;

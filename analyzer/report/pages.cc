@@ -15,8 +15,9 @@ std::string rule_page(const Rule& rule) {
   std::string out = fmt::format("# {} {}\n\n{}.\n\n{} · {}{}\n\n{}\n\n{}\n", rule.code, rule.name, rule.summary, group_title(rule.group), severity_text(rule.level),
                                 rule.level == Severity::kInfo ? ", off unless selected" : "", page.what, page.why);
   if (!page.interpreter.empty()) out += fmt::format("\nLinuxCNC says: `{}`\n", page.interpreter);
-  out += fmt::format("\n## Found here{}\n\n```\n{}```\n\n## Use instead\n\n```\n{}```\n\n{}\n",
-                     page.options.empty() ? "" : fmt::format(" with `{}`", page.options), page.bad, page.good, page.fix);
+  const auto goes = [](std::string_view to) { return to.empty() ? std::string() : fmt::format("\nThe last rapid move goes to **{}**.\n", to); };
+  out += fmt::format("\n## Found here{}\n\n```\n{}```\n{}\n## Use instead\n\n```\n{}```\n{}\n{}\n",
+                     page.options.empty() ? "" : fmt::format(" with `{}`", page.options), page.bad, goes(page.moves), page.good, goes(page.moves_good), page.fix);
   out += fmt::format("\nTo silence it: `(owlint: ignore {} -- reason)` on the line before.\n", rule.code);
   return out;
 }

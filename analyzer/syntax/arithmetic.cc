@@ -6,7 +6,6 @@
 namespace owlint {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // EQ and NE, measured: 0 EQ 0.00009 holds, 0 EQ 0.00011 does not
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double truth(bool value) { return value ? 1.0 : 0.0; }
@@ -70,8 +69,8 @@ const char* apply(Operator op, double left, double right, double* result) {
       break;
     case Operator::kPlus: out = left + right; break;
     case Operator::kMinus: out = left - right; break;
-    case Operator::kEq: out = truth(std::fabs(left - right) < kTolerance); return nullptr;
-    case Operator::kNe: out = truth(std::fabs(left - right) >= kTolerance); return nullptr;
+    case Operator::kEq: out = truth(std::fabs(left - right) < kEqualTolerance); return nullptr;
+    case Operator::kNe: out = truth(std::fabs(left - right) >= kEqualTolerance); return nullptr;
     case Operator::kGt: out = truth(left > right); return nullptr;
     case Operator::kGe: out = truth(left >= right); return nullptr;
     case Operator::kLt: out = truth(left < right); return nullptr;

@@ -129,6 +129,13 @@ void note_directive(std::string_view line, uint64_t offset, uint32_t number, boo
   out.directives.push_back({number, {offset + at + 7, offset + end}, !code, on_oword});
 }
 
+/// Whether one of the comments is `(abort, …)`. Measured: in any case, without a blank before the comma.
+bool aborts(std::string_view line) {
+  constexpr std::string_view kWord = "(abort,";
+  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; };
+  return !std::ranges::search(line, kWord, same).empty();
+}
+
 /// A stretch of lines that one core looks through.
 struct Stretch {
   uint64_t begin = 0;
@@ -226,6 +233,14 @@ class Reader {
       if (view.matters) keep = parser_.parse(line, found.begin, &statement);
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
+        const bool plain = !keep || (statement.error == UINT32_MAX && statement.has_items());
+        if (plain && aborts(line)) {
+          statement.offset = found.begin;
+          statement.length = static_cast<uint32_t>(line.size());
+          statement.kind = LineKind::kAbort;
+          statement.item_count = 0;
+          keep = true;
+        }
       }
       if (!keep && view.code) note_plain(number);
     }

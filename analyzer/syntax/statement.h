@@ -1,5 +1,5 @@
 // A statement is one line that matters to O-words: an O-word, M98/M99, the program end, `%`, a line that sets or
-// reads parameters, or a line that the interpreter refuses. Plain motion lines leave no statement.
+// reads parameters, `(abort, …)`, or a line that the interpreter refuses. Plain motion lines leave no statement.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +19,7 @@ enum class LineKind : uint8_t {
   kM98,         // Fanuc-style call
   kM99,         // Fanuc-style return
   kProgramEnd,  // M2 or M30, with whatever else is on the line
+  kAbort,       // a comment `(abort, …)`: stops the program on purpose, before anything else on the line (measured)
   kPercent,     // `%` alone on its line
   kWords,       // any other line that is kept
   kFileEnd,     // no line: where one file ends in a program joined from several

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does owlint claim exactly the stops that LinuxCNC's interpreter makes?  Random programs, both directions.
 
-usage: agree.py --owlint build/release/owlint [--programs 2000] [--seed S] [--jobs 2] [--keep DIR] [--warnonly] [--files]
+usage: agree.py --owlint build/release/owlint [--programs 2000] [--seed S] [--jobs 2] [--keep DIR] [--warnonly] [--files] [--values]
 
 Each program runs under many combinations of its unknown values (explore.py).  Every stop seen must be claimed by a
 finding with `stops` at that line under that rule, and every claim must be seen in some run; a claim of reach `always`
@@ -21,7 +21,7 @@ import tempfile
 import time
 from collections import Counter
 
-from generate import generate, generate_files
+from generate import generate, generate_files, generate_values
 from judge import HANGS, MISS, NEVER_STOPS, NOT_ALWAYS, UNWITNESSED, hazards_of, is_witnessed, to_witness
 from linter import Linter, LinterFailed
 from oracle import Interpreter, scratch
@@ -78,7 +78,7 @@ def compare(options, folder, linter):
 
     with multiprocessing.Pool(options.jobs, _start_worker, (options.warnonly, folder)) as pool:
         for first in range(0, options.programs, AT_ONCE):
-            make = generate_files if options.files else generate
+            make = generate_files if options.files else generate_values if options.values else generate
             texts = {"p%06d.ngc" % number: make("%d/%d" % (options.seed, number))
                      for number in range(first, min(first + AT_ONCE, options.programs))}
             findings = linter.check(os.path.join(folder, "programs"), texts)
@@ -181,6 +181,7 @@ def main(argv):
     parser.add_argument("--keep", metavar="DIR", help="save the programs that disagree")
     parser.add_argument("--warnonly", action="store_true")
     parser.add_argument("--coarse", action="store_true")
+    parser.add_argument("--values", action="store_true", help="programs in which parameters decide what stops")
     parser.add_argument("--files", action="store_true", help="programs of two to four files, with a search path")
     options = parser.parse_args(argv)
     if options.seed is None:

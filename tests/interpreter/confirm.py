@@ -34,11 +34,12 @@ ENDLESS = frozenset({"OW504", "OW508", "OW510"})
 
 @dataclass(frozen=True)
 class Program:
-    """One program to confirm. `page`: the message that its page quotes, for a bad example that has one."""
+    """One program to confirm. `page`: the message that its page quotes, for a bad example that has one, or "runs"."""
     name: str
     text: str               # bytes as latin-1
     options: str = ""
     page: str = ""
+    moves: str = ""         # where its last rapid move goes, if the page says so
 
     @property
     def files(self):
@@ -144,8 +145,8 @@ def pages(owlint):
     for rule in rules:
         # JSON has characters, programs have bytes
         bad, good = (rule[key].encode("utf-8").decode("latin-1") for key in ("bad", "good"))
-        yield Program("page:%s:bad" % rule["code"], bad, rule["options"], rule["interpreter"] or "runs")
-        yield Program("page:%s:good" % rule["code"], good, rule["options"])
+        yield Program("page:%s:bad" % rule["code"], bad, rule["options"], rule["interpreter"] or "runs", rule["moves"])
+        yield Program("page:%s:good" % rule["code"], good, rule["options"], moves=rule["moves_good"])
 
 
 def expressions():
@@ -220,6 +221,8 @@ def judge_page(program, outcome):
     """A page's example must do what the page says."""
     if program.name.endswith(":good") and outcome.kind != "ok":
         yield "the good example ends in: %s %s" % (outcome.kind, outcome.message)
+    if program.moves and (not outcome.x or program.moves != "X%g" % float(outcome.x)):
+        yield "the page says that it moves to %s, the interpreter moves to X%s" % (program.moves, outcome.x)
     if program.page and program.page != "runs":
         pattern = re.escape(plain(program.page)).replace("linen", r"line\d+").replace("line:n", r"line:\d+")
         if not re.search(pattern, plain(outcome.message)):

@@ -54,6 +54,8 @@ FILE_LINES = 100
 FILE_PAD = (";" + "-" * 98 + "\n") * FILE_LINES
 WARNINGS_READ = 30_000      # from the start and the end of what an endless loop has printed
 
+FROM_BEFORE = "(run before)"     # a comment to owlint; the interpreter may find global names there from here on
+_FROM_BEFORE = re.compile(re.escape(FROM_BEFORE), re.IGNORECASE)
 _TOKEN = re.compile(r"#\[([1-4])\d\d\d\+#99\]")
 
 
@@ -73,9 +75,15 @@ class Run:
         return bytes(value for _, _, value in self.trace)
 
 
+def _left_by_program(text):
+    """The global names that a run of this program can leave behind for the next one."""
+    squeezed = re.sub(r"[ \t]", "", text).lower()
+    return "".join(name for name in ("_g", "_h") if "#<%s>=" % name in squeezed or "exists[#<%s>]" % name in squeezed)
+
+
 def for_interpreter(text):
     """The program with its unknown values replaced by choices; lines stay where they are."""
-    return _TOKEN.sub(lambda m: "#<_choice>" if m.group(1) in "12" else "#<_count>", text)
+    return _TOKEN.sub(lambda m: "#<_choice>" if m.group(1) in "12" else "#<_count>", _FROM_BEFORE.sub("#99=#<_before%s>" % _left_by_program(text), text))
 
 
 def pad(text):

@@ -3,6 +3,7 @@ import os
 
 from explore import Explorer
 from judge import is_witnessed, judge, to_witness
+from oracle import FROM_BEFORE
 
 
 def investigate(interpreter, text, findings, warnonly, seed=0, first=150, patience=50, more=2000):
@@ -12,6 +13,10 @@ def investigate(interpreter, text, findings, warnonly, seed=0, first=150, patien
     claims = to_witness(findings, warnonly)
     explorer.search(more, lambda: all(is_witnessed(claim, explorer) for claim in claims))
     return explorer, judge(findings, explorer, warnonly)
+
+
+def has_before(lines):
+    return any(FROM_BEFORE in line.lower() for line in lines)
 
 
 class Shrinker:
@@ -31,6 +36,8 @@ class Shrinker:
         size = max(1, len(lines) // 2)
         while size:
             shorter = [lines[:at] + lines[at + size:] for at in range(0, len(lines), size) if len(lines) > size]
+            # What the run before left is part of the question.
+            shorter = [some for some in shorter if has_before(some) == has_before(lines)]
             found = self._first(shorter, key, newline)
             if found:
                 best = found

@@ -5,7 +5,8 @@ takes the next number of `CHOICES`, so one list of numbers is one run.  Past the
 `LIMIT`-th reading on, the value is 0: a loop on an unknown condition always ends. A list that ends with `ONES` goes on
 with 1 for ever instead: so an endless loop is seen that needs a condition to stay true.
 
-`#<_choice>` is a condition (0 or 1), `#<_count>` a repeat count (0, 1 or 2).
+`#<_choice>` is a condition (0 or 1), `#<_count>` a repeat count (0, 1 or 2).  Reading `#<_before_g_h>` decides whether a
+run before this one has set `#<_g>` and `#<_h>`.
 With the stand-alone `rs274` the list is given in the environment: CHOICES=0110.
 """
 import os
@@ -31,6 +32,30 @@ def _take(interp, arity):
 
 def _choice(self):
     return _take(self, 2)
+
+
+def _left(interp, names):
+    """Whether these global names are there, and with what values."""
+    if _take(interp, 2):
+        for name in names:
+            interp.params[name] = 1 + _take(interp, 2)
+    return 0.0
+
+
+def _before(self):
+    return 0.0
+
+
+def _before_g(self):
+    return _left(self, ("_g",))
+
+
+def _before_h(self):
+    return _left(self, ("_h",))
+
+
+def _before_g_h(self):
+    return _left(self, ("_g", "_h"))
 
 
 def _count(self):

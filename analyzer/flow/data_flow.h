@@ -1,0 +1,71 @@
+// What each sub, and the main program, does with parameters: what it reads of what it is given, what it assigns, whether it
+// returns a value; which assignments nothing reads; which conditions come out the same every time whatever is passed.
+// Found sub by sub, from the lines alone, whatever the calls: so it holds for every caller.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "analyzer/flow/fixed_conditions.h"
+#include "analyzer/flow/liveness.h"
+
+namespace owlint::flow {
+
+/// How a sub comes back: never with a value, on some ways only, on every way.
+enum class Returns : uint8_t { kNothing, kSometimes, kValue };
+
+struct Summary {
+  bool known = false;       ///< otherwise nothing below holds
+  uint32_t arguments = 0;   ///< bit n: the value that #n has at the call may be read
+  bool any_number = false;  ///< reads a parameter whose number is computed: it may be any argument
+  std::vector<ParameterId> reads;   ///< globals, in the order of their first place
+  std::vector<ParameterId> writes;  ///< globals that it may assign itself, in the order of their first place
+  Returns returns = Returns::kNothing;
+
+  /// The highest argument that is read; 0 for none.
+  int last_argument() const;
+};
+
+/// An assignment whose value nothing reads.
+struct UnusedValue {
+  StatementId statement = kNoStatement;
+  uint32_t item = 0;  ///< of the statement's items
+  ParameterId parameter;
+  StatementId overwritten = kNoStatement;  ///< the next line, if it is assigned again there; else nothing reads it
+};
+
+class DataFlow {
+ public:
+  explicit DataFlow(const Program& program);
+  ~DataFlow();
+
+  const Summary& of(RegionId region) const;
+  /// Whether #n has a value of its own when a sub comes back, that nothing reads; the line that assigns it.
+  StatementId left_behind(RegionId region, uint32_t number) const;
+  /// The highest argument that `(debug, #1)` and the like print; 0 for none.
+  int last_printed_argument() const;
+  /// Whether a region reads #n behind one of its calls, and never assigns it.
+  bool expects_from_call(StatementId call, uint32_t number) const;
+  const std::vector<UnusedValue>& unused() const;
+  const std::vector<FixedCondition>& fixed() const;
+  const Structure& structure() const { return structure_; }
+
+ private:
+  struct Sub;
+  const Sub& look(RegionId region) const;
+  void summarize(Sub& sub) const;
+  void find_unused(RegionId region, std::vector<UnusedValue>& out) const;
+  bool printed(uint64_t key) const;
+  const std::vector<uint64_t>& printed() const;
+
+  const Program& program_;
+  Structure structure_;
+  Grouped statements_;  ///< by region
+  mutable std::vector<std::unique_ptr<Sub>> subs_;
+  mutable std::optional<std::vector<UnusedValue>> unused_;
+  mutable std::optional<std::vector<FixedCondition>> fixed_;
+  mutable std::optional<std::vector<uint64_t>> printed_;  ///< parameters that comments print, sorted
+};
+
+}  // namespace owlint::flow

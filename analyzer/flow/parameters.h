@@ -1,0 +1,39 @@
+// LinuxCNC's parameters: which there are, whose they are, who may set them. Source: its page on O-words and parameters,
+// and each name and number tried with `rs274` (../../docs/interpreter.md).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "analyzer/syntax/names.h"
+
+namespace owlint::flow {
+
+/// #1 to #30 belong to the sub that is executed, named ones without `_` too; the rest is global.
+inline constexpr long kFirstGlobalNumber = 31;
+inline constexpr long kLastNumber = 5601;
+/// From here on positions, offsets, probe results, tool data: the machine changes these between two lines.
+inline constexpr long kFirstVolatileNumber = 5061;
+
+/// A parameter by number or by name.
+struct ParameterId {
+  uint32_t id = 0;  ///< the number, or a NameId
+  bool named = false;
+};
+
+/// Keys of parameters in maps: numbers are their own, names these plus the NameId.
+inline constexpr uint32_t kLocalNames = 32;
+inline constexpr uint32_t kGlobalNames = 8192;
+
+/// Whether a name begins with `_` and so is shared by all subs.
+bool is_global_name(std::string_view name);
+/// Whether a name is one that LinuxCNC predefines: it can be read at any time, and not be assigned.
+bool predefined_name(std::string_view name);
+/// Whether a name is looked up in the machine: `#<_ini[section]entry>`, `#<_hal[pin]>`. It may be there or not.
+bool machine_name(std::string_view name);
+/// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured).
+bool read_only_number(long number);
+/// Whether what a parameter is set to can outlive the program: in the parameter file, or in the machine.
+bool is_shared_number(long number);
+
+}  // namespace owlint::flow

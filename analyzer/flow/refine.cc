@@ -1,0 +1,219 @@
+// What the outcome of a condition tells of the parameters in it: behind `if [#1 GT 5]` #1 is greater than 5. Only where it
+// can matter: it tells states apart that a parameter compared once would not.
+#include <algorithm>
+#include <span>
+
+#include "analyzer/flow/conditions.h"
+#include "analyzer/flow/values.h"
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+namespace {
+
+// The detailed analysis of a very large program does not get further than this.
+constexpr size_t kMaxStatements = 100'000;
+
+}  // namespace
+
+/// The key of a parameter that stands alone on one side of a comparison, if it keeps its value until it is set again.
+bool Evaluator::may_narrow(ExprId side, uint32_t* key, bool* global) const {
+  const Expr& expr = syntax_.exprs[side];
+  if (expr.op == Operator::kNamed) {
+    const std::string_view name = syntax_.names.text(expr.name());
+    *global = is_global_name(name);
+    *key = (*global ? kGlobalNames : kLocalNames) + expr.name();
+    return !predefined_name(name) && !machine_name(name) && !(*global && distrusts_globals_);
+  }
+  double number = 0;
+  long index = 0;
+  if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) return false;
+  if (!to_integer(number, &index) || index < 1 || index >= kFirstVolatileNumber) return false;
+  *global = index >= kFirstGlobalNumber;
+  *key = static_cast<uint32_t>(index);
+  return !(*global && distrusts_globals_);
+}
+
+// Depth is bounded by the length of a line.
+void Evaluator::count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds) {
+  const Expr& expr = syntax_.exprs[id];
+  uint32_t key = 0;
+  bool global = false;
+  const auto count = [&](ExprId side, ExprId other) {
+    if (!may_narrow(side, &key, &global)) return;
+    uint32_t& how = compared_[global][key];
+    how |= (how & kOnce) != 0 ? kMoreThanOnce : kOnce;
+    if (of_while) how |= kByLoop;
+    double number = 0;
+    if (other == kNoExpr || !literal_value(syntax_.exprs, other, &number)) return;
+    thresholds.push_back(number);
+    if (expr.op == Operator::kEq || expr.op == Operator::kNe) {
+      // What is equal to a number is near it.
+      thresholds.push_back(number - kEqualTolerance);
+      thresholds.push_back(number + kEqualTolerance);
+    }
+  };
+  if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
+    count_comparisons(expr.left(), of_while, thresholds);
+    count_comparisons(expr.right(), of_while, thresholds);
+  } else if (is_comparison(expr.op)) {
+    count(expr.left(), expr.right());
+    count(expr.right(), expr.left());
+  } else if (expr.op == Operator::kNamed || expr.op == Operator::kParameter) {
+    count(id, kNoExpr);
+  }
+}
+
+void Evaluator::find_compared() {
+  std::vector<double> thresholds;
+  const std::span all(syntax_.statements);
+  const auto first = all.first(std::min(all.size(), kMaxStatements));
+  for (const Statement& s : first) {
+    const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
+    if (is_test && s.value_count > 0) count_comparisons(syntax_.values[s.first], s.is(Keyword::kWhile), thresholds);
+  }
+  if (compared_[0].empty() && compared_[1].empty()) return;
+  for (const Item& item : syntax_.items) {
+    if (item.target_name == kNoName && item.target == kNoExpr) continue;
+    double number = 0;
+    long index = 0;
+    if (literal_value(syntax_.exprs, item.value, &number)) continue;
+    uint32_t key = item.target_name;
+    bool global = false;
+    if (item.target_name != kNoName) {
+      global = is_global_name(syntax_.names.text(item.target_name));
+      key += global ? kGlobalNames : kLocalNames;
+    } else {
+      if (!literal_value(syntax_.exprs, item.target, &number) || !to_integer(number, &index)) continue;
+      global = index >= kFirstGlobalNumber;
+      key = static_cast<uint32_t>(index);
+    }
+    if (const auto found = compared_[global].find(key); found != compared_[global].end()) found->second |= kComputed;
+  }
+  const auto no_use = [](const auto& entry) {
+    constexpr uint32_t kCounter = kByLoop | kComputed;
+    if ((entry.second & kOnce) == 0) return true;
+    return (entry.second & (kMoreThanOnce | kCanFail)) == 0 && (entry.second & kCounter) != kCounter;
+  };
+  for (auto& compared : compared_) std::erase_if(compared, no_use);
+  if (compared_[0].empty() && compared_[1].empty()) return;
+  values_.set_thresholds(std::move(thresholds));
+}
+
+void Evaluator::narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const {
+  uint32_t key = 0;
+  bool global = false;
+  if (!may_narrow(side, &key, &global) || !compared_[global].contains(key)) return;
+  PersistentMap& map = global ? p.globals : p.locals;
+  const ValueId before = map.get(key);
+  if (KnownValues::is_constant(before) || before == kMaybeUnassigned || before == kNotPassed) return;
+  Range right = Range::of(0);
+  if (other != kNoExpr) right = values_.range(evaluate(other, p, false, false, nullptr).value);
+  const ValueId after = values_.intern(narrowed(values_.range(before), op, right, truth));
+  if (after != kUnknown) map.set(pool_, key, after);
+}
+
+/// Whether `EXISTS[#<name>] OP number` comes out as `truth` only where the name exists.
+bool Evaluator::tells_existence(const Expr& comparison, bool truth, NameId* name) const {
+  double number = 0;
+  const bool left = syntax_.exprs[comparison.left()].op == Operator::kExistsNamed;
+  const Expr& asked = syntax_.exprs[left ? comparison.left() : comparison.right()];
+  if (asked.op != Operator::kExistsNamed || !literal_value(syntax_.exprs, left ? comparison.right() : comparison.left(), &number)) return false;
+  *name = asked.name();
+  const auto outcome = [&](double exists) {
+    double result = 0;
+    owlint::apply(comparison.op, left ? exists : number, left ? number : exists, &result);
+    return result != 0;
+  };
+  return outcome(1) == truth && outcome(0) != truth && !predefined_name(syntax_.names.text(*name));
+}
+
+void Evaluator::assume_assigned(NameId name, Parameters& p) const {
+  const bool global = is_global_name(syntax_.names.text(name));
+  PersistentMap& map = global ? p.globals : p.locals;
+  const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
+  if (const ValueId before = map.get(key); before == kUnassigned || before == kMaybeUnassigned) map.set(pool_, key, kUnknown);
+}
+
+/// EXISTS has found a name. What this run has not assigned, one before it has; then that run has assigned its other globals, too.
+void Evaluator::assume_there(NameId name, Parameters& p) const {
+  const bool from_before = is_global_name(syntax_.names.text(name)) && p.globals.get(kGlobalNames + name) == kUnassigned;
+  assume_assigned(name, p);
+  if (!from_before) return;
+  for (const NameId other : globals_) assume_assigned(other, p);
+}
+
+// Depth is bounded by the length of a line.
+bool Evaluator::followed(ExprId condition, std::vector<uint64_t>& reads) const {
+  const Expr& expr = syntax_.exprs[condition];
+  uint32_t key = 0;
+  bool global = false;
+  double number = 0;
+  if (expr.op == Operator::kNumber) return true;
+  if (expr.op == Operator::kExistsNumbered) return false;
+  if (expr.op == Operator::kNamed || expr.op == Operator::kParameter) {
+    const bool keeps = may_narrow(condition, &key, &global);
+    if (keeps) reads.push_back(key | (global ? kGlobal : 0));
+    if (!keeps && expr.op == Operator::kNamed) reads.push_back((kGlobalNames + expr.name()) | kGlobal);
+    if (!keeps && expr.op == Operator::kParameter) reads.push_back(literal_value(syntax_.exprs, expr.left(), &number) ? static_cast<uint64_t>(number) | kGlobal : UINT64_MAX);
+    return keeps;
+  }
+  if (expr.op == Operator::kExistsNamed) {
+    global = is_global_name(syntax_.names.text(expr.name()));
+    reads.push_back(((global ? kGlobalNames : kLocalNames) + expr.name()) | (global ? kGlobal : 0));
+    return true;
+  }
+  const bool left = followed(expr.left(), reads);
+  const bool right = expr.right() == kNoExpr || followed(expr.right(), reads);
+  if (!left || !right) return false;
+  if (expr.op == Operator::kAnd || expr.op == Operator::kOr) return true;
+  if (!is_comparison(expr.op)) return false;
+  const bool with_number = literal_value(syntax_.exprs, expr.left(), &number) || literal_value(syntax_.exprs, expr.right(), &number);
+  return with_number && (may_narrow(expr.left(), &key, &global) || may_narrow(expr.right(), &key, &global));
+}
+
+void Evaluator::refine(Parameters& p, ExprId condition, bool truth) const {
+  if (coarse_) return;
+  find_existing(p, condition, truth);
+  for_known_comparisons(syntax_.exprs, condition, truth, [&](ExprId side, Operator op, ExprId other, bool outcome) { narrow(p, side, op, other, outcome); });
+}
+
+// Depth is bounded by the length of a line.
+void Evaluator::find_existing(Parameters& p, ExprId condition, bool truth) const {
+  const Expr& expr = syntax_.exprs[condition];
+  NameId name = kNoName;
+  if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
+    if (truth != (expr.op == Operator::kAnd)) return;
+    find_existing(p, expr.left(), truth);
+    find_existing(p, expr.right(), truth);
+  } else if (expr.op == Operator::kExistsNamed) {
+    if (truth && !predefined_name(syntax_.names.text(expr.name()))) assume_there(expr.name(), p);
+  } else if (is_comparison(expr.op) && tells_existence(expr, truth, &name)) {
+    assume_there(name, p);
+  }
+}
+
+std::vector<uint32_t> Evaluator::result_keys() const {
+  std::vector<uint32_t> keys;
+  for (const NameId name : {value_name_, value_returned_name_}) {
+    if (name != kNoName) keys.push_back(kGlobalNames + name);
+  }
+  return keys;
+}
+
+void Evaluator::come_back(Parameters& p, const ValueId* value, bool never) const {
+  if (coarse_) return;  // calls are passed over there
+  if (value_returned_name_ != kNoName) p.globals.set(pool_, kGlobalNames + value_returned_name_, values_.intern(value != nullptr ? 1 : 0));
+  if (value_name_ == kNoName) return;
+  const uint32_t key = kGlobalNames + value_name_;
+  ValueId after = kNotReturned;
+  if (value != nullptr) {
+    const bool told = *value >= kFirstConstant && relevant_name_[value_name_];
+    after = told ? *value : kUnknown;
+  } else if (const ValueId before = p.globals.get(key); never && before != kUnassigned && before != kNotReturned) {
+    after = kCleared;
+  }
+  p.globals.set(pool_, key, after);
+}
+
+}  // namespace owlint::flow

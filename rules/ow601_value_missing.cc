@@ -1,0 +1,86 @@
+// OW601 value-missing: `#<_value>` is read after a sub has come back without one.
+// Rests on: `endsub` and `return` set `#<_value>` to their value, or to 0 without one, and `#<_value_returned>` to 1 or 0;
+// M99 counts as one without (measured).
+#include <algorithm>
+
+#include "rules/parameters.h"
+
+namespace owlint::rules {
+namespace {
+
+/// Whether the program asks for `#<_value_returned>` behind the line, before the next call: it knows what it does.
+bool asks_afterwards(const Program& p, StatementId id) {
+  constexpr StatementId kFar = 32;  // lines
+  const NameId returned = p.syntax.names.find("_value_returned");
+  if (returned == kNoName) return false;
+  flow::LineAccess line;
+  for (StatementId next = id; next < std::min<size_t>(id + kFar, p.size()); ++next) {
+    if (p.at(next).is(Keyword::kCall) || p.region_of[next] != p.region_of[id]) return false;
+    line.look(p, next);
+    if (std::ranges::count(line.reads, (flow::kGlobalNames + returned) | flow::LineAccess::kGlobal) > 0) return true;
+  }
+  return false;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  if (!in.data.structure().regular) return;  // the sub that comes back without a value may lack its own end
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kValueNotReturned || asks_afterwards(p, h.statement)) continue;
+    const Elsewhere from = place_of(in, h.other, h.other_elsewhere);
+    const std::string sub = from.program == nullptr || from.program->at(from.statement).label == kNoName ? "the sub that was called" : "`" + from.program->label_at(from.statement) + "`";
+    Finding& f = out.add(p.at(h.statement).whole(), "`#<_value>` is read here, but " + sub + " can come back without a value: then it is 0");
+    if (from.program != nullptr) relate(in, f, from, "it comes back from here, without a value");
+    f.help = "return a value on every way out of the sub, as `endsub [#1]`, or test `#<_value_returned>`, which is 0 then";
+    f.reach = h.reach;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw601{
+    .code = "OW601",
+    .name = "value-missing",
+    .summary = "`#<_value>` is read after a call whose sub returns no value, on some path or on all",
+    .group = Group::kDataFlow,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A `#<_value>` that is read behind a call although the sub can come back without a value: its `endsub`
+has none, or a `return` inside an `if` has none.)",
+        .why = R"(LinuxCNC sets `#<_value>` to **0** when a sub comes back without a value, and says nothing. A height, a
+width or an angle of 0 then goes into the next move. Whether there was a value is in
+`#<_value_returned>`: 1, or 0.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+  o110 if [#1 GT 10]
+    o100 return [#1 / 2]
+  o110 endif
+o100 endsub
+G0 X50 Z5
+o100 call [8]
+G0 X#<_value>
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  o110 if [#1 GT 10]
+    o100 return [#1 / 2]
+  o110 endif
+o100 endsub [#1]
+G0 X50 Z5
+o100 call [8]
+G0 X#<_value>
+M2
+)",
+        .fix = R"(Give `endsub` and every `return` a value, or test `#<_value_returned>` before the value is used.)",
+        .interpreter = "",
+        .options = "",
+        .moves = "X0",
+        .moves_good = "X8",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

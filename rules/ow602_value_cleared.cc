@@ -1,0 +1,71 @@
+// OW602 value-cleared: `#<_value>` is read after another call has cleared it.
+// Rests on: every `endsub`, `return` and M99 without a value sets `#<_value>` to 0, whatever call came before (measured).
+#include "rules/parameters.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  if (!in.data.structure().regular) return;  // the sub that returns none may lack its own end
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kValueCleared) continue;
+    const Elsewhere from = place_of(in, h.other, h.other_elsewhere);
+    const std::string sub = from.program == nullptr || from.program->at(from.statement).label == kNoName ? "another sub" : "`" + from.program->label_at(from.statement) + "`";
+    Finding& f = out.add(p.at(h.statement).whole(), "`#<_value>` is 0 here: " + sub + ", which returns no value, was called since the call that returned one");
+    if (from.program != nullptr) relate(in, f, from, "the value is cleared here");
+    f.help = "keep the value right behind the call that returns it: `#<result> = #<_value>`";
+    f.reach = h.reach;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw602{
+    .code = "OW602",
+    .name = "value-cleared",
+    .summary = "`#<_value>` is read after another call has cleared it",
+    .group = Group::kDataFlow,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A value that one sub has returned and that is read only after another sub was called, which returns
+none.)",
+        .why = R"(There is one `#<_value>` for all subs. A sub that comes back without a value, or by M99, sets it to
+**0**; a definition that is passed over does so, too. LinuxCNC says nothing.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+o100 endsub [#1 * 2]
+o200 sub
+  M8
+o200 endsub
+G0 X50 Z5
+o100 call [10]
+o200 call
+G0 X#<_value>
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+o100 endsub [#1 * 2]
+o200 sub
+  M8
+o200 endsub
+G0 X50 Z5
+o100 call [10]
+#<width> = #<_value>
+o200 call
+G0 X#<width>
+M2
+)",
+        .fix = R"(Put the value into a parameter of your own on the line behind the call.)",
+        .interpreter = "",
+        .options = "",
+        .moves = "X0",
+        .moves_good = "X20",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,71 @@
+// OW606 argument-unused: a call passes what its sub never reads.
+// Rests on: arguments are #1 to #30 of the sub, and nothing else sees them.
+#include <bit>
+
+#include "rules/parameters.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Call& call : p.calls) {
+    const Statement& s = p.at(call.statement);
+    if (call.target == UINT32_MAX || s.kind == LineKind::kM98 || s.value_count == 0 || s.error != UINT32_MAX) continue;
+    const flow::Summary& sub = in.data.of(call.target);
+    if (!sub.known || sub.any_number) continue;
+    // One in the middle has to be passed for the sake of those behind it.
+    const int read = std::max(sub.last_argument(), in.data.last_printed_argument());
+    if (s.value_count <= read) continue;
+    const std::string reads = read == 0 ? "reads none" : read == 1 ? "reads only `#1`" : "reads only `#1` to `#" + std::to_string(read) + "`";
+    Finding& f = out.add(s.head_span(), "`" + p.head(call.statement) + "` passes " + std::to_string(s.value_count) + (s.value_count == 1 ? " argument" : " arguments") + ", but the sub " + reads);
+    relate(f, p, p.regions[call.target].opener, "the sub");
+    f.help = "remove the argument, or use it in the sub";
+    f.reach = in.flow.reach(call.statement);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw606{
+    .code = "OW606",
+    .name = "argument-unused",
+    .summary = "an argument that the sub never reads",
+    .group = Group::kDataFlow,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A call that passes more arguments than its sub, which stands in the same program, reads: a feed that
+is passed and then programmed as a fixed number, or one `[...]` too many.)",
+        .why = R"(LinuxCNC takes up to 30 arguments for every sub and says nothing when they are not used. What the
+call seems to say does not happen: in the first program below, the machine goes to X0.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+  G0 Z5
+  G0 X#<_x_start>
+o100 endsub
+#<_x_start> = 0
+G0 X50 Z5
+o100 call [20]
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  G0 Z5
+  G0 X#1
+o100 endsub
+G0 X50 Z5
+o100 call [20]
+M2
+)",
+        .fix = R"(Remove what is not used from the call, or read it in the sub.)",
+        .interpreter = "",
+        .options = "",
+        .moves = "X0",
+        .moves_good = "X20",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules
