@@ -5,7 +5,7 @@
 namespace owlint::rules {
 
 std::string parameter_words(const Program& program, flow::ParameterId parameter) {
-  return parameter.named ? "`#<" + program.name(parameter.id) + ">`" : "`#" + std::to_string(parameter.id) + "`";
+  return "`" + flow::parameter_text(program, parameter) + "`";
 }
 
 Span item_span(const Program& program, StatementId statement, uint32_t item) {

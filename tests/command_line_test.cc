@@ -200,6 +200,16 @@ TEST_CASE("every rule can be explained", "[cli]") {
   }
 }
 
+TEST_CASE("graphs say what subs do with parameters", "[cli]") {
+  const Scratch files;
+  const std::string path = files.write("p.ngc", "o100 sub\n  #<_result> = [#1 + #<_x_start> + #31]\n  o110 if [#2 GT 0]\n    o100 return\n  o110 endif\n  #3 = 5\n  G0 X#3\no100 endsub [#1]\n#<_x_start> = 3\no100 call [1] [2]\nM2\n");
+  const nlohmann::json graph = nlohmann::json::parse(run({"graph", "--format", "json", path}).out);
+  CHECK(graph["scopes"][1]["summary"] == nlohmann::json::parse(R"({"arguments": [1, 2], "computed": false, "reads": ["#<_x_start>", "#31"], "writes": ["#<_result>"], "returns": "sometimes"})"));
+  CHECK(graph["scopes"][0]["summary"]["writes"] == nlohmann::json::parse(R"(["#<_x_start>"])"));
+  const std::string broken = files.write("q.ngc", "o100 sub\n  o110 if [#1 GT 0]\no100 endsub\nM2\n");
+  CHECK(nlohmann::json::parse(run({"graph", "--format", "json", broken}).out)["scopes"][1]["summary"].is_null());
+}
+
 TEST_CASE("graphs of all fixtures are well formed", "[cli]") {
   for (const std::string& path : files_below(repository("corpus"))) {
     if (!path.ends_with(".ngc")) continue;

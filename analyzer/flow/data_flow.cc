@@ -51,6 +51,10 @@ std::vector<uint64_t> in_comments(const Program& program) {
 
 }  // namespace
 
+std::string parameter_text(const Program& program, ParameterId parameter) {
+  return parameter.named ? "#<" + program.name(parameter.id) + ">" : "#" + std::to_string(parameter.id);
+}
+
 struct DataFlow::Sub {
   Sub(const Program& program, const Structure& structure, RegionId region, std::span<const uint32_t> statements)
       : flow(program, structure, region, statements), live(program, flow, region == kMainRegion) {}

@@ -12,6 +12,9 @@
 
 namespace owlint::flow {
 
+/// `#5`, `#<name>`: as it is written.
+std::string parameter_text(const Program& program, ParameterId parameter);
+
 /// How a sub comes back: never with a value, on some ways only, on every way.
 enum class Returns : uint8_t { kNothing, kSometimes, kValue };
 

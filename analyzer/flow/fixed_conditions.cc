@@ -59,11 +59,9 @@ class Solver {
     for (const auto& node : flow_.nodes()) {
       if (!node.tests) continue;
       for (const bool truth : {true, false}) {
-        for_known_comparisons(exprs_, program_.syntax.values[program_.at(node.statement).first], truth, [&](ExprId side, Operator, ExprId other, bool) {
+        for_known_comparisons(exprs_, program_.syntax.values[program_.at(node.statement).first], truth, [&](ExprId side, Operator op, ExprId other, bool) {
           double number = 0;
-          if (other != kNoExpr && literal_value(exprs_, other, &number)) {
-            for (const double near : {-kEqualTolerance, 0.0, kEqualTolerance}) numbers.push_back(number + near);
-          }
+          if (other != kNoExpr && literal_value(exprs_, other, &number)) add_thresholds(op, number, numbers);
           const uint64_t key = key_of(side);
           if (key != UINT64_MAX && !settings.has(key) && place_.emplace(key, keys_.size()).second) keys_.push_back(key);
         });

@@ -188,6 +188,14 @@ const char* always_fails(Operator op, const Range& left, const Range& right) {
   }
 }
 
+void add_thresholds(Operator op, double number, std::vector<double>& out) {
+  out.push_back(number);
+  if (op != Operator::kEq && op != Operator::kNe) return;
+  // Farther away than what is equal, or a range that ends there could not be told from the number.
+  out.push_back(number - 2 * kEqualTolerance);
+  out.push_back(number + 2 * kEqualTolerance);
+}
+
 Thresholds::Thresholds(std::vector<double> numbers) : numbers_(std::move(numbers)) {
   std::ranges::sort(numbers_);
   numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());

@@ -40,6 +40,9 @@ Operator mirrored(Operator op);
 /// Whether `op` is one of the six comparisons.
 bool is_comparison(Operator op);
 
+/// Adds what a comparison with `number` tells apart: the number, and for EQ and NE all that counts as equal to it.
+void add_thresholds(Operator op, double number, std::vector<double>& out);
+
 /// Numbers at which ranges may begin and end. Widened to them, a range that grows from pass to pass of a loop comes to
 /// rest after a few.
 class Thresholds {

@@ -46,12 +46,7 @@ void Evaluator::count_comparisons(ExprId id, bool of_while, std::vector<double>&
     if (of_while) how |= kByLoop;
     double number = 0;
     if (other == kNoExpr || !literal_value(syntax_.exprs, other, &number)) return;
-    thresholds.push_back(number);
-    if (expr.op == Operator::kEq || expr.op == Operator::kNe) {
-      // What is equal to a number is near it.
-      thresholds.push_back(number - kEqualTolerance);
-      thresholds.push_back(number + kEqualTolerance);
-    }
+    add_thresholds(expr.op, number, thresholds);
   };
   if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
     count_comparisons(expr.left(), of_while, thresholds);

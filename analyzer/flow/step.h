@@ -90,7 +90,11 @@ struct Machine::Step {
   }
 
   Evaluation evaluate(ExprId id, bool zero_when_unassigned = false) {
-    return m.evaluator_.evaluate(id, state.parameters, zero_when_unassigned, defining(), &reads);
+    for (;;) {
+      const Evaluation e = m.evaluator_.evaluate(id, state.parameters, zero_when_unassigned, defining(), &reads);
+      if (e.may_fail != StopKind::kNameUndefined) return e;
+      settle(e);  // and on the other paths the name is there
+    }
   }
 
   void report_reads() {

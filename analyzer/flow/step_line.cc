@@ -55,16 +55,16 @@ void Machine::Step::plain() {
     m.evaluator_.come_back(state.parameters, nullptr, true);
     return out.leave(state);
   }
-  const State before = state;
-  const Evaluation e = m.evaluator_.assign(s, state.parameters, &reads);
-  report_reads();
-  if (e.fails != StopKind::kNone || e.may_fail != StopKind::kNone) {
-    State after = std::move(state);
-    state = before;
-    if (!settle(e)) return;
-    state = std::move(after);
-    if (e.may_fail == StopKind::kNameUndefined) m.evaluator_.assume_assigned(e.name, state.parameters);
+  Parameters after = state.parameters;
+  Evaluation e = m.evaluator_.assign(s, after, &reads);
+  while (e.may_fail == StopKind::kNameUndefined) {
+    settle(e);  // and on the other paths the name is there
+    after = state.parameters;
+    e = m.evaluator_.assign(s, after, &reads);
   }
+  report_reads();
+  if (!settle(e)) return;
+  state.parameters = std::move(after);
   if (error() != nullptr) return stop_error();
   if (e.read_only != kNoName) {
     const std::string& name = m.name(e.read_only);
@@ -78,7 +78,7 @@ void Machine::Step::plain() {
 bool Machine::Step::resolve_label() {
   NameId name = s.label;
   if (s.label_expr != kNoExpr) {
-    const Evaluation e = m.evaluator_.evaluate(s.label_expr, state.parameters, false, defining(), &reads);
+    const Evaluation e = evaluate(s.label_expr);
     report_reads();
     if (!settle(e)) return false;
     if (!m.values_.is_constant(e.value)) return true;

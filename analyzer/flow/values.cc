@@ -328,7 +328,7 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
   ValueId right_value = left.value;
   if (expr.right() != kNoExpr) {
     const Evaluation right = evaluate(expr.right(), in, zero_when_unassigned, defining, log);
-    if (right.fails != StopKind::kNone) return right;
+    if (right.fails != StopKind::kNone) return out.may_fail == StopKind::kNone ? right : out;
     if (out.may_fail == StopKind::kNone) {
       out.may_fail = right.may_fail;
       out.name = right.name;
@@ -384,7 +384,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     Write write{-1, item.target_name, kUnknown};
     if (item.target != kNoExpr) {
       const Evaluation index = evaluate(item.target, reading, false, false, log);
-      if (index.fails != StopKind::kNone) return index;
+      if (index.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? index : may;
       write.number = 0;
       if (values_.is_constant(index.value)) {
         Evaluation out;
@@ -398,11 +398,11 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
           out.fails = StopKind::kParameterReadOnly;
           out.message = "Parameter is readonly";
         }
-        if (out.fails != StopKind::kNone) return out;
+        if (out.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? out : may;
       }
     }
     const Evaluation value = evaluate(item.value, reading, false, false, log);
-    if (value.fails != StopKind::kNone) return value;
+    if (value.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? value : may;
     if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) {
       may.may_fail = value.may_fail;
       may.name = value.name;

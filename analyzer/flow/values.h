@@ -65,7 +65,8 @@ struct Parameters {
   bool outside = false;   ///< an unknown sub has run: globals may have any value
 };
 
-/// The result of evaluating an expression in one state.
+/// The result of evaluating an expression in one state. What stops on some of the merged paths comes first: what is behind it
+/// is known only when it has been dealt with.
 struct Evaluation {
   ValueId value = kUnknown;
   StopKind fails = StopKind::kNone;      ///< evaluation always stops here

@@ -21,6 +21,7 @@ void Document::change(const Json& change) {
   }
   source_.reset();
   program_.reset();
+  data_.reset();
 }
 
 std::shared_ptr<const Source> Document::source() const {
@@ -31,6 +32,11 @@ std::shared_ptr<const Source> Document::source() const {
 const Program& Document::program() const {
   if (program_ == nullptr) program_ = build_program(source());
   return *program_;
+}
+
+const flow::DataFlow& Document::data() const {
+  if (data_ == nullptr) data_ = std::make_shared<flow::DataFlow>(program());
+  return *data_;
 }
 
 Json Document::position(uint64_t offset) const {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "analyzer/flow/data_flow.h"
 #include "analyzer/lsp/lines.h"
 #include "analyzer/lsp/protocol.h"
 #include "analyzer/program/program.h"
@@ -30,6 +31,8 @@ class Document {
   std::shared_ptr<const Source> source() const;
   /// Structure of the text, without the files that it calls.
   const Program& program() const;
+  /// What its subs do with parameters.
+  const flow::DataFlow& data() const;
 
   // Places, to the protocol and back.
   Json position(uint64_t offset) const;
@@ -49,6 +52,7 @@ class Document {
   Encoding encoding_;
   mutable std::shared_ptr<const Source> source_;
   mutable std::shared_ptr<const Program> program_;
+  mutable std::shared_ptr<const flow::DataFlow> data_;
 };
 
 /// `file:///a%20b.ngc` to a path and back; other schemes stay as they are.

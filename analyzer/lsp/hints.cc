@@ -3,6 +3,7 @@
 
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/places.h"
+#include "analyzer/report/summary.h"
 
 namespace owlint::lsp {
 namespace {
@@ -65,9 +66,17 @@ Json inlay_hint(Workspace& workspace, const Json& params) {
     const auto id = static_cast<StatementId>(s - p.syntax.statements.begin());
     if (s->is(Keyword::kCall) && s->label != kNoName) {
       uint32_t n = 0;
+      const Sub sub = find_sub(workspace, document, p.name(s->label));
+      const flow::Summary* summary = sub.document == nullptr ? nullptr : &sub.document->data().of(sub.document->program().region_of[sub.opener]);
       for (const Span argument : arguments_of(document, *s)) {
-        out.push_back({{"position", document.position(argument.begin)}, {"label", "#" + std::to_string(++n) + " ="}, {"kind", static_cast<int>(kParameter)}, {"paddingRight", true}});
+        ++n;
+        const bool unread = summary != nullptr && summary->known && !summary->any_number && n < 31 && (summary->arguments >> n & 1) == 0;
+        out.push_back({{"position", document.position(argument.begin)}, {"label", "#" + std::to_string(n) + (unread ? " (not read) =" : " =")}, {"kind", static_cast<int>(kParameter)}, {"paddingRight", true}});
       }
+    }
+    if (s->is(Keyword::kSub)) {
+      const std::string summary = summary_text(p, document.data().of(p.region_of[id]));
+      if (!summary.empty()) out.push_back({{"position", document.position(s->head_span().end)}, {"label", summary}, {"kind", static_cast<int>(kType)}, {"paddingLeft", true}});
     }
     const BlockId block = p.block_of[id];
     if (block == kNoBlock || p.blocks[block].end != id || !ends_block(s->keyword)) continue;

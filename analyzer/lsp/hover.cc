@@ -4,6 +4,7 @@
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/keywords.h"
 #include "analyzer/lsp/places.h"
+#include "analyzer/report/summary.h"
 
 namespace owlint::lsp {
 namespace {
@@ -17,6 +18,8 @@ std::string about_sub(Workspace& workspace, const Document& document, const std:
                                               : fmt::format("`{} sub` is in `{}`, line {}.", label_text(name), sub.document->path(), line_of(*sub.document, sub.opener));
   const std::string comment = leading_comment(*sub.document, sub.opener);
   if (!comment.empty()) out += "\n\n```\n" + comment + "\n```";
+  const Program& p = sub.document->program();
+  if (const std::string summary = summary_text(p, sub.document->data().of(p.region_of[sub.opener])); !summary.empty()) return out + "\n\nIt " + summary + ".";
   const uint32_t arguments = arguments_read(*sub.document, sub.opener);
   out += arguments == 0 ? "\n\nIt reads no arguments." : fmt::format("\n\nIt reads arguments up to `#{}`.", arguments);
   return out;

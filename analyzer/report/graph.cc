@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyzer/report/report.h"
+#include "analyzer/report/summary.h"
 #include "analyzer/text/process.h"
 
 namespace owlint {
@@ -225,10 +226,11 @@ Json graph_of(const Linked& linked, size_t file) {
   graph["path"] = printable(p.source->path());
   graph["kind"] = p.sub_file ? "sub file" : "program";
   graph["scopes"] = Json::array();
+  const flow::DataFlow data(p);
   for (RegionId r = 0; r < p.regions.size(); ++r) {
     const Region& region = p.regions[r];
     graph["scopes"].push_back({{"id", r}, {"sub", region.name == kNoName ? Json(nullptr) : Json(printable(p.name(region.name)))},
-                               {"line", line_of(region.opener)}, {"end", line_of(region.end)}});
+                               {"line", line_of(region.opener)}, {"end", line_of(region.end)}, {"summary", summary_json(p, data.of(r))}});
   }
   graph["blocks"] = Json::array();
   for (BlockId b = 0; b < p.blocks.size(); ++b) {

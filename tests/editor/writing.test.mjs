@@ -124,6 +124,9 @@ session('inlayHint: arguments, and what an end belongs to', { files }, async (cl
     assert.ok([character, character + 1].includes(call[i].position.character));
     assert.match(call[i].text, [/#1|width/, /#2|length/][i]);
   }
+  const [sub, ...others] = all.filter((one) => one.position.line === 1);
+  assert.deepEqual(others, []);
+  assert.match(sub.text, /^reads #1; returns no value$/);
   for (const [line, condition] of [[18, '#5420 GT 5'], [19, '#5070 EQ 0'], [7, '3'], [6, '#1 LT 0']]) {
     const [hint, ...more] = all.filter((one) => one.position.line === line);
     assert.deepEqual(more, []);
@@ -154,6 +157,7 @@ session('hover', { files }, async (client) => {
   const drill = await hover('o<drill> call [10]', 4);
   assert.match(drill, /drills, and faces where the blank is thick/);
   assert.match(drill, /line 2\b/);
+  assert.match(drill, /It reads #1; returns no value\./);
   assert.equal((await hover('G21', 1)) ?? null, null);
   assert.equal((await hover('M2', 1)) ?? null, null);
 });

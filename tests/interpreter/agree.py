@@ -29,6 +29,7 @@ from shrink import Shrinker, investigate
 
 AT_ONCE = 300           # programs for one start of owlint
 ENOUGH = 0.995          # of the claims must be witnessed
+ENOUGH_VALUES = 0.99    # what an earlier run has left takes few values here
 ENOUGH_COARSE = 0.90    # the same without values
 SHRUNK_PER_KEY = 2      # alike disagreements that are shrunk; the others are counted
 
@@ -163,7 +164,7 @@ def summary(options, counts, seconds):
             print("%s: %d" % (key, counts[key]))
     total = sum(claims.values())
     print("claims witnessed: %s" % percent(total - wrong, total))
-    enough = ENOUGH_COARSE if options.coarse else ENOUGH
+    enough = ENOUGH_COARSE if options.coarse else ENOUGH_VALUES if options.values else ENOUGH
     missed = counts[MISS]
     if options.coarse:
         print("of the missed ones a value fails, which is not followed in very large programs: %d" % counts["missed for lack of values"])

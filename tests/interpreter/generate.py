@@ -253,13 +253,24 @@ class ValueMaker(Maker):
         if kind < 0.72:
             return rng.choice(("#1", "#2") if self.in_sub else ("#5", "#7"))
         if kind < 0.9:
-            return "[%s%s%s]" % (self.value(depth + 1), rng.choice(("+", "-", "*")), self.value(depth + 1))
+            if rng.random() < 0.3:      # never so that a loop could take it to infinity
+                return "[%s*%s]" % (self.value(depth + 1), rng.choice(("0", "-1", "0.5")))
+            return "[%s%s%s]" % (self.value(depth + 1), rng.choice("+-"), self.value(depth + 1))
         if kind < 0.94:
             return rng.choice(("ABS[%s]", "ROUND[%s]", "FIX[%s]")) % self.value(depth + 1)
-        inner = self.value(depth + 1)
-        while "#<_" in inner:       # nobody knows whether it can be computed from what was there before
-            inner = self.value(depth + 1)
+        inner = self.plain_value()
         return rng.choice(("[10/[%s]]", "SQRT[%s]", "LN[%s]", "ACOS[%s]", "#[%s]")) % inner
+
+    def plain_value(self):
+        """Made of numbers that are known: neither what an earlier run has left in a name, nor what a computed number has."""
+        value = self.value(1)
+        while "<" in value or "#[" in value or "#1" in value or "#2" in value:
+            value = self.value(1)
+        return value
+
+    def assignment(self):
+        target = self.target()
+        return "%s=%s" % (target, self.value() if target.startswith("#<") else self.plain_value())
 
     def comparison(self):
         rng = self.rng
@@ -281,13 +292,13 @@ class ValueMaker(Maker):
     def target(self):
         rng = self.rng
         if rng.random() < 0.03:
-            return rng.choice(("#<_feed>", "#5420", "#<_value>", "#0", "#6000", "#[%s]" % self.value(1), "#<_x>"))
+            return rng.choice(("#<_feed>", "#5420", "#<_value>", "#0", "#6000", "#[%s]" % self.plain_value(), "#<_x>"))
         return self.anything()
 
     def plain(self):
         kind = self.rng.random()
         if kind < 0.4:
-            return Line(plain="%s=%s" % (self.target(), self.value()))
+            return Line(plain=self.assignment())
         if kind < 0.48:
             name = self.anything()
             return Line(plain="%s=[%s%s]" % (name, name, self.rng.choice(("+1", "-1", "*-1"))))
@@ -295,7 +306,7 @@ class ValueMaker(Maker):
             self.moves += 1
             return Line(plain="G0 X%s" % self.value())
         if kind < 0.75:
-            return Line(plain="%s=%s G0 Y%s" % (self.target(), self.value(), self.anything()))
+            return Line(plain="%s G0 Y%s" % (self.assignment(), self.anything()))
         return super().plain()
 
     def argument(self, keyword):
@@ -324,7 +335,7 @@ class ValueMaker(Maker):
         rng = self.rng
         kind = rng.random()
         if kind < 0.6:
-            return [Line(plain="%s=#<_value>" % rng.choice(self.LOCALS + self.NUMBERS))]
+            return [Line(plain="%s=#<_value>" % rng.choice(self.LOCALS))]
         label = self.label()
         return [Line(label, "if", "[%s]" % rng.choice(("#<_value_returned> EQ 1", "#<_value> GT 1", "#<_value> EQ 0"))), self.plain(), Line(label, "endif")]
 

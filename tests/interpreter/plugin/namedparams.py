@@ -38,7 +38,7 @@ def _left(interp, names):
     """Whether these global names are there, and with what values."""
     if _take(interp, 2):
         for name in names:
-            interp.params[name] = 1 + _take(interp, 2)
+            interp.params[name] = (1.0, 0.0, -2.0, 6.0)[int(_take(interp, 4))]
     return 0.0
 
 

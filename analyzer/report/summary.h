@@ -1,0 +1,17 @@
+// A sub's summary in words and as JSON, for the graph and the editor.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "analyzer/flow/data_flow.h"
+
+namespace owlint {
+
+/// `reads #1, #2; writes #<_result>; returns a value on every path`. Empty where nothing is known.
+std::string summary_text(const Program& program, const flow::Summary& summary);
+/// Null where nothing is known.
+nlohmann::ordered_json summary_json(const Program& program, const flow::Summary& summary);
+
+}  // namespace owlint
