@@ -13,11 +13,10 @@ bool asks_afterwards(const Program& p, StatementId id) {
   constexpr StatementId kFar = 32;  // lines
   const NameId returned = p.syntax.names.find("_value_returned");
   if (returned == kNoName) return false;
-  flow::LineAccess line;
   for (StatementId next = id; next < std::min<size_t>(id + kFar, p.size()); ++next) {
     if (p.at(next).is(Keyword::kCall) || p.region_of[next] != p.region_of[id]) return false;
-    line.look(p, next);
-    if (std::ranges::count(line.reads, (flow::kGlobalNames + returned) | flow::LineAccess::kGlobal) > 0) return true;
+    const flow::Accesses line(p, std::span(&next, 1));
+    if (std::ranges::count(line.all_reads(), flow::key_of_name(p.syntax, returned)) > 0) return true;
   }
   return false;
 }

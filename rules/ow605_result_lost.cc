@@ -7,15 +7,15 @@ namespace {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  std::unordered_set<uint64_t> told;
+  std::unordered_set<RegionId> seen;
   for (const Call& call : p.calls) {
-    if (call.target == UINT32_MAX || p.at(call.statement).kind == LineKind::kM98) continue;
-    for (uint32_t n = 1; n < flow::kFirstGlobalNumber; ++n) {
-      if (told.contains(static_cast<uint64_t>(call.target) << 32 | n)) continue;
-      const StatementId assigned = in.data.left_behind(call.target, n);
-      // In a sub, what it reads may be its own argument.
-      if (assigned == kNoStatement || call.caller != kMainRegion || !in.data.expects_from_call(call.statement, n)) continue;
-      told.insert(static_cast<uint64_t>(call.target) << 32 | n);
+    // In a sub, what it reads may be its own argument.
+    if (call.target == UINT32_MAX || call.caller != kMainRegion || p.at(call.statement).kind == LineKind::kM98) continue;
+    if (!seen.insert(call.target).second) continue;  // the first call has the most behind it
+    const uint32_t left = in.data.left_behind(call.target);
+    for (uint32_t n = 1; left != 0 && n < flow::kFirstGlobalNumber; ++n) {
+      if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
+      const StatementId assigned = in.data.last_assignment(call.target, n);
       const std::string number = "`#" + std::to_string(n) + "`";
       Finding& f = out.add(p.at(assigned).whole(), number + " is assigned here for the caller, but " + region_words(p, call.target) + " has its own " + number + ": the caller's is as before the call");
       relate(f, p, call.statement, "called from here, where " + number + " is read afterwards");

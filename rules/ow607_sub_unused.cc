@@ -38,7 +38,7 @@ bool in_cycles(const Program& p) {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   if (p.regions.size() < 2 || does_nothing(p)) return;  // a collection of subs is called from elsewhere
-  if (!in.data.structure().regular || !p.syntax.errors.empty()) return;  // the call may be on a line that is broken
+  if (!p.syntax.errors.empty()) return;  // the call may be on a line that is broken
   std::unordered_set<std::string> from_files;
   for (const LinkedFile& file : in.linked.files()) {
     if (calls_anything(*file.program)) return;
@@ -65,7 +65,7 @@ void check(const Input& in, Reporter& out) {
     const Region& region = p.regions[r];
     if (used[r] || by_another[r] || region.opener == kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
     if (std::ranges::any_of(p.regions, [&](const Region& other) { return other.name == region.name && &other != &region; })) continue;
-    if (in_cycles(p)) return;
+    if (!in.data.structure().regular || in_cycles(p)) return;
     Finding& f = out.add(p.at(region.opener).head_span(), "nothing calls " + region_words(p, r));
     f.help = "call it, or remove it; a label that the calls spell otherwise is another sub";
     f.reach = in.flow.reach(region.opener);

@@ -8,14 +8,6 @@
 namespace owlint::flow {
 namespace {
 
-ParameterId parameter_of(uint64_t key) {
-  const auto plain = static_cast<uint32_t>(key);
-  const uint32_t names = (key & LineAccess::kGlobal) != 0 ? kGlobalNames : kLocalNames;
-  return plain >= names ? ParameterId{plain - names, true} : ParameterId{plain, false};
-}
-
-bool is_number(uint64_t key) { return key < kFirstGlobalNumber; }
-
 /// Whether a comment prints the parameters in it: `(debug, …)`, `(print, …)`, `(log, …)`.
 bool prints(std::string_view comment) {
   std::string word;
@@ -24,9 +16,9 @@ bool prints(std::string_view comment) {
 }
 
 /// Parameters that comments print.
-std::vector<uint64_t> in_comments(const Program& program) {
+std::vector<ParameterKey> in_comments(const Program& program) {
   const std::string_view text = program.source->bytes();
-  std::vector<uint64_t> keys;
+  std::vector<ParameterKey> keys;
   for (size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
     const size_t feed = text.rfind('\n', at);
     const std::string_view before = text.substr(feed + 1, at - feed - 1);  // a line at most; those that are read are short
@@ -39,7 +31,7 @@ std::vector<uint64_t> in_comments(const Program& program) {
         if (text[end] != ' ' && text[end] != '\t') name += static_cast<char>(std::tolower(static_cast<unsigned char>(text[end])));
       }
       const NameId id = program.syntax.names.find(name);
-      if (id != kNoName) keys.push_back(is_global_name(name) ? (kGlobalNames + id) | LineAccess::kGlobal : kLocalNames + id);
+      if (id != kNoName) keys.push_back(key_of_name(program.syntax, id));
     } else {
       for (; end < text.size() && name.size() < 3 && std::isdigit(static_cast<unsigned char>(text[end])) != 0; ++end) name += text[end];
       if (!name.empty()) keys.push_back(std::stoul(name));
@@ -56,55 +48,75 @@ std::string parameter_text(const Program& program, ParameterId parameter) {
 }
 
 struct DataFlow::Sub {
-  Sub(const Program& program, const Structure& structure, RegionId region, std::span<const uint32_t> statements)
-      : flow(program, structure, region, statements), live(program, flow, region == kMainRegion) {}
+  Sub(const Program& program, std::span<const uint32_t> statements) : accesses(program, statements) {}
 
-  ControlFlow flow;
-  Liveness live;
-  Summary summary;
+  Accesses accesses;
+  std::optional<ControlFlow> flow;
+  std::optional<Liveness> live;
+  std::optional<Summary> summary;
 };
 
 int Summary::last_argument() const { return arguments == 0 ? 0 : 31 - std::countl_zero(arguments); }
 
-DataFlow::DataFlow(const Program& program) : program_(program), structure_(program), subs_(program.regions.size()) {
-  statements_.assign(program.regions.size(), static_cast<uint32_t>(program.size()), [&](StatementId id) { return program.region_of[id]; });
-}
+DataFlow::DataFlow(const Program& program) : program_(program), too_large_(program.size() > kTooLarge) {}
 
 DataFlow::~DataFlow() = default;
 
-const DataFlow::Sub& DataFlow::look(RegionId region) const {
-  std::unique_ptr<Sub>& sub = subs_[region];
-  if (sub == nullptr) {
-    sub = std::make_unique<Sub>(program_, structure_, region, statements_[region]);
-    if (sub->live.known()) summarize(*sub);
+const Structure& DataFlow::structure() const {
+  if (!structure_) structure_.emplace(program_);
+  return *structure_;
+}
+
+DataFlow::Sub& DataFlow::look(RegionId region) const {
+  if (subs_.empty()) {
+    subs_.resize(program_.regions.size());
+    statements_.assign(program_.regions.size(), static_cast<uint32_t>(program_.size()), [&](StatementId id) { return program_.region_of[id]; });
   }
+  std::unique_ptr<Sub>& sub = subs_[region];
+  if (sub == nullptr) sub = std::make_unique<Sub>(program_, statements_[region]);
   return *sub;
 }
 
-const Summary& DataFlow::of(RegionId region) const { return look(region).summary; }
+const ControlFlow& DataFlow::flow_of(RegionId region) const {
+  Sub& sub = look(region);
+  if (!sub.flow) sub.flow.emplace(program_, structure(), region, statements_[region]);
+  return *sub.flow;
+}
 
-void DataFlow::summarize(Sub& sub) const {
-  Summary& out = sub.summary;
-  const auto& nodes = sub.flow.nodes();
-  out.known = !nodes.empty();
-  if (!out.known) return;
-  std::unordered_set<uint64_t> read;
-  std::unordered_set<uint64_t> written;
+const Liveness& DataFlow::live_in(RegionId region) const {
+  Sub& sub = look(region);
+  if (!sub.live) sub.live.emplace(flow_of(region), sub.accesses, region == kMainRegion);
+  return *sub.live;
+}
+
+const Summary& DataFlow::of(RegionId region) const {
+  static const Summary kNothing;
+  if (too_large_) return kNothing;
+  Sub& sub = look(region);
+  if (!sub.summary) {
+    sub.summary.emplace();
+    if (live_in(region).known() && sub.accesses.size() > 0) summarize(sub, region);
+  }
+  return *sub.summary;
+}
+
+void DataFlow::summarize(Sub& sub, RegionId region) const {
+  Summary& out = *sub.summary;
+  out.known = true;
   const NameId count = program_.syntax.names.find("n_args");  // how many were passed, if the INI wants it
-  LineAccess line;
-  for (const auto& node : nodes) {
-    line.look(program_, node.statement);
-    out.any_number = out.any_number || line.reads_any || (count != kNoName && std::ranges::count(line.reads, kLocalNames + uint64_t{count}) > 0);
-    for (const uint64_t key : line.reads) {
-      if ((key & LineAccess::kGlobal) != 0 && read.insert(key).second) out.reads.push_back(parameter_of(key));
-    }
-    for (const auto& write : line.writes) {
-      if (write.key != UINT64_MAX && (write.key & LineAccess::kGlobal) != 0 && written.insert(write.key).second) out.writes.push_back(parameter_of(write.key));
-    }
+  out.any_number = sub.accesses.reads_any() || (count != kNoName && std::ranges::count(sub.accesses.all_reads(), kLocalNames + ParameterKey{count}) > 0);
+  std::unordered_set<ParameterKey> met;
+  for (const ParameterKey key : sub.accesses.all_reads()) {
+    if (is_global(key) && met.insert(key).second) out.reads.push_back(parameter_of(key));
+  }
+  met.clear();
+  for (const auto& write : sub.accesses.all_writes()) {
+    if (write.key != kComputedKey && is_global(write.key) && met.insert(write.key).second) out.writes.push_back(parameter_of(write.key));
   }
   for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
-    if (sub.live.before(0, n)) out.arguments |= 1U << n;
+    if (live_in(region).before(0, n)) out.arguments |= 1U << n;
   }
+  const auto& nodes = flow_of(region).nodes();
   std::vector<bool> seen(nodes.size());
   std::vector<NodeId> todo{0};
   bool with = false;
@@ -124,51 +136,43 @@ void DataFlow::summarize(Sub& sub) const {
   out.returns = with ? (without ? Returns::kSometimes : Returns::kValue) : Returns::kNothing;
 }
 
-const std::vector<uint64_t>& DataFlow::printed() const {
+const std::vector<ParameterKey>& DataFlow::printed() const {
   if (!printed_) printed_ = in_comments(program_);
   return *printed_;
 }
 
-bool DataFlow::printed(uint64_t key) const { return std::ranges::binary_search(printed(), key); }
+bool DataFlow::printed(ParameterKey key) const { return std::ranges::binary_search(printed(), key); }
 
 int DataFlow::last_printed_argument() const {
-  const auto end = std::ranges::lower_bound(printed(), static_cast<uint64_t>(kFirstGlobalNumber));
+  const auto end = std::ranges::lower_bound(printed(), static_cast<ParameterKey>(kFirstGlobalNumber));
   return end == printed().begin() ? 0 : static_cast<int>(end[-1]);
 }
 
 void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const {
-  const Sub& sub = look(region);
-  if (!sub.summary.known) return;
-  const auto& nodes = sub.flow.nodes();
-  LineAccess line;
-  std::unordered_set<uint64_t> read;
-  std::vector<uint32_t> ways_in(nodes.size() + 1);
-  for (const auto& node : nodes) {
-    line.look(program_, node.statement);
-    read.insert(line.reads.begin(), line.reads.end());
-    for (const NodeId next : node.next) {
-      if (next < nodes.size()) ++ways_in[next];
-    }
-  }
-  std::unordered_set<uint64_t> told;
-  LineAccess next_line;
-  for (NodeId id = 0; id < nodes.size(); ++id) {
-    line.look(program_, nodes[id].statement);
-    for (const auto& write : line.writes) {
-      if ((write.key & LineAccess::kGlobal) != 0) continue;  // also the computed ones
-      if (is_number(write.key) && sub.summary.any_number) continue;
+  const Accesses& accesses = look(region).accesses;
+  const auto interesting = [&](ParameterKey key) { return !is_global(key) && !(is_own_number(key) && accesses.reads_any()); };
+  if (std::ranges::none_of(accesses.all_writes(), [&](const auto& write) { return interesting(write.key); })) return;
+  const std::unordered_set<ParameterKey> read(accesses.all_reads().begin(), accesses.all_reads().end());
+  const auto statement = [&](size_t line) { return statements_[region][line]; };
+  // Numbers are anybody's: what the sub leaves in them is lost, which is another rule's, or the operator's. A name for
+  // something that has a number or a name already is a remark as well.
+  const auto never_read = [&](size_t line, const Accesses::Write& write) {
+    const Operator value = program_.syntax.exprs[program_.syntax.items[program_.at(statement(line)).first + write.item].value].op;
+    return !is_own_number(write.key) && value != Operator::kParameter && value != Operator::kNamed && !printed(write.key);
+  };
+  const auto overwritten = [&](size_t line, const Accesses::Write& write) {
+    if (line + 1 >= accesses.size() || program_.at(statement(line + 1)).kind != LineKind::kWords) return false;
+    if (std::ranges::none_of(accesses.writes(line + 1), [&](const auto& other) { return other.key == write.key; })) return false;
+    return std::ranges::count(accesses.reads(line + 1), write.key) == 0 && !printed(write.key);
+  };
+  std::unordered_set<ParameterKey> told;
+  for (size_t line = 0; line < accesses.size(); ++line) {
+    for (const auto& write : accesses.writes(line)) {
+      if (!interesting(write.key)) continue;
       if (!read.contains(write.key)) {
-        // Numbers are anybody's: what the sub leaves in them is lost, which is another rule's, or the operator's. A name
-        // for something that has a number or a name already is a remark as well.
-        const Operator value = program_.syntax.exprs[program_.syntax.items[program_.at(nodes[id].statement).first + write.item].value].op;
-        if (is_number(write.key) || value == Operator::kParameter || value == Operator::kNamed || printed(write.key) || !told.insert(write.key).second) continue;
-        out.push_back({nodes[id].statement, write.item, parameter_of(write.key), kNoStatement});
-      } else if (!sub.live.after(id, write.key)) {
-        const NodeId next = nodes[id].next[0];
-        if (next >= nodes.size() || nodes[id].next[1] != kNowhere || ways_in[next] != 1 || program_.at(nodes[next].statement).kind != LineKind::kWords) continue;
-        next_line.look(program_, nodes[next].statement);
-        const bool again = std::ranges::any_of(next_line.writes, [&](const auto& other) { return other.key == write.key; });
-        if (again && !printed(write.key)) out.push_back({nodes[id].statement, write.item, parameter_of(write.key), nodes[next].statement});
+        if (never_read(line, write) && flow_of(region).known() && told.insert(write.key).second) out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement});
+      } else if (overwritten(line, write) && flow_of(region).known() && flow_of(region).nodes()[line].next[0] == line + 1) {
+        out.push_back({statement(line), write.item, parameter_of(write.key), statement(line + 1)});
       }
     }
   }
@@ -177,7 +181,7 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
 const std::vector<UnusedValue>& DataFlow::unused() const {
   if (!unused_) {
     unused_.emplace();
-    for (RegionId region = 0; region < program_.regions.size(); ++region) find_unused(region, *unused_);
+    for (RegionId region = 0; region < program_.regions.size() && !too_large_; ++region) find_unused(region, *unused_);
     std::ranges::stable_sort(*unused_, {}, &UnusedValue::statement);
   }
   return *unused_;
@@ -185,43 +189,56 @@ const std::vector<UnusedValue>& DataFlow::unused() const {
 
 const std::vector<FixedCondition>& DataFlow::fixed() const {
   if (!fixed_) {
-    const Settings settings(program_);
     fixed_.emplace();
+    if (too_large_) return *fixed_;
+    const Settings settings(program_);
     for (RegionId region = 0; region < program_.regions.size(); ++region) {
-      const ControlFlow& flow = look(region).flow;
-      if (flow.known()) find_fixed_conditions(program_, flow, settings, *fixed_);
+      look(region);
+      const auto tests = [this](StatementId id) { return program_.at(id).is(Keyword::kIf) || program_.at(id).is(Keyword::kWhile); };
+      if (std::ranges::none_of(statements_[region], tests) || !flow_of(region).known()) continue;
+      find_fixed_conditions(program_, flow_of(region), settings, *fixed_);
     }
     std::ranges::stable_sort(*fixed_, {}, &FixedCondition::statement);
   }
   return *fixed_;
 }
 
-StatementId DataFlow::left_behind(RegionId region, uint32_t number) const {
-  const Sub& sub = look(region);
-  if (!sub.summary.known || sub.summary.any_number || printed(number)) return kNoStatement;
-  const auto& nodes = sub.flow.nodes();
-  LineAccess line;
-  for (NodeId id = static_cast<NodeId>(nodes.size()); id-- > 0;) {
-    line.look(program_, nodes[id].statement);
-    const bool assigns = std::ranges::any_of(line.writes, [&](const auto& write) { return write.key == number; });
-    if (assigns) return sub.live.after(id, number) ? kNoStatement : nodes[id].statement;
+uint32_t DataFlow::left_behind(RegionId region) const {
+  if (too_large_) return 0;
+  const Accesses& accesses = look(region).accesses;
+  uint32_t assigned = 0;
+  for (const auto& write : accesses.all_writes()) {
+    if (is_own_number(write.key) && write.key > 0) assigned |= 1U << write.key;
+  }
+  if (assigned == 0 || accesses.reads_any() || !live_in(region).known()) return 0;
+  uint32_t out = 0;
+  for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
+    if ((assigned >> n & 1) == 0 || printed(n)) continue;
+    const StatementId last = last_assignment(region, n);
+    const auto line = static_cast<NodeId>(std::ranges::lower_bound(statements_[region], last) - statements_[region].begin());
+    if (!live_in(region).after(line, n)) out |= 1U << n;
+  }
+  return out;
+}
+
+StatementId DataFlow::last_assignment(RegionId region, uint32_t number) const {
+  const Accesses& accesses = look(region).accesses;
+  for (size_t line = accesses.size(); line-- > 0;) {
+    if (std::ranges::any_of(accesses.writes(line), [&](const auto& write) { return write.key == number; })) return statements_[region][line];
   }
   return kNoStatement;
 }
 
 bool DataFlow::expects_from_call(StatementId call, uint32_t number) const {
-  const Sub& sub = look(program_.region_of[call]);
-  if (!sub.summary.known) return false;
-  const auto& nodes = sub.flow.nodes();
-  bool read_behind = false;
-  LineAccess line;
-  for (NodeId id = 0; id < nodes.size(); ++id) {
-    line.look(program_, nodes[id].statement);
-    if (std::ranges::any_of(line.writes, [&](const auto& write) { return write.key == number || write.key == UINT64_MAX; })) return false;
-    // As nothing assigns it here, whatever reads it behind the call reads what the caller had.
-    read_behind = read_behind || (nodes[id].statement > call && std::ranges::count(line.reads, number) > 0);
+  const RegionId region = program_.region_of[call];
+  const Accesses& accesses = look(region).accesses;
+  if (accesses.writes_any() || !flow_of(region).known()) return false;
+  if (std::ranges::any_of(accesses.all_writes(), [&](const auto& write) { return write.key == number; })) return false;
+  // As nothing assigns it here, whatever reads it behind the call reads what the caller had.
+  for (size_t line = accesses.size(); line-- > 0 && statements_[region][line] > call;) {
+    if (std::ranges::count(accesses.reads(line), number) > 0) return true;
   }
-  return read_behind;
+  return false;
 }
 
 }  // namespace owlint::flow

@@ -40,35 +40,44 @@ struct UnusedValue {
 
 class DataFlow {
  public:
+  /// Programs with more statements are not gone through: nothing is known of them.
+  static constexpr size_t kTooLarge = 50'000;
+
   explicit DataFlow(const Program& program);
   ~DataFlow();
 
   const Summary& of(RegionId region) const;
-  /// Whether #n has a value of its own when a sub comes back, that nothing reads; the line that assigns it.
-  StatementId left_behind(RegionId region, uint32_t number) const;
+  /// The numbers (by bits) that have a value of the sub's own when it comes back, which nothing reads.
+  uint32_t left_behind(RegionId region) const;
+  /// The last line of a sub that assigns #n.
+  StatementId last_assignment(RegionId region, uint32_t number) const;
   /// The highest argument that `(debug, #1)` and the like print; 0 for none.
   int last_printed_argument() const;
   /// Whether a region reads #n behind one of its calls, and never assigns it.
   bool expects_from_call(StatementId call, uint32_t number) const;
   const std::vector<UnusedValue>& unused() const;
   const std::vector<FixedCondition>& fixed() const;
-  const Structure& structure() const { return structure_; }
+  const Structure& structure() const;
 
  private:
   struct Sub;
-  const Sub& look(RegionId region) const;
-  void summarize(Sub& sub) const;
+  Sub& look(RegionId region) const;
+  const ControlFlow& flow_of(RegionId region) const;
+  const Liveness& live_in(RegionId region) const;
+  void summarize(Sub& sub, RegionId region) const;
   void find_unused(RegionId region, std::vector<UnusedValue>& out) const;
-  bool printed(uint64_t key) const;
-  const std::vector<uint64_t>& printed() const;
+  bool printed(ParameterKey key) const;
+  const std::vector<ParameterKey>& printed() const;
 
+  // All of it is made when it is first asked for: most programs have nothing to ask.
   const Program& program_;
-  Structure structure_;
-  Grouped statements_;  ///< by region
+  bool too_large_;
+  mutable std::optional<Structure> structure_;
+  mutable Grouped statements_;  ///< by region
   mutable std::vector<std::unique_ptr<Sub>> subs_;
   mutable std::optional<std::vector<UnusedValue>> unused_;
   mutable std::optional<std::vector<FixedCondition>> fixed_;
-  mutable std::optional<std::vector<uint64_t>> printed_;  ///< parameters that comments print, sorted
+  mutable std::optional<std::vector<ParameterKey>> printed_;  ///< parameters that comments print, sorted
 };
 
 }  // namespace owlint::flow

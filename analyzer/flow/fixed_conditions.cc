@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "analyzer/flow/conditions.h"
-#include "analyzer/flow/liveness.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -26,10 +25,9 @@ class Solver {
   bool solve() {
     const size_t count = flow_.nodes().size();
     if (keys_.empty() || count * keys_.size() > kMaxRanges) return false;
-    at_.resize(count);
+    at_.resize(count * keys_.size());
     reached_.resize(count);
     reached_[0] = true;
-    at_[0].resize(keys_.size());
     for (int i = 0; i < kMaxSweeps; ++i) {
       if (!sweep(i >= kExactSweeps)) return true;
     }
@@ -37,21 +35,21 @@ class Solver {
   }
 
   bool reached(NodeId id) const { return reached_[id]; }
-  Range value(ExprId id, NodeId at) const { return evaluate(id, at_[at]); }
+  Range value(ExprId id, NodeId at) {
+    load(at, now_);
+    return evaluate(id, now_);
+  }
 
  private:
-  uint64_t key_of(ExprId id) const {
+  ParameterKey key_of(ExprId id) const {
     const Expr& expr = exprs_[id];
     if (expr.op == Operator::kNamed) {
       const std::string_view name = program_.name(expr.name());
-      if (predefined_name(name) || machine_name(name)) return UINT64_MAX;
-      return is_global_name(name) ? (kGlobalNames + expr.name()) | LineAccess::kGlobal : kLocalNames + expr.name();
+      return predefined_name(name) || machine_name(name) ? kComputedKey : key_of_name(program_.syntax, expr.name());
     }
-    double number = 0;
-    long index = 0;
-    if (expr.op != Operator::kParameter || !literal_value(exprs_, expr.left(), &number) || !to_integer(number, &index)) return UINT64_MAX;
-    if (index < 1 || index >= kFirstVolatileNumber) return UINT64_MAX;
-    return static_cast<uint64_t>(index) | (index >= kFirstGlobalNumber ? LineAccess::kGlobal : 0);
+    if (expr.op != Operator::kParameter) return kComputedKey;
+    const ParameterKey key = key_of_number(program_.syntax, expr.left());
+    return (key & ~kGlobalKey) >= kFirstVolatileNumber ? kComputedKey : key;
   }
 
   void find_compared(const Settings& settings) {
@@ -62,12 +60,20 @@ class Solver {
         for_known_comparisons(exprs_, program_.syntax.values[program_.at(node.statement).first], truth, [&](ExprId side, Operator op, ExprId other, bool) {
           double number = 0;
           if (other != kNoExpr && literal_value(exprs_, other, &number)) add_thresholds(op, number, numbers);
-          const uint64_t key = key_of(side);
-          if (key != UINT64_MAX && !settings.has(key) && place_.emplace(key, keys_.size()).second) keys_.push_back(key);
+          const ParameterKey key = key_of(side);
+          if (key != kComputedKey && !settings.has(key)) keys_.push_back(key);
         });
       }
     }
+    std::ranges::sort(keys_);
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     thresholds_ = Thresholds(std::move(numbers));
+  }
+
+  /// The place of a parameter among those that are compared; their number if it is none of them.
+  size_t place(ParameterKey key) const {
+    const auto found = std::ranges::lower_bound(keys_, key);
+    return found != keys_.end() && *found == key ? static_cast<size_t>(found - keys_.begin()) : keys_.size();
   }
 
   // Depth is bounded by the length of a line.
@@ -75,8 +81,8 @@ class Solver {
     const Expr& expr = exprs_[id];
     if (expr.op == Operator::kNumber) return Range::of(expr.value());
     if (expr.op == Operator::kNamed || expr.op == Operator::kParameter) {
-      const auto place = place_.find(key_of(id));
-      return place == place_.end() ? Range() : in[place->second];
+      const size_t at = place(key_of(id));
+      return at == keys_.size() ? Range() : in[at];
     }
     if (expr.op == Operator::kExistsNamed || expr.op == Operator::kExistsNumbered) return Range();
     const Range left = evaluate(expr.left(), in);
@@ -85,8 +91,7 @@ class Solver {
 
   void forget(Ranges& ranges, bool globals) const {
     for (size_t i = 0; i < keys_.size(); ++i) {
-      const bool global = (keys_[i] & LineAccess::kGlobal) != 0;
-      if (globals ? global : (keys_[i] & ~LineAccess::kGlobal) <= kLastNumber) ranges[i] = Range();
+      if (globals ? is_global(keys_[i]) : (keys_[i] & ~kGlobalKey) <= kLastNumber) ranges[i] = Range();
     }
   }
 
@@ -96,22 +101,13 @@ class Solver {
     const Ranges before = s.item_count > 1 ? ranges : Ranges();
     for (uint32_t i = 0; i < s.item_count; ++i) {
       const Item& item = program_.syntax.items[s.first + i];
-      uint64_t key = UINT64_MAX;
-      if (item.target_name != kNoName) {
-        const std::string_view name = program_.name(item.target_name);
-        key = is_global_name(name) ? (kGlobalNames + item.target_name) | LineAccess::kGlobal : kLocalNames + item.target_name;
-      } else if (item.target != kNoExpr) {
-        double number = 0;
-        long index = 0;
-        if (!literal_value(exprs_, item.target, &number) || !to_integer(number, &index)) {
-          forget(ranges, false);
-          continue;
-        }
-        key = static_cast<uint64_t>(index) | (index >= kFirstGlobalNumber ? LineAccess::kGlobal : 0);
-      } else {
+      if (item.target_name == kNoName && item.target == kNoExpr) continue;
+      const ParameterKey key = item.target_name != kNoName ? key_of_name(program_.syntax, item.target_name) : key_of_number(program_.syntax, item.target);
+      if (key == kComputedKey) {
+        forget(ranges, false);
         continue;
       }
-      if (const auto place = place_.find(key); place != place_.end()) ranges[place->second] = evaluate(item.value, s.item_count > 1 ? before : ranges);
+      if (const size_t at = place(key); at != keys_.size()) ranges[at] = evaluate(item.value, s.item_count > 1 ? before : ranges);
     }
   }
 
@@ -121,28 +117,31 @@ class Solver {
     if (truth ? outcome == Range::of(0) : !outcome.has(0)) return false;
     bool possible = true;
     for_known_comparisons(exprs_, condition, truth, [&](ExprId side, Operator op, ExprId other, bool holds) {
-      const auto place = place_.find(key_of(side));
-      if (place == place_.end()) return;
-      Range& range = ranges[place->second];
+      const size_t at = place(key_of(side));
+      if (at == keys_.size()) return;
+      Range& range = ranges[at];
       range = narrowed(range, op, other == kNoExpr ? Range::of(0) : evaluate(other, ranges), holds);
       possible = possible && !range.is_empty();
     });
     return possible;
   }
 
+  void load(NodeId id, Ranges& into) const { into.assign(at_.begin() + static_cast<ptrdiff_t>(id * keys_.size()), at_.begin() + static_cast<ptrdiff_t>((id + 1) * keys_.size())); }
+
   bool arrive(NodeId from, NodeId to, const Ranges& ranges, bool widen) {
     if (to >= flow_.nodes().size()) return false;
+    Range* at = &at_[to * keys_.size()];
     if (!reached_[to]) {
       reached_[to] = true;
-      at_[to] = ranges;
+      std::ranges::copy(ranges, at);
       return true;
     }
     bool changed = false;
     for (size_t i = 0; i < ranges.size(); ++i) {
-      Range joined = hull(at_[to][i], ranges[i]);
-      if (joined == at_[to][i]) continue;
+      Range joined = hull(at[i], ranges[i]);
+      if (joined == at[i]) continue;
       if (widen && to <= from) joined = thresholds_.widened(joined);
-      at_[to][i] = joined;
+      at[i] = joined;
       changed = true;
     }
     return changed;
@@ -154,15 +153,15 @@ class Solver {
       if (!reached_[id]) continue;
       const auto& node = flow_.nodes()[id];
       const Statement& s = program_.at(node.statement);
-      Ranges ranges = at_[id];
-      execute(s, ranges);
+      load(id, now_);
+      execute(s, now_);
       if (!node.tests) {
-        for (const NodeId next : node.next) changed |= arrive(id, next, ranges, widen);
+        for (const NodeId next : node.next) changed |= arrive(id, next, now_, widen);
         continue;
       }
       for (const bool truth : {true, false}) {
-        Ranges one = ranges;
-        if (branch(program_.syntax.values[s.first], truth, one)) changed |= arrive(id, node.next[truth ? 0 : 1], one, widen);
+        branch_ = now_;
+        if (branch(program_.syntax.values[s.first], truth, branch_)) changed |= arrive(id, node.next[truth ? 0 : 1], branch_, widen);
       }
     }
     return changed;
@@ -171,10 +170,10 @@ class Solver {
   const Program& program_;
   const ExprPool& exprs_;
   const ControlFlow& flow_;
-  std::vector<uint64_t> keys_;
-  std::unordered_map<uint64_t, size_t> place_;
+  std::vector<ParameterKey> keys_;  // sorted
   Thresholds thresholds_;
-  std::vector<Ranges> at_;
+  Ranges at_;  // by node and key
+  Ranges now_, branch_;
   std::vector<bool> reached_;
 };
 
@@ -207,29 +206,21 @@ StatementId earlier_branch(const Program& program, StatementId id) {
 }  // namespace
 
 Settings::Settings(const Program& program) {
-  for (const Statement& s : program.syntax.statements) {
-    for (uint32_t i = 0; i < s.item_count; ++i) {
-      const Item& item = program.syntax.items[s.first + i];
-      double number = 0;
-      long index = 0;
-      uint64_t key = 0;
-      if (item.target_name != kNoName) {
-        key = is_global_name(program.name(item.target_name)) ? (kGlobalNames + item.target_name) | LineAccess::kGlobal : kLocalNames + item.target_name;
-      } else {
-        if (item.target == kNoExpr || !literal_value(program.syntax.exprs, item.target, &number) || !to_integer(number, &index)) continue;
-        key = static_cast<uint64_t>(index) | (index >= kFirstGlobalNumber ? LineAccess::kGlobal : 0);
-      }
-      Assigned& assigned = assigned_[key];
-      ++assigned.times;
-      assigned.literal = assigned.literal && literal_value(program.syntax.exprs, item.value, &number);
-    }
+  std::vector<std::pair<ParameterKey, bool>> assigned;  // and whether to a number
+  for (const Item& item : program.syntax.items) {
+    if (item.target_name == kNoName && item.target == kNoExpr) continue;
+    const ParameterKey key = item.target_name != kNoName ? key_of_name(program.syntax, item.target_name) : key_of_number(program.syntax, item.target);
+    double number = 0;
+    assigned.emplace_back(key, literal_value(program.syntax.exprs, item.value, &number));
+  }
+  std::ranges::sort(assigned);
+  for (size_t i = 0; i < assigned.size(); ++i) {
+    const auto same = [&](size_t other) { return other < assigned.size() && assigned[other].first == assigned[i].first; };
+    if (assigned[i].second && !same(i + 1) && (i == 0 || !same(i - 1))) keys_.push_back(assigned[i].first);
   }
 }
 
-bool Settings::has(uint64_t key) const {
-  const auto found = assigned_.find(key);
-  return found != assigned_.end() && found->second.times == 1 && found->second.literal;
-}
+bool Settings::has(ParameterKey key) const { return std::ranges::binary_search(keys_, key); }
 
 void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings, std::vector<FixedCondition>& out) {
   Solver solver(program, flow, settings);

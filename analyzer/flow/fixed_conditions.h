@@ -1,8 +1,7 @@
 // Conditions that come out the same every time, whatever a sub is called with and whatever its globals are.
 #pragma once
 
-#include <unordered_map>
-
+#include "analyzer/flow/accesses.h"
 #include "analyzer/flow/control_flow.h"
 #include "analyzer/flow/ranges.h"
 
@@ -20,14 +19,10 @@ struct FixedCondition {
 class Settings {
  public:
   explicit Settings(const Program& program);
-  bool has(uint64_t key) const;  ///< see LineAccess
+  bool has(ParameterKey key) const;
 
  private:
-  struct Assigned {
-    uint32_t times = 0;
-    bool literal = true;
-  };
-  std::unordered_map<uint64_t, Assigned> assigned_;
+  std::vector<ParameterKey> keys_;  // sorted
 };
 
 /// Adds those of one sub, or of the main program.

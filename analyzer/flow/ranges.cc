@@ -9,9 +9,6 @@ namespace owlint::flow {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// More would only make ranges settle later.
-constexpr size_t kMaxThresholds = 64;
-
 const Range kAll;
 const Range kTruths{0, 1, false, false};
 
@@ -199,7 +196,7 @@ void add_thresholds(Operator op, double number, std::vector<double>& out) {
 Thresholds::Thresholds(std::vector<double> numbers) : numbers_(std::move(numbers)) {
   std::ranges::sort(numbers_);
   numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
-  if (numbers_.size() > kMaxThresholds) numbers_.clear();
+  if (numbers_.size() > kMost) numbers_.clear();
   if (!std::ranges::binary_search(numbers_, 0.0)) numbers_.insert(std::ranges::lower_bound(numbers_, 0.0), 0.0);
 }
 

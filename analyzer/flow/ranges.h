@@ -49,6 +49,8 @@ class Thresholds {
  public:
   /// Of a program's conditions: what parameters are compared with.
   explicit Thresholds(std::vector<double> numbers);
+  /// More would only make ranges settle later: then there is only 0.
+  static constexpr size_t kMost = 64;
   Thresholds() : Thresholds(std::vector<double>{}) {}
   Range widened(const Range& range) const;
   const std::vector<double>& numbers() const { return numbers_; }

@@ -16,14 +16,13 @@ constexpr size_t kMaxStatements = 100'000;
 
 }  // namespace
 
-/// The key of a parameter that stands alone on one side of a comparison, if it keeps its value until it is set again.
-bool Evaluator::may_narrow(ExprId side, uint32_t* key, bool* global) const {
+/// The key of a parameter that stands alone on one side of a comparison.
+bool Evaluator::key_of(ExprId side, uint32_t* key, bool* global) const {
   const Expr& expr = syntax_.exprs[side];
   if (expr.op == Operator::kNamed) {
-    const std::string_view name = syntax_.names.text(expr.name());
-    *global = is_global_name(name);
+    *global = is_global_name(syntax_.names.text(expr.name()));
     *key = (*global ? kGlobalNames : kLocalNames) + expr.name();
-    return !predefined_name(name) && !machine_name(name) && !(*global && distrusts_globals_);
+    return true;
   }
   double number = 0;
   long index = 0;
@@ -31,7 +30,15 @@ bool Evaluator::may_narrow(ExprId side, uint32_t* key, bool* global) const {
   if (!to_integer(number, &index) || index < 1 || index >= kFirstVolatileNumber) return false;
   *global = index >= kFirstGlobalNumber;
   *key = static_cast<uint32_t>(index);
-  return !(*global && distrusts_globals_);
+  return true;
+}
+
+/// The same, if it keeps its value until it is set again.
+bool Evaluator::may_narrow(ExprId side, uint32_t* key, bool* global) const {
+  if (!key_of(side, key, global) || (*global && distrusts_globals_)) return false;
+  if (syntax_.exprs[side].op != Operator::kNamed) return true;
+  const std::string_view name = syntax_.names.text(syntax_.exprs[side].name());
+  return !predefined_name(name) && !machine_name(name);
 }
 
 // Depth is bounded by the length of a line.
@@ -92,13 +99,20 @@ void Evaluator::find_compared() {
   };
   for (auto& compared : compared_) std::erase_if(compared, no_use);
   if (compared_[0].empty() && compared_[1].empty()) return;
+  std::ranges::sort(thresholds);
+  thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
+  if (thresholds.size() > Thresholds::kMost) {  // ranges between so many numbers would only tell states apart
+    for (auto& compared : compared_) compared.clear();
+    return;
+  }
   values_.set_thresholds(std::move(thresholds));
 }
 
 void Evaluator::narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const {
   uint32_t key = 0;
   bool global = false;
-  if (!may_narrow(side, &key, &global) || !compared_[global].contains(key)) return;
+  // What may not be narrowed has not been counted.
+  if (!key_of(side, &key, &global) || !compared_[global].contains(key) || (global && distrusts_globals_)) return;
   PersistentMap& map = global ? p.globals : p.locals;
   const ValueId before = map.get(key);
   if (KnownValues::is_constant(before) || before == kMaybeUnassigned || before == kNotPassed) return;

@@ -155,6 +155,7 @@ class Evaluator {
   void find_compared();
   void count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds);
   bool tells_existence(const Expr& comparison, bool truth, NameId* name) const;
+  bool key_of(ExprId side, uint32_t* key, bool* global) const;
   bool may_narrow(ExprId side, uint32_t* key, bool* global) const;
   void assume_there(NameId name, Parameters& p) const;
   void find_existing(Parameters& p, ExprId condition, bool truth) const;

@@ -1,0 +1,74 @@
+#include "analyzer/flow/accesses.h"
+
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+
+ParameterKey key_of_name(const Syntax& syntax, NameId name) {
+  return is_global_name(syntax.names.text(name)) ? (kGlobalNames + name) | kGlobalKey : kLocalNames + name;
+}
+
+ParameterKey key_of_number(const Syntax& syntax, ExprId number) {
+  const Expr& expr = syntax.exprs[number];
+  double value = expr.op == Operator::kNumber ? expr.value() : 0;
+  long index = 0;
+  if (expr.op != Operator::kNumber && !literal_value(syntax.exprs, number, &value)) return kComputedKey;
+  if (!to_integer(value, &index) || index < 0) return kComputedKey;
+  return static_cast<uint64_t>(index) | (index >= kFirstGlobalNumber ? kGlobalKey : 0);
+}
+
+ParameterId parameter_of(ParameterKey key) {
+  const auto plain = static_cast<uint32_t>(key);
+  const uint32_t names = is_global(key) ? kGlobalNames : kLocalNames;
+  return plain >= names ? ParameterId{plain - names, true} : ParameterId{plain, false};
+}
+
+Accesses::Accesses(const Program& program, std::span<const uint32_t> statements) {
+  any_.reserve(statements.size());
+  first_read_.reserve(statements.size() + 1);
+  first_write_.reserve(statements.size() + 1);
+  for (const StatementId id : statements) add(program, id);
+}
+
+// Depth is bounded by the length of a line.
+void Accesses::read(const Syntax& syntax, ExprId id) {
+  const Expr& expr = syntax.exprs[id];
+  switch (expr.op) {
+    case Operator::kNumber: return;
+    case Operator::kNamed: case Operator::kExistsNamed: reads_.push_back(key_of_name(syntax, expr.name())); return;
+    case Operator::kParameter: case Operator::kExistsNumbered:
+      if (const ParameterKey key = key_of_number(syntax, expr.left()); key != kComputedKey) {
+        reads_.push_back(key);
+        return;
+      }
+      line_reads_any_ = true;
+      break;
+    default: break;
+  }
+  read(syntax, expr.left());
+  if (expr.right() != kNoExpr) read(syntax, expr.right());
+}
+
+void Accesses::add(const Program& program, StatementId id) {
+  const Syntax& syntax = program.syntax;
+  const Statement& s = program.at(id);
+  line_reads_any_ = false;
+  if (s.label_expr != kNoExpr) read(syntax, s.label_expr);
+  for (uint32_t i = 0; i < s.value_count; ++i) read(syntax, syntax.values[s.first + i]);
+  for (uint32_t i = 0; i < s.item_count; ++i) {
+    const Item& item = syntax.items[s.first + i];
+    read(syntax, item.value);
+    if (item.target_name != kNoName) writes_.push_back({key_of_name(syntax, item.target_name), i});
+    if (item.target == kNoExpr) continue;
+    writes_.push_back({key_of_number(syntax, item.target), i});
+    if (writes_.back().key == kComputedKey) writes_any_ = true;
+    read(syntax, item.target);
+  }
+  first_read_.push_back(static_cast<uint32_t>(reads_.size()));
+  first_write_.push_back(static_cast<uint32_t>(writes_.size()));
+  any_.push_back(line_reads_any_);
+  reads_any_ = reads_any_ || line_reads_any_;
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,59 @@
+// What lines read of parameters, and then assign.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analyzer/flow/parameters.h"
+#include "analyzer/program/program.h"
+
+namespace owlint::flow {
+
+/// A parameter as a key: those of parameters.h, with kGlobalKey for what all subs share.
+using ParameterKey = uint64_t;
+inline constexpr ParameterKey kGlobalKey = 1ULL << 32;
+inline constexpr ParameterKey kComputedKey = UINT64_MAX;  ///< a number that is known only at run time
+
+inline bool is_global(ParameterKey key) { return (key & kGlobalKey) != 0; }
+/// #1 to #30.
+inline bool is_own_number(ParameterKey key) { return key < kFirstGlobalNumber; }
+ParameterKey key_of_name(const Syntax& syntax, NameId name);
+/// Of `#n`, by the expression of its number.
+ParameterKey key_of_number(const Syntax& syntax, ExprId number);
+ParameterId parameter_of(ParameterKey key);
+
+class Accesses {
+ public:
+  struct Write {
+    ParameterKey key;
+    uint32_t item;  ///< of the statement's items
+  };
+
+  /// Of these lines, in their order.
+  Accesses(const Program& program, std::span<const uint32_t> statements);
+
+  std::span<const ParameterKey> reads(size_t line) const { return {reads_.data() + first_read_[line], first_read_[line + 1] - first_read_[line]}; }
+  std::span<const Write> writes(size_t line) const { return {writes_.data() + first_write_[line], first_write_[line + 1] - first_write_[line]}; }
+  /// The place of a line's first one among all; `line` may be one behind the last.
+  uint32_t first_read(size_t line) const { return first_read_[line]; }
+  uint32_t first_write(size_t line) const { return first_write_[line]; }
+  const std::vector<ParameterKey>& all_reads() const { return reads_; }
+  const std::vector<Write>& all_writes() const { return writes_; }
+  /// Whether a line reads a parameter whose number is computed.
+  bool reads_any(size_t line) const { return any_[line]; }
+  bool reads_any() const { return reads_any_; }
+  bool writes_any() const { return writes_any_; }
+  size_t size() const { return any_.size(); }
+
+ private:
+  void read(const Syntax& syntax, ExprId id);
+  void add(const Program& program, StatementId id);
+
+  std::vector<ParameterKey> reads_;
+  std::vector<Write> writes_;
+  std::vector<uint32_t> first_read_{0}, first_write_{0};
+  std::vector<bool> any_;
+  bool line_reads_any_ = false, reads_any_ = false, writes_any_ = false;
+};
+
+}  // namespace owlint::flow
