@@ -124,7 +124,7 @@ class Check {
     report.source = program->source;
     std::vector<Suppression> suppressions = suppressions_of(*program);
     const Index index(*program, flow);
-    const flow::DataFlow data(*program);
+    const flow::DataFlow data(*program, flow.structure);
     const SeverityPolicy policy = policy_of(profile_, options_);
     run_rules({*program, flow, profile_, linked, suppressions, index, data, false}, options_, policy, report.findings);
     if (!own) {

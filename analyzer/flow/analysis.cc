@@ -353,7 +353,9 @@ std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Det
     FlowResult result = analysis.run();
     bool grown = false;
     for (const std::string& name : analysis.computed_calls()) grown |= linked.add(name);
-    if (!grown || round == kRounds) return flow::by_file(linked, std::move(result));
+    if (grown && round < kRounds) continue;
+    if (linked.files().size() == 1) result.structure = analysis.structure();
+    return flow::by_file(linked, std::move(result));
   }
 }
 

@@ -51,6 +51,7 @@ class Analysis final : public Listener {
   FlowResult run();
   /// Names of called subs that were computed on the way.
   std::vector<std::string> computed_calls() const;
+  std::shared_ptr<const Structure> structure() const { return std::make_shared<const Structure>(machine_.structure()); }
 
   void successor(State state) override;
   void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) override;

@@ -58,12 +58,13 @@ struct DataFlow::Sub {
 
 int Summary::last_argument() const { return arguments == 0 ? 0 : 31 - std::countl_zero(arguments); }
 
-DataFlow::DataFlow(const Program& program) : program_(program), too_large_(program.size() > kTooLarge) {}
+DataFlow::DataFlow(const Program& program, std::shared_ptr<const Structure> structure)
+    : program_(program), too_large_(program.size() > kTooLarge), structure_(std::move(structure)) {}
 
 DataFlow::~DataFlow() = default;
 
 const Structure& DataFlow::structure() const {
-  if (!structure_) structure_.emplace(program_);
+  if (structure_ == nullptr) structure_ = std::make_shared<const Structure>(program_);
   return *structure_;
 }
 

@@ -43,7 +43,8 @@ class DataFlow {
   /// Programs with more statements are not gone through: nothing is known of them.
   static constexpr size_t kTooLarge = 50'000;
 
-  explicit DataFlow(const Program& program);
+  /// `structure`: the program's, if it is known already.
+  explicit DataFlow(const Program& program, std::shared_ptr<const Structure> structure = nullptr);
   ~DataFlow();
 
   const Summary& of(RegionId region) const;
@@ -72,7 +73,7 @@ class DataFlow {
   // All of it is made when it is first asked for: most programs have nothing to ask.
   const Program& program_;
   bool too_large_;
-  mutable std::optional<Structure> structure_;
+  mutable std::shared_ptr<const Structure> structure_;
   mutable Grouped statements_;  ///< by region
   mutable std::vector<std::unique_ptr<Sub>> subs_;
   mutable std::optional<std::vector<UnusedValue>> unused_;

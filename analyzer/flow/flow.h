@@ -72,6 +72,7 @@ namespace flow {
 class KnownCalls;
 class Trace;
 struct LearnedCall;
+struct Structure;
 }
 
 struct FlowResult {
@@ -82,6 +83,7 @@ struct FlowResult {
   FlowStatistics statistics;
   std::shared_ptr<const flow::Trace> trace;
   StatementId first = 0;          ///< number of this file's first statement in the trace
+  std::shared_ptr<const flow::Structure> structure;  ///< of this file's own lines, if it was analysed alone
   std::shared_ptr<std::vector<flow::LearnedCall>> learned;  ///< calls for KnownCalls, if there are any
 
   /// Whether runs get to a statement and execute it: never, on some runs, on every run.

@@ -20,7 +20,7 @@ constexpr std::string_view kPredefined[] = {
 
 bool is_global_name(std::string_view name) { return name.starts_with('_'); }
 
-bool predefined_name(std::string_view name) { return std::ranges::binary_search(kPredefined, name); }
+bool predefined_name(std::string_view name) { return is_global_name(name) && std::ranges::binary_search(kPredefined, name); }
 
 bool machine_name(std::string_view name) { return name.starts_with("_ini[") || name.starts_with("_hal["); }
 
