@@ -12,6 +12,7 @@ void check(const Input& in, Reporter& out) {
   for (const Call& call : p.calls) {
     const Statement& s = p.at(call.statement);
     if (call.target == UINT32_MAX || s.kind == LineKind::kM98 || s.value_count == 0 || s.error != UINT32_MAX) continue;
+    if (in.data.surely_reads(call.target, s.value_count)) continue;
     const flow::Summary& sub = in.data.of(call.target);
     if (!sub.known || sub.any_number) continue;
     // One in the middle has to be passed for the sake of those behind it.

@@ -79,8 +79,8 @@ struct Page {
   std::string_view fix;          ///< how to mend it, when to ignore it
   std::string_view interpreter;  ///< the message LinuxCNC prints for `bad`; N stands for a line number
   std::string_view options;      ///< command line options that `bad` needs
-  std::string_view moves;        ///< where the last rapid move of `bad` goes, as `X5`, if that is the surprise
-  std::string_view moves_good;   ///< the same of `good`
+  std::string_view moves = {};   ///< where the last rapid move of `bad` goes, as `X5`, if that is the surprise
+  std::string_view moves_good = {};  ///< the same of `good`
 };
 
 struct Rule {

@@ -204,6 +204,12 @@ const std::vector<FixedCondition>& DataFlow::fixed() const {
   return *fixed_;
 }
 
+bool DataFlow::surely_reads(RegionId region, uint32_t number) const {
+  if (too_large_) return true;
+  const Accesses& accesses = look(region).accesses;
+  return std::ranges::count(accesses.all_reads(), number) > 0 && std::ranges::none_of(accesses.all_writes(), [&](const auto& write) { return write.key == number; });
+}
+
 uint32_t DataFlow::left_behind(RegionId region) const {
   if (too_large_) return 0;
   const Accesses& accesses = look(region).accesses;

@@ -48,6 +48,8 @@ class DataFlow {
   ~DataFlow();
 
   const Summary& of(RegionId region) const;
+  /// Whether a sub reads #n and never assigns it: nothing more has to be found out then.
+  bool surely_reads(RegionId region, uint32_t number) const;
   /// The numbers (by bits) that have a value of the sub's own when it comes back, which nothing reads.
   uint32_t left_behind(RegionId region) const;
   /// The last line of a sub that assigns #n.

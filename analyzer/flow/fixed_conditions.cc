@@ -55,19 +55,29 @@ class Solver {
   void find_compared(const Settings& settings) {
     std::vector<double> numbers;
     for (const auto& node : flow_.nodes()) {
-      if (!node.tests) continue;
-      for (const bool truth : {true, false}) {
-        for_known_comparisons(exprs_, program_.syntax.values[program_.at(node.statement).first], truth, [&](ExprId side, Operator op, ExprId other, bool) {
-          double number = 0;
-          if (other != kNoExpr && literal_value(exprs_, other, &number)) add_thresholds(op, number, numbers);
-          const ParameterKey key = key_of(side);
-          if (key != kComputedKey && !settings.has(key)) keys_.push_back(key);
-        });
-      }
+      if (node.tests) collect(program_.syntax.values[program_.at(node.statement).first], numbers);
     }
+    std::erase_if(keys_, [&](ParameterKey key) { return key == kComputedKey || settings.has(key); });
     std::ranges::sort(keys_);
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     thresholds_ = Thresholds(std::move(numbers));
+  }
+
+  // Depth is bounded by the length of a line.
+  void collect(ExprId condition, std::vector<double>& numbers) {
+    const Expr& expr = exprs_[condition];
+    if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
+      collect(expr.left(), numbers);
+      collect(expr.right(), numbers);
+    } else if (is_comparison(expr.op)) {
+      for (const auto& [side, other] : {std::pair(expr.left(), expr.right()), std::pair(expr.right(), expr.left())}) {
+        double number = 0;
+        keys_.push_back(key_of(side));
+        if (literal_value(exprs_, other, &number)) add_thresholds(expr.op, number, numbers);
+      }
+    } else {
+      keys_.push_back(key_of(condition));
+    }
   }
 
   /// The place of a parameter among those that are compared; their number if it is none of them.
