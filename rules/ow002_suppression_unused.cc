@@ -11,7 +11,9 @@ namespace {
 Span removed(const Input& in, const Suppression& unused) {
   const Source& source = *in.program.source;
   // They are in the order of the file.
-  const bool alone = std::ranges::equal_range(in.suppressions, unused.comment.begin, {}, [](const Suppression& s) { return s.comment.begin; }).size() == 1;
+  const auto comment = [](const Suppression& s) { return s.comment.begin; };
+  const auto first = std::ranges::lower_bound(in.suppressions, unused.comment.begin, {}, comment);
+  const bool alone = std::next(first) == in.suppressions.end() || comment(*std::next(first)) != unused.comment.begin;
   if (!alone) {
     Span span = unused.span;
     while (span.begin > unused.comment.begin && std::string_view(" ,\t").find(source.bytes()[span.begin - 1]) != std::string_view::npos) --span.begin;

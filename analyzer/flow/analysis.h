@@ -146,6 +146,7 @@ class Analysis final : public Listener {
   void recall(ContextId context, const State& at, const State& entry);
   void disturb(ContextId context);
   void learn_calls();
+  bool assigned_in_most_cases(const FlowStop& stop) const;
   bool followed(const std::vector<Decision>& path) const;
   void finish();
   void blame_calls();

@@ -144,7 +144,6 @@ void Evaluator::assume_assigned(NameId name, Parameters& p) const {
   if (const ValueId before = map.get(key); before == kUnassigned || before == kMaybeUnassigned) map.set(pool_, key, kUnknown);
 }
 
-/// EXISTS has found a name. What this run has not assigned, one before it has; then that run has assigned its other globals, too.
 void Evaluator::assume_there(NameId name, Parameters& p) const {
   const bool from_before = is_global_name(syntax_.names.text(name)) && p.globals.get(kGlobalNames + name) == kUnassigned;
   assume_assigned(name, p);

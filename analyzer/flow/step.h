@@ -23,7 +23,7 @@ struct Machine::Step {
   bool skipping;
   FullLabel label = kNoLabel;
   Fact tested;  ///< the condition of this line, when its outcome can be remembered
-  std::optional<ValueId> returned;  ///< the value on this `return` or `endsub`
+  std::optional<ValueId> returned_value;  ///< the value on this `return` or `endsub`
   bool decided = false;  ///< the condition has one outcome only here: going on is no branch
   ReadLog reads;
 
@@ -81,10 +81,11 @@ struct Machine::Step {
       if (at_definition) out.hazard(state, HazardKind::kValueAtDefinition, 0, kind, message);
       const bool merged = e.fails == StopKind::kNone;
       const bool mixed = state.mixed;
-      state.mixed = mixed || (merged && kind == StopKind::kNameUndefined);  // on which of the merged paths, nobody knows here
+      // On which of the merged paths, and whether one of them gets here, nobody knows.
+      state.mixed = mixed || (kind == StopKind::kNameUndefined && (merged || state.joined));
       stop(kind, std::move(message), kNoStatement, std::move(detail));
       state.mixed = mixed;
-      if (merged && kind == StopKind::kNameUndefined) m.evaluator_.assume_assigned(e.name, state.parameters);
+      if (merged && kind == StopKind::kNameUndefined) m.evaluator_.assume_there(e.name, state.parameters);
     }
     return e.fails == StopKind::kNone;
   }

@@ -132,7 +132,7 @@ void Machine::Step::o_word() {
           e.message = fresh.message;
         }
         if (!settle(e, defining())) return;
-        returned = e.value;
+        returned_value = e.value;
       } else if (s.has_bracket) {
         return stop_error();
       }

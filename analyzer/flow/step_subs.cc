@@ -55,7 +55,7 @@ void Machine::Step::bare() {
 
 void Machine::Step::come_back() {
   const bool never = s.label >= m.returns_value_.size() || !m.returns_value_[s.label];
-  m.evaluator_.come_back(state.parameters, returned ? &*returned : nullptr, never);
+  m.evaluator_.come_back(state.parameters, returned_value ? &*returned_value : nullptr, never);
 }
 
 void Machine::Step::leave_sub() {

@@ -122,8 +122,9 @@ class Evaluator {
   /// exactly: what it compares are parameters with numbers, and they keep their values.
   static constexpr uint64_t kGlobal = 1ULL << 32;
   bool followed(ExprId condition, std::vector<uint64_t>& reads) const;
-  /// A name was read without a stop: it is assigned.
-  void assume_assigned(NameId name, Parameters& p) const;
+  /// A name was read without a stop, or EXISTS has found it. What this run has not assigned, one before it has; then that run
+  /// has assigned its other globals, too.
+  void assume_there(NameId name, Parameters& p) const;
   /// What the outcome of a condition tells of the parameters that it compares.
   void refine(Parameters& p, ExprId condition, bool truth) const;
   /// Forgets all that an unknown sub may have changed.
@@ -157,7 +158,7 @@ class Evaluator {
   bool tells_existence(const Expr& comparison, bool truth, NameId* name) const;
   bool key_of(ExprId side, uint32_t* key, bool* global) const;
   bool may_narrow(ExprId side, uint32_t* key, bool* global) const;
-  void assume_there(NameId name, Parameters& p) const;
+  void assume_assigned(NameId name, Parameters& p) const;
   void find_existing(Parameters& p, ExprId condition, bool truth) const;
   void narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const;
   bool mark(ExprId id);

@@ -133,7 +133,7 @@ void note_directive(std::string_view line, uint64_t offset, uint32_t number, boo
 bool aborts(std::string_view line) {
   constexpr std::string_view kWord = "(abort,";
   const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; };
-  return !std::ranges::search(line, kWord, same).empty();
+  return std::search(line.begin(), line.end(), kWord.begin(), kWord.end(), same) != line.end();
 }
 
 /// A stretch of lines that one core looks through.
