@@ -28,6 +28,4 @@ bool read_only_number(long number) {
   return (number >= 5400 && number <= 5413) || (number >= 5420 && number <= 5428);
 }
 
-bool is_shared_number(long number) { return number >= kFirstGlobalNumber; }
-
 }  // namespace owlint::flow

@@ -33,7 +33,5 @@ bool predefined_name(std::string_view name);
 bool machine_name(std::string_view name);
 /// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured).
 bool read_only_number(long number);
-/// Whether what a parameter is set to can outlive the program: in the parameter file, or in the machine.
-bool is_shared_number(long number);
 
 }  // namespace owlint::flow

@@ -1,0 +1,43 @@
+// Constants and ranges by number, and what is known where two paths meet.
+#include <bit>
+
+#include "analyzer/flow/values.h"
+
+namespace owlint::flow {
+
+ValueId KnownValues::intern(double value) {
+  if (value == 0) value = 0;  // -0 is 0
+  const auto [entry, added] = ids_.emplace(std::bit_cast<uint64_t>(value), static_cast<ValueId>(constants_.size()) + kFirstConstant);
+  if (added) constants_.push_back(value);
+  return entry->second;
+}
+
+ValueId KnownValues::intern(const Range& range) {
+  if (range.is_empty()) return kUnknown;
+  if (range.is_one()) return intern(range.low);
+  const Range wide = thresholds_.widened(range);
+  if (wide.is_all()) return kUnknown;
+  std::vector<ValueId>& alike = range_ids_[mix(std::bit_cast<uint64_t>(wide.low), std::bit_cast<uint64_t>(wide.high))];
+  for (const ValueId id : alike) {
+    if (ranges_[id - kFirstRange] == wide) return id;
+  }
+  alike.push_back(kFirstRange + static_cast<ValueId>(ranges_.size()));
+  ranges_.push_back(wide);
+  return alike.back();
+}
+
+Range KnownValues::range(ValueId id) const {
+  if (id >= kFirstRange) return ranges_[id - kFirstRange];
+  return is_constant(id) ? Range::of(value(id)) : Range();
+}
+
+ValueId KnownValues::join(ValueId a, ValueId b) {
+  if (a == b) return a;
+  const auto not_returned = [](ValueId v) { return v >= kNotReturned && v <= kMaybeNotReturned; };
+  if (not_returned(a) || not_returned(b)) return kMaybeNotReturned;
+  const auto assigned = [](ValueId v) { return v != kUnassigned && v != kMaybeUnassigned; };
+  if (!assigned(a) || !assigned(b)) return kMaybeUnassigned;
+  return a >= kFirstConstant && b >= kFirstConstant ? intern(hull(range(a), range(b))) : kUnknown;
+}
+
+}  // namespace owlint::flow
