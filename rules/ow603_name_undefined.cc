@@ -6,9 +6,30 @@
 namespace owlint::rules {
 namespace {
 
+/// The comment lines that a program begins with, in small letters and without blanks.
+std::string leading_comment(const Source& source) {
+  constexpr uint64_t kMost = 16'384;  // bytes
+  const std::string_view text = source.bytes().substr(0, kMost);
+  std::string out;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    std::string line;
+    for (const char c : text.substr(at, end - at)) {
+      if (c != ' ' && c != '\t' && c != '\r') line += c;
+    }
+    if (!line.empty() && line[0] != '(' && line[0] != ';' && line[0] != '%') break;
+    out += small_letters(line);
+    at = end + 1;
+  }
+  return out;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
+  const std::string documented = leading_comment(*p.source);
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
+    // A global that the program says it needs comes from outside.
+    if (s.detail.starts_with("_") && documented.find("#<" + s.detail + ">") != std::string::npos) return nullptr;
     const Statement& line = p.at(s.statement);
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
@@ -34,7 +55,8 @@ the called sub.)",
 assignment. Unlike numbers, which read 0, names have no value until they get one. `#<name>` belongs
 to the sub that is running: the main program's `#<depth>` does not exist inside a sub, nor the sub's
 outside. `#<_name>` with an underscore is shared by all. Skipped lines are not looked at, and
-`EXISTS[#<name>]` may ask.
+`EXISTS[#<name>]` may ask. A global name that the comment at the top of the program speaks of is taken to be
+there.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90

@@ -200,6 +200,15 @@ TEST_CASE("every rule can be explained", "[cli]") {
   }
 }
 
+TEST_CASE("a global that the leading comment speaks of is taken to be there", "[cli]") {
+  // No fixture: the interpreter that runs fixtures has no operator who sets it.
+  const Scratch files;
+  const std::string needed = files.write("needed.ngc", "(needs #<_Stock_Top>, set by the operator)\nG0 Z[#<_stock_top> + 5]\nM2\n");
+  CHECK(run({"check", "--isolated", needed}).out.find("OW603") == std::string::npos);
+  const std::string later = files.write("later.ngc", "G21\n(needs #<_stock_top>)\nG0 Z[#<_stock_top> + 5]\nM2\n");
+  CHECK(run({"check", "--isolated", later}).out.find("OW603") != std::string::npos);
+}
+
 TEST_CASE("graphs say what subs do with parameters", "[cli]") {
   const Scratch files;
   const std::string path = files.write("p.ngc", "o100 sub\n  #<_result> = [#1 + #<_x_start> + #31]\n  o110 if [#2 GT 0]\n    o100 return\n  o110 endif\n  #3 = 5\n  G0 X#3\no100 endsub [#1]\n#<_x_start> = 3\no100 call [1] [2]\nM2\n");
