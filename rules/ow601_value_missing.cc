@@ -27,7 +27,7 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kValueNotReturned || asks_afterwards(p, h.statement)) continue;
     const Elsewhere from = place_of(in, h.other, h.other_elsewhere);
-    const std::string sub = from.program == nullptr || from.program->at(from.statement).label == kNoName ? "the sub that was called" : "`" + from.program->label_at(from.statement) + "`";
+    const std::string sub = returning_sub(from, "the sub that was called");
     Finding& f = out.add(p.at(h.statement).whole(), "`#<_value>` is read here, but " + sub + " can come back without a value: then it is 0");
     if (from.program != nullptr) relate(in, f, from, "it comes back from here, without a value");
     f.help = "return a value on every way out of the sub, as `endsub [#1]`, or test `#<_value_returned>`, which is 0 then";

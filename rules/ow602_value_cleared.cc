@@ -11,7 +11,7 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kValueCleared) continue;
     const Elsewhere from = place_of(in, h.other, h.other_elsewhere);
-    const std::string sub = from.program == nullptr || from.program->at(from.statement).label == kNoName ? "another sub" : "`" + from.program->label_at(from.statement) + "`";
+    const std::string sub = returning_sub(from, "another sub");
     Finding& f = out.add(p.at(h.statement).whole(), "`#<_value>` is 0 here: " + sub + ", which returns no value, was called since the call that returned one");
     if (from.program != nullptr) relate(in, f, from, "the value is cleared here");
     f.help = "keep the value right behind the call that returns it: `#<result> = #<_value>`";

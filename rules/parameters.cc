@@ -8,6 +8,11 @@ std::string parameter_words(const Program& program, flow::ParameterId parameter)
   return "`" + flow::parameter_text(program, parameter) + "`";
 }
 
+std::string returning_sub(const Elsewhere& line, std::string_view otherwise) {
+  const bool known = line.program != nullptr && line.program->at(line.statement).label != kNoName;
+  return known ? "`" + line.program->label_at(line.statement) + "`" : std::string(otherwise);
+}
+
 Span item_span(const Program& program, StatementId statement, uint32_t item) {
   const Statement& s = program.at(statement);
   const Item& place = program.syntax.items[s.first + item];

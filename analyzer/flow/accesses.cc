@@ -18,6 +18,10 @@ ParameterKey key_of_number(const Syntax& syntax, ExprId number) {
   return static_cast<uint64_t>(index) | (index >= kFirstGlobalNumber ? kGlobalKey : 0);
 }
 
+ParameterKey key_of_target(const Syntax& syntax, const Item& item) {
+  return item.target_name != kNoName ? key_of_name(syntax, item.target_name) : key_of_number(syntax, item.target);
+}
+
 ParameterId parameter_of(ParameterKey key) {
   const auto plain = static_cast<uint32_t>(key);
   const uint32_t names = is_global(key) ? kGlobalNames : kLocalNames;
@@ -59,11 +63,10 @@ void Accesses::add(const Program& program, StatementId id) {
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = syntax.items[s.first + i];
     read(syntax, item.value);
-    if (item.target_name != kNoName) writes_.push_back({key_of_name(syntax, item.target_name), i});
-    if (item.target == kNoExpr) continue;
-    writes_.push_back({key_of_number(syntax, item.target), i});
+    if (!assigns(item)) continue;
+    writes_.push_back({key_of_target(syntax, item), i});
     if (writes_.back().key == kComputedKey) writes_any_ = true;
-    read(syntax, item.target);
+    if (item.target != kNoExpr) read(syntax, item.target);
   }
   first_read_.push_back(static_cast<uint32_t>(reads_.size()));
   first_write_.push_back(static_cast<uint32_t>(writes_.size()));

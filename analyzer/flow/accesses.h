@@ -20,6 +20,9 @@ inline bool is_own_number(ParameterKey key) { return key < kFirstGlobalNumber; }
 ParameterKey key_of_name(const Syntax& syntax, NameId name);
 /// Of `#n`, by the expression of its number.
 ParameterKey key_of_number(const Syntax& syntax, ExprId number);
+/// Of the parameter that an item assigns, if it assigns one.
+inline bool assigns(const Item& item) { return item.target_name != kNoName || item.target != kNoExpr; }
+ParameterKey key_of_target(const Syntax& syntax, const Item& item);
 ParameterId parameter_of(ParameterKey key);
 
 class Accesses {

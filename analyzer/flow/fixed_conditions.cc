@@ -111,8 +111,8 @@ class Solver {
     const Ranges before = s.item_count > 1 ? ranges : Ranges();
     for (uint32_t i = 0; i < s.item_count; ++i) {
       const Item& item = program_.syntax.items[s.first + i];
-      if (item.target_name == kNoName && item.target == kNoExpr) continue;
-      const ParameterKey key = item.target_name != kNoName ? key_of_name(program_.syntax, item.target_name) : key_of_number(program_.syntax, item.target);
+      if (!assigns(item)) continue;
+      const ParameterKey key = key_of_target(program_.syntax, item);
       if (key == kComputedKey) {
         forget(ranges, false);
         continue;
@@ -218,8 +218,8 @@ StatementId earlier_branch(const Program& program, StatementId id) {
 Settings::Settings(const Program& program) {
   std::vector<std::pair<ParameterKey, bool>> assigned;  // and whether to a number
   for (const Item& item : program.syntax.items) {
-    if (item.target_name == kNoName && item.target == kNoExpr) continue;
-    const ParameterKey key = item.target_name != kNoName ? key_of_name(program.syntax, item.target_name) : key_of_number(program.syntax, item.target);
+    if (!assigns(item)) continue;
+    const ParameterKey key = key_of_target(program.syntax, item);
     double number = 0;
     assigned.emplace_back(key, literal_value(program.syntax.exprs, item.value, &number));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "analyzer/flow/accesses.h"
 #include "analyzer/flow/conditions.h"
 #include "analyzer/flow/values.h"
 #include "analyzer/syntax/arithmetic.h"
@@ -76,21 +77,12 @@ void Evaluator::find_compared() {
   }
   if (compared_[0].empty() && compared_[1].empty()) return;
   for (const Item& item : syntax_.items) {
-    if (item.target_name == kNoName && item.target == kNoExpr) continue;
     double number = 0;
-    long index = 0;
-    if (literal_value(syntax_.exprs, item.value, &number)) continue;
-    uint32_t key = item.target_name;
-    bool global = false;
-    if (item.target_name != kNoName) {
-      global = is_global_name(syntax_.names.text(item.target_name));
-      key += global ? kGlobalNames : kLocalNames;
-    } else {
-      if (!literal_value(syntax_.exprs, item.target, &number) || !to_integer(number, &index)) continue;
-      global = index >= kFirstGlobalNumber;
-      key = static_cast<uint32_t>(index);
-    }
-    if (const auto found = compared_[global].find(key); found != compared_[global].end()) found->second |= kComputed;
+    if (!assigns(item) || literal_value(syntax_.exprs, item.value, &number)) continue;
+    const ParameterKey key = key_of_target(syntax_, item);
+    if (key == kComputedKey) continue;
+    auto& compared = compared_[is_global(key)];
+    if (const auto found = compared.find(static_cast<uint32_t>(key)); found != compared.end()) found->second |= kComputed;
   }
   const auto no_use = [](const auto& entry) {
     constexpr uint32_t kCounter = kByLoop | kComputed;
@@ -161,14 +153,13 @@ bool Evaluator::followed(ExprId condition, std::vector<uint64_t>& reads) const {
   if (expr.op == Operator::kExistsNumbered) return false;
   if (expr.op == Operator::kNamed || expr.op == Operator::kParameter) {
     const bool keeps = may_narrow(condition, &key, &global);
-    if (keeps) reads.push_back(key | (global ? kGlobal : 0));
-    if (!keeps && expr.op == Operator::kNamed) reads.push_back((kGlobalNames + expr.name()) | kGlobal);
-    if (!keeps && expr.op == Operator::kParameter) reads.push_back(literal_value(syntax_.exprs, expr.left(), &number) ? static_cast<uint64_t>(number) | kGlobal : UINT64_MAX);
+    if (keeps) reads.push_back(key | (global ? kGlobalKey : 0));
+    if (!keeps && expr.op == Operator::kNamed) reads.push_back((kGlobalNames + expr.name()) | kGlobalKey);
+    if (!keeps && expr.op == Operator::kParameter) reads.push_back(literal_value(syntax_.exprs, expr.left(), &number) ? static_cast<uint64_t>(number) | kGlobalKey : kComputedKey);
     return keeps;
   }
   if (expr.op == Operator::kExistsNamed) {
-    global = is_global_name(syntax_.names.text(expr.name()));
-    reads.push_back(((global ? kGlobalNames : kLocalNames) + expr.name()) | (global ? kGlobal : 0));
+    reads.push_back(key_of_name(syntax_, expr.name()));
     return true;
   }
   const bool left = followed(expr.left(), reads);

@@ -118,9 +118,8 @@ class Evaluator {
   Fact fact(ExprId condition) const;
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
-  /// Adds the parameters that a condition reads, by their keys; global ones with kGlobal. Whether its outcomes are followed
+  /// Adds the parameters that a condition reads, by their keys (accesses.h). Whether its outcomes are followed
   /// exactly: what it compares are parameters with numbers, and they keep their values.
-  static constexpr uint64_t kGlobal = 1ULL << 32;
   bool followed(ExprId condition, std::vector<uint64_t>& reads) const;
   /// A name was read without a stop, or EXISTS has found it. What this run has not assigned, one before it has; then that run
   /// has assigned its other globals, too.
