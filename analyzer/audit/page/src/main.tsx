@@ -1,6 +1,6 @@
 // The frame: reads the index, shows the view that the address names, and what is the same in all of them.
 import { render } from "preact";
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useState } from "preact/hooks";
 import { readIndex } from "./data";
 import { Findings } from "./findings";
 import { Model } from "./model";
@@ -11,18 +11,24 @@ import { link, useRoute } from "./route";
 import { RulePage } from "./rule";
 import { visible } from "./words";
 
-function remembered(): string {
-  try { return localStorage.getItem("owlint-theme") ?? ""; } catch { return ""; }
+/** What the reader chose last, or else what the system says. */
+function prefersDark(): boolean {
+  let chosen = "";
+  try { chosen = localStorage.getItem("owlint-theme") ?? ""; } catch { /* a page without storage asks the system */ }
+  return chosen === "" ? matchMedia("(prefers-color-scheme: dark)").matches : chosen === "dark";
+}
+
+function paint(dark: boolean) {
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
 }
 
 function useTheme(): [boolean, () => void] {
-  const [theme, set] = useState(remembered);
-  const dark = theme === "" ? matchMedia("(prefers-color-scheme: dark)").matches : theme === "dark";
-  useEffect(() => { document.documentElement.dataset.theme = dark ? "dark" : "light"; }, [dark]);
+  const [dark, set] = useState(prefersDark);
+  // Before the browser paints: otherwise one frame has the button of one theme and the colours of the other.
+  useLayoutEffect(() => paint(dark), [dark]);
   return [dark, () => {
-    const next = dark ? "light" : "dark";
-    set(next);
-    try { localStorage.setItem("owlint-theme", next); } catch { /* a page without storage forgets it */ }
+    set(!dark);
+    try { localStorage.setItem("owlint-theme", dark ? "light" : "dark"); } catch { /* a page without storage forgets it */ }
   }];
 }
 
@@ -71,6 +77,7 @@ function App({ model }: { model: Model }) {
 }
 
 async function start() {
+  paint(prefersDark());  // a large index takes a while to read, and nobody wants to wait in front of a white page at night
   const root = document.getElementById("app")!;
   try {
     const model = new Model(await readIndex());
