@@ -27,6 +27,7 @@ struct Read {
         case LineKind::kM99: out += "M99"; break;
         case LineKind::kProgramEnd: out += "end"; break;
         case LineKind::kPercent: out += "%"; break;
+        case LineKind::kAbort: out += "abort"; break;
         case LineKind::kWords: case LineKind::kFileEnd: out += "words"; break;
       }
       if (const LineError* error = syntax.error(s)) out += " (" + error->message + ")";
