@@ -152,7 +152,7 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
 
 }  // namespace
 
-void check_parts(const Input& in, Reporter& out, const std::function<bool(Keyword)>& wanted, std::string_view openers) {
+void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::string_view openers) {
   const Program& p = in.program;
   const auto report = [&](const FlowStop& s) -> Finding* {
     const Statement& line = p.at(s.statement);

@@ -1,7 +1,6 @@
 // Helpers for rules about blocks and labels.
 #pragma once
 
-#include <functional>
 
 #include "rules/stops.h"
 
@@ -24,6 +23,6 @@ std::string with_article(Keyword keyword);
 
 /// Reports the parts or ends for which `wanted(keyword)` holds and whose label has no fitting block: stops first,
 /// then those that no run meets. `describe` gives the words for an undefined label.
-void check_parts(const Input& in, Reporter& out, const std::function<bool(Keyword)>& wanted, std::string_view openers);
+void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::string_view openers);
 
 }  // namespace owlint::rules

@@ -28,8 +28,8 @@ bool moves_lines(const Program& program, const Fix& fix) {
 
 void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy, std::vector<Finding>& out) {
   for (const Rule* rule : catalogue()) {
-    if (!selected(*rule, options)) continue;
     if (input.suppressions_applied && rule->group != Group::kLinter) continue;
+    if (!selected(*rule, options)) continue;
     const size_t first = out.size();
     Reporter reporter(*rule, out);
     rule->check(input, reporter);
@@ -47,6 +47,7 @@ void run_rules(const Input& input, const LintOptions& options, const SeverityPol
 
 bool selected(const Rule& rule, const LintOptions& options) {
   int wanted = rule.level == Severity::kInfo ? -1 : 0;
+  if (options.select.empty() && options.extend_select.empty() && options.ignore.empty()) return wanted == 0;
   if (!options.select.empty()) wanted = longest_fit(rule.code, options.select);
   wanted = std::max(wanted, longest_fit(rule.code, options.extend_select));
   return wanted >= 0 && longest_fit(rule.code, options.ignore) < std::max(wanted, 1);

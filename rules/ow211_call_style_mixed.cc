@@ -1,7 +1,6 @@
 // OW211 call-style-mixed: the Fanuc style (M98, M99, bare O number) mixed with `sub`, `call`, `endsub`.
 // Rests on: a frame remembers how it was called; `sub`, bare O, `endsub`, `return` and M99 each
 // refuse the other style.
-#include <unordered_set>
 
 #include "rules/stops.h"
 
@@ -43,9 +42,10 @@ void check(const Input& in, Reporter& out) {
     return &f;
   });
   // One number both as a program number and as a sub: runs, but only one of them can be called.
-  std::unordered_set<NameId> looked;
+  std::vector<bool> looked(p.syntax.names.size());
   for (const Region& region : p.regions) {
-    if (!looked.insert(region.name).second) continue;
+    if (region.name == kNoName || looked[region.name]) continue;
+    looked[region.name] = true;
     if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub)) continue;
     for (const StatementId other : p.by_label[region.name]) {
       if (!p.at(other).is(Keyword::kBare) || has_stop(in, other)) continue;

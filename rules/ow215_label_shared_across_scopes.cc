@@ -8,25 +8,28 @@ namespace {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  std::unordered_map<NameId, StatementId> first;
-  std::unordered_map<NameId, bool> told;
-  const auto look = [&](NameId label, StatementId id, RegionId scope) {
-    const auto [entry, added] = first.try_emplace(label, id);
-    if (added || told[label]) return;
-    const bool sub = p.at(entry->second).opens_sub();
-    if (!sub && !p.at(id).opens_sub() && p.region_of[entry->second] == scope) return;
-    told[label] = true;
-    Finding& f = out.add(p.at(id).label_span(), "`" + p.label_text(label) + "` is also used by `" + p.head(entry->second) + "` on line " + std::to_string(p.at(entry->second).line));
-    relate(f, p, entry->second, "first used here");
-    f.help = "labels are local to a sub, so this runs; different numbers are easier to read";
-    f.reach = in.flow.reach(id);
-  };
+  // By label: the lines that open something with it, in their order.
+  std::vector<std::pair<NameId, StatementId>> openers;
   for (StatementId id = 0; id < p.size(); ++id) {
     const Statement& s = p.at(id);
     if (s.kind != LineKind::kOWord || s.label == kNoName) continue;
     const BlockId block = p.block_of[id];
-    const bool opens = s.is(Keyword::kSub) || (block != kNoBlock && p.blocks[block].opener == id);
-    if (opens) look(s.label, id, p.region_of[id]);
+    if (s.is(Keyword::kSub) || (block != kNoBlock && p.blocks[block].opener == id)) openers.emplace_back(s.label, id);
+  }
+  std::ranges::sort(openers);
+  for (size_t i = 0; i < openers.size();) {
+    const auto [label, first] = openers[i++];
+    bool told = false;
+    for (; i < openers.size() && openers[i].first == label; ++i) {
+      const StatementId id = openers[i].second;
+      const bool subs = p.at(first).opens_sub() || p.at(id).opens_sub();
+      if (told || (!subs && p.region_of[first] == p.region_of[id])) continue;
+      told = true;
+      Finding& f = out.add(p.at(id).label_span(), "`" + p.label_text(label) + "` is also used by `" + p.head(first) + "` on line " + std::to_string(p.at(first).line));
+      relate(f, p, first, "first used here");
+      f.help = "labels are local to a sub, so this runs; different numbers are easier to read";
+      f.reach = in.flow.reach(id);
+    }
   }
 }
 

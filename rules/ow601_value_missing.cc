@@ -15,8 +15,8 @@ bool asks_afterwards(const Program& p, StatementId id) {
   if (returned == kNoName) return false;
   for (StatementId next = id; next < std::min<size_t>(id + kFar, p.size()); ++next) {
     if (p.at(next).is(Keyword::kCall) || p.region_of[next] != p.region_of[id]) return false;
-    const flow::Accesses line(p, std::span(&next, 1));
-    if (std::ranges::count(line.all_reads(), flow::key_of_name(p.syntax, returned)) > 0) return true;
+    const flow::AccessTable line(p, std::span(&next, 1));
+    if (std::ranges::count(line.lines(0, 1).all_reads(), flow::key_of_name(p.syntax, returned)) > 0) return true;
   }
   return false;
 }

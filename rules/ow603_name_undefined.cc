@@ -1,6 +1,9 @@
 // OW603 name-undefined: a named parameter that is read where some path has not assigned it.
 // Rests on: reading an unassigned name stops the run; `#<name>` is local to the sub that runs,
 // `#<_name>` is global.
+#include <optional>
+
+#include "analyzer/machine/predefined.h"
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -24,17 +27,32 @@ std::string leading_comment(const Source& source) {
   return out;
 }
 
+/// What is said of `#<_ini[section]entry>`, which the machine's INI does not have.
+void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
+  f.message = name + " is read here, but " + (profile.setup->reads_ini ? "the machine's INI has no number for it" : "`INI_VARS = 0` in the machine's INI hides its entries");
+  if (!profile.setup->reads_ini) return;
+  f.help = "LinuxCNC looks for section and entry in capital letters, and takes nothing but a decimal number: no unit, no comment behind it; `EXISTS[#<…>]` asks first";
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  const std::string documented = leading_comment(*p.source);
+  std::optional<std::string> documented;
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
     // A global that the program says it needs comes from outside.
-    if (s.detail.starts_with("_") && documented.find("#<" + s.detail + ">") != std::string::npos) return nullptr;
+    if (!documented) documented = leading_comment(*p.source);
+    if (s.detail.starts_with("_") && documented->find("#<" + s.detail + ">") != std::string::npos) return nullptr;
     const Statement& line = p.at(s.statement);
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
     Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
+    if (const auto since = predefined_since(s.detail)) {
+      const std::string version(version_text(in.profile.version));
+      f.message = name + " is read here, but " + (*since > in.profile.version ? "LinuxCNC " + version + " does not have it; it came with " + std::string(version_text(*since)) : "not every release of LinuxCNC " + version + " has it");
+      f.help = "do without it, ask with `EXISTS[" + name.substr(1, name.size() - 2) + "]` first, or say which version the machine has (`--linuxcnc`)";
+    } else if (s.detail.starts_with("_ini[") && in.profile.setup != nullptr) {
+      tell_entry(in.profile, name, f);
+    }
     return &f;
   });
 }
@@ -57,6 +75,9 @@ to the sub that is running: the main program's `#<depth>` does not exist inside 
 outside. `#<_name>` with an underscore is shared by all. Skipped lines are not looked at, and
 `EXISTS[#<name>]` may ask. A global name that the comment at the top of the program speaks of is taken to be
 there.
+
+`#<_ini[section]entry>` is an entry of the machine's INI, which owlint looks up where it knows the INI;
+`#<_hal[pin]>` is taken to be there. A name that only some releases of the version have gets a warning.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90

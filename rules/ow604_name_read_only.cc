@@ -13,6 +13,7 @@ void check(const Input& in, Reporter& out) {
     const bool missing = s.interpreter == "Parameter number out of range";
     const std::string what = s.detail.empty() ? "this parameter" : "`#<" + s.detail + ">`";
     Finding& f = out.add(line.whole(), missing ? "there is no parameter with this number: they go from #1 to #5601" : what + " belongs to LinuxCNC and cannot be set");
+    if (s.detail.starts_with("_ini[")) f.message = what + " is an entry of the machine's INI and cannot be set";
     f.help = "use a name or number of your own";
     return &f;
   });
@@ -28,7 +29,7 @@ extern const Rule kOw604{
     .level = Severity::kError,
     .page = {
         .what = R"(An assignment to a name that LinuxCNC predefines, such as `#<_feed>`, `#<_x>`, `#<_a>`, `#<_line>`,
-`#<_task>` or `#<_value>`, or to a numbered parameter that only shows the machine's state, such as
+`#<_task>` or `#<_value>`, to an entry of the machine's INI (`#<_ini[section]entry>`), or to a numbered parameter that only shows the machine's state, such as
 `#5400` (tool) or `#5420` (position).)",
         .why = R"(The interpreter stops at the line when it executes it: in an uncalled sub or a skipped branch
 nothing is said. For numbers the message is `Parameter is readonly`. The trap is a global name of

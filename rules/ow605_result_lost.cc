@@ -7,11 +7,12 @@ namespace {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  std::unordered_set<RegionId> seen;
+  std::vector<bool> seen(p.regions.size());
   for (const Call& call : p.calls) {
     // In a sub, what it reads may be its own argument.
     if (call.target == UINT32_MAX || call.caller != kMainRegion || p.at(call.statement).kind == LineKind::kM98) continue;
-    if (!seen.insert(call.target).second) continue;  // the first call has the most behind it
+    if (seen[call.target]) continue;  // the first call has the most behind it
+    seen[call.target] = true;
     const uint32_t left = in.data.left_behind(call.target);
     for (uint32_t n = 1; left != 0 && n < flow::kFirstGlobalNumber; ++n) {
       if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;

@@ -1,7 +1,6 @@
 // OW607 sub-unused: a sub that nothing calls.
 // Rests on: a definition is passed over; its lines run only in a call.
 #include <algorithm>
-#include <filesystem>
 
 #include "rules/parameters.h"
 
@@ -11,6 +10,20 @@ namespace {
 /// Whether some call has a name that is known only when it is made.
 bool calls_anything(const Program& p) {
   return std::ranges::any_of(p.calls, [&](const Call& call) { return p.at(call.statement).label == kNoName; });
+}
+
+/// Subs that no line outside of them calls. What only an unused sub calls is unused for the same reason.
+std::vector<RegionId> called_by_no_other(const Program& p) {
+  std::vector<bool> called(p.regions.size());
+  for (const Call& call : p.calls) {
+    if (call.target != UINT32_MAX && call.target != call.caller) called[call.target] = true;
+  }
+  std::vector<RegionId> out;
+  for (RegionId r = 1; r < p.regions.size(); ++r) {
+    const StatementId opener = p.regions[r].opener;
+    if (!called[r] && opener != kNoStatement && p.at(opener).is(Keyword::kSub)) out.push_back(r);
+  }
+  return out;
 }
 
 /// The regions that can be reached from `todo` by calls.
@@ -37,7 +50,8 @@ bool in_cycles(const Program& p) {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  if (p.regions.size() < 2 || does_nothing(p)) return;  // a collection of subs is called from elsewhere
+  const std::vector<RegionId> alone = called_by_no_other(p);
+  if (alone.empty() || does_nothing(p)) return;  // a collection of subs is called from elsewhere
   if (!p.syntax.errors.empty()) return;  // the call may be on a line that is broken
   std::unordered_set<std::string> from_files;
   for (const LinkedFile& file : in.linked.files()) {
@@ -49,21 +63,16 @@ void check(const Input& in, Reporter& out) {
   for (const Call& call : p.calls) {
     if (call.target != UINT32_MAX) called[call.caller].push_back(call.target);
   }
-  const std::string own_name = small_letters(std::filesystem::path(p.source->path()).stem().string());
+  const std::string own_name = small_letters(stem_of(p.source->path()));
   std::vector<RegionId> begins{kMainRegion};
   for (RegionId r = 1; r < p.regions.size(); ++r) {
     const NameId name = p.regions[r].name;
     if (name == kNoName || p.name(name) == own_name || from_files.contains(p.name(name))) begins.push_back(r);
   }
   const std::vector<bool> used = reached(p, begins, called);
-  std::vector<bool> by_another(p.regions.size());
-  for (RegionId r = 1; r < p.regions.size(); ++r) {
-    for (const RegionId callee : called[r]) by_another[callee] = by_another[callee] || callee != r;
-  }
-  for (RegionId r = 1; r < p.regions.size(); ++r) {
-    // What only an unused sub calls is unused for the same reason.
+  for (const RegionId r : alone) {
     const Region& region = p.regions[r];
-    if (used[r] || by_another[r] || region.opener == kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
+    if (used[r]) continue;
     if (std::ranges::any_of(p.regions, [&](const Region& other) { return other.name == region.name && &other != &region; })) continue;
     if (!in.data.structure().regular || in_cycles(p)) return;
     Finding& f = out.add(p.at(region.opener).head_span(), "nothing calls " + region_words(p, r));

@@ -255,39 +255,32 @@ void add_consequences(const Input& in, StatementId statement, Finding& finding) 
   }
 }
 
-void for_stops(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each) {
-  const auto found = in.index.by_code.find(out.rule().code);
-  if (found == in.index.by_code.end()) return;
-  for (const FlowStop* stop : found->second) {
-    if (Finding* finding = each(*stop)) describe_stop(in, *stop, *finding);
-  }
+namespace {
+
+template <typename Lists>
+auto list_of(const Lists& lists, const Reporter& out) {
+  const auto found = lists.find(out.rule().code);
+  return found == lists.end() ? std::span<const typename Lists::mapped_type::value_type>() : std::span(found->second);
 }
 
-void for_warned(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each) {
-  const auto found = in.index.warned_by_code.find(out.rule().code);
-  if (found == in.index.warned_by_code.end()) return;
-  for (const Hazard* hazard : found->second) {
-    // Some of these errors stop all the same, with another message; then that is the finding.
-    const auto stops = in.index.by_code.find(out.rule().code);
-    if (stops != in.index.by_code.end() && std::ranges::any_of(stops->second, [&](const FlowStop* s) { return s->statement == hazard->statement; })) continue;
-    FlowStop as_stop;
-    as_stop.statement = hazard->statement;
-    as_stop.kind = hazard->warned;
-    as_stop.other = hazard->other;
-    if (Finding* finding = each(as_stop)) {
-      finding->reach = hazard->reach;
-      finding->interpreter = hazard->interpreter;
-    }
-  }
+}  // namespace
+
+std::span<const FlowStop* const> stops_of(const Input& in, const Reporter& out) { return list_of(in.index.by_code, out); }
+
+std::span<const Hazard* const> warned_of(const Input& in, const Reporter& out) { return list_of(in.index.warned_by_code, out); }
+
+std::span<const StatementId> unmet_of(const Input& in, const Reporter& out) { return list_of(in.index.unmet_by_code, out); }
+
+std::optional<FlowStop> as_stop(const Input& in, const Reporter& out, const Hazard& warned) {
+  if (std::ranges::any_of(stops_of(in, out), [&](const FlowStop* stop) { return stop->statement == warned.statement; })) return std::nullopt;
+  FlowStop stop;
+  stop.statement = warned.statement;
+  stop.kind = warned.warned;
+  stop.other = warned.other;
+  return stop;
 }
 
 bool has_stop(const Input& in, StatementId statement) { return statement < in.index.at.size() && in.index.at[statement]; }
-
-void for_unmet_errors(const Input& in, Reporter& out, const std::function<void(StatementId, const LineError&)>& each) {
-  const auto found = in.index.unmet_by_code.find(out.rule().code);
-  if (found == in.index.unmet_by_code.end()) return;
-  for (const StatementId id : found->second) each(id, *in.program.syntax.error(in.program.at(id)));
-}
 
 std::string ordinal(size_t n) {
   const size_t tens = n % 100;

@@ -2,9 +2,11 @@
 // rules about stops have in common.
 #pragma once
 
-#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 
+#include "rules/lint.h"
 #include "rules/rule.h"
 
 namespace owlint::rules {
@@ -19,18 +21,45 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding);
 /// Names the other stops that the mistake at `statement` leads to.
 void add_consequences(const Input& in, StatementId statement, Finding& finding);
 
-/// Calls `each` for every stop that belongs to the rule and is not the consequence of another mistake; `each` adds
-/// the finding and returns it.
-void for_stops(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each);
+/// The stops that belong to the rule and are not the consequence of another mistake.
+std::span<const FlowStop* const> stops_of(const Input& in, const Reporter& out);
+/// The errors of the rule that FEATURE 0x20 turned into messages.
+std::span<const Hazard* const> warned_of(const Input& in, const Reporter& out);
+/// Errors of reading that the rule is about but no run meets.
+std::span<const StatementId> unmet_of(const Input& in, const Reporter& out);
+/// A message of warned_of() as the stop that it would be without FEATURE 0x20; nothing where it stops all the same,
+/// with another message: then that is the finding.
+std::optional<FlowStop> as_stop(const Input& in, const Reporter& out, const Hazard& warned);
+
+/// Calls `each` for every stop of the rule; `each` adds the finding and returns it, or null. (Templates, as most rules have
+/// nothing to report in most programs: a std::function for each would cost more than all of them.)
+template <typename Each>
+void for_stops(const Input& in, Reporter& out, const Each& each) {
+  for (const FlowStop* stop : stops_of(in, out)) {
+    if (Finding* finding = each(*stop)) describe_stop(in, *stop, *finding);
+  }
+}
 
 /// The same for the errors that FEATURE 0x20 turned into messages.
-void for_warned(const Input& in, Reporter& out, const std::function<Finding*(const FlowStop&)>& each);
+template <typename Each>
+void for_warned(const Input& in, Reporter& out, const Each& each) {
+  for (const Hazard* hazard : warned_of(in, out)) {
+    const std::optional<FlowStop> stop = as_stop(in, out, *hazard);
+    Finding* finding = stop ? each(*stop) : nullptr;
+    if (finding == nullptr) continue;
+    finding->reach = hazard->reach;
+    finding->interpreter = hazard->interpreter;
+  }
+}
 
 /// Whether some stop (or message under 0x20) of any rule is at this statement.
 bool has_stop(const Input& in, StatementId statement);
 
-/// Errors of reading that the rule is about but no run meets: calls `each` for those without a stop.
-void for_unmet_errors(const Input& in, Reporter& out, const std::function<void(StatementId, const LineError&)>& each);
+/// Calls `each` for the errors of reading that the rule is about but no run meets.
+template <typename Each>
+void for_unmet_errors(const Input& in, Reporter& out, const Each& each) {
+  for (const StatementId id : unmet_of(in, out)) each(id, *in.program.syntax.error(in.program.at(id)));
+}
 
 /// Adds "first defined here" and the like.
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message);

@@ -25,7 +25,8 @@ void drop_guesses(FileReport& report) {
 /// Whether a file lies in a folder that its machine has for subs.
 bool among_subs(const std::string& path, const Settings& settings) {
   if (settings.profile.setup == nullptr) return false;
-  const std::string folder = fs::path(file_key(path)).parent_path().string();
+  const std::string file = file_key(path);
+  const std::string_view folder = folder_of(file);
   return std::ranges::any_of(settings.profile.setup->folders, [&](const IniFolder& f) {
     return f.key == "SUBROUTINE_PATH" && file_key(f.path) == folder;
   });

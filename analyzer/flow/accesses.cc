@@ -1,5 +1,7 @@
 #include "analyzer/flow/accesses.h"
 
+#include <algorithm>
+
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -28,15 +30,31 @@ ParameterId parameter_of(ParameterKey key) {
   return plain >= names ? ParameterId{plain - names, true} : ParameterId{plain, false};
 }
 
-Accesses::Accesses(const Program& program, std::span<const uint32_t> statements) {
+AccessTable::AccessTable(const Program& program, std::span<const uint32_t> statements) {
   any_.reserve(statements.size());
   first_read_.reserve(statements.size() + 1);
   first_write_.reserve(statements.size() + 1);
+  reads_.reserve(statements.size());
+  writes_.reserve(std::min(statements.size(), program.syntax.items.size()));
+  first_read_.push_back(0);
+  first_write_.push_back(0);
   for (const StatementId id : statements) add(program, id);
 }
 
+Accesses AccessTable::lines(size_t first, size_t count) const {
+  Accesses out;
+  out.first_read_ = first_read_.data() + first;
+  out.first_write_ = first_write_.data() + first;
+  out.reads_ = std::span(reads_).subspan(first_read_[first], first_read_[first + count] - first_read_[first]);
+  out.writes_ = std::span(writes_).subspan(first_write_[first], first_write_[first + count] - first_write_[first]);
+  out.any_ = std::span(any_).subspan(first, count);
+  out.reads_any_ = std::ranges::count(out.any_, 1) > 0;
+  out.writes_any_ = std::ranges::count(out.writes_, kComputedKey, &Write::key) > 0;
+  return out;
+}
+
 // Depth is bounded by the length of a line.
-void Accesses::read(const Syntax& syntax, ExprId id) {
+void AccessTable::read(const Syntax& syntax, ExprId id) {
   const Expr& expr = syntax.exprs[id];
   switch (expr.op) {
     case Operator::kNumber: return;
@@ -46,7 +64,7 @@ void Accesses::read(const Syntax& syntax, ExprId id) {
         reads_.push_back(key);
         return;
       }
-      line_reads_any_ = true;
+      any_.back() = 1;
       break;
     default: break;
   }
@@ -54,10 +72,10 @@ void Accesses::read(const Syntax& syntax, ExprId id) {
   if (expr.right() != kNoExpr) read(syntax, expr.right());
 }
 
-void Accesses::add(const Program& program, StatementId id) {
+void AccessTable::add(const Program& program, StatementId id) {
   const Syntax& syntax = program.syntax;
   const Statement& s = program.at(id);
-  line_reads_any_ = false;
+  any_.push_back(0);
   if (s.label_expr != kNoExpr) read(syntax, s.label_expr);
   for (uint32_t i = 0; i < s.value_count; ++i) read(syntax, syntax.values[s.first + i]);
   for (uint32_t i = 0; i < s.item_count; ++i) {
@@ -65,13 +83,10 @@ void Accesses::add(const Program& program, StatementId id) {
     read(syntax, item.value);
     if (!assigns(item)) continue;
     writes_.push_back({key_of_target(syntax, item), i});
-    if (writes_.back().key == kComputedKey) writes_any_ = true;
     if (item.target != kNoExpr) read(syntax, item.target);
   }
   first_read_.push_back(static_cast<uint32_t>(reads_.size()));
   first_write_.push_back(static_cast<uint32_t>(writes_.size()));
-  any_.push_back(line_reads_any_);
-  reads_any_ = reads_any_ || line_reads_any_;
 }
 
 }  // namespace owlint::flow

@@ -25,28 +25,46 @@ inline bool assigns(const Item& item) { return item.target_name != kNoName || it
 ParameterKey key_of_target(const Syntax& syntax, const Item& item);
 ParameterId parameter_of(ParameterKey key);
 
+/// An assignment to a parameter.
+struct Write {
+  ParameterKey key;
+  uint32_t item;  ///< of the statement's items
+};
+
+/// What the lines of a sub read and assign: a part of an AccessTable, which has to outlive it.
 class Accesses {
  public:
-  struct Write {
-    ParameterKey key;
-    uint32_t item;  ///< of the statement's items
-  };
-
-  /// Of these lines, in their order.
-  Accesses(const Program& program, std::span<const uint32_t> statements);
-
-  std::span<const ParameterKey> reads(size_t line) const { return {reads_.data() + first_read_[line], first_read_[line + 1] - first_read_[line]}; }
-  std::span<const Write> writes(size_t line) const { return {writes_.data() + first_write_[line], first_write_[line + 1] - first_write_[line]}; }
+  std::span<const ParameterKey> reads(size_t line) const { return reads_.subspan(first_read(line), first_read(line + 1) - first_read(line)); }
+  std::span<const Write> writes(size_t line) const { return writes_.subspan(first_write(line), first_write(line + 1) - first_write(line)); }
   /// The place of a line's first one among all; `line` may be one behind the last.
-  uint32_t first_read(size_t line) const { return first_read_[line]; }
-  uint32_t first_write(size_t line) const { return first_write_[line]; }
-  const std::vector<ParameterKey>& all_reads() const { return reads_; }
-  const std::vector<Write>& all_writes() const { return writes_; }
+  uint32_t first_read(size_t line) const { return first_read_[line] - first_read_[0]; }
+  uint32_t first_write(size_t line) const { return first_write_[line] - first_write_[0]; }
+  std::span<const ParameterKey> all_reads() const { return reads_; }
+  std::span<const Write> all_writes() const { return writes_; }
   /// Whether a line reads a parameter whose number is computed.
-  bool reads_any(size_t line) const { return any_[line]; }
+  bool reads_any(size_t line) const { return any_[line] != 0; }
   bool reads_any() const { return reads_any_; }
   bool writes_any() const { return writes_any_; }
   size_t size() const { return any_.size(); }
+
+ private:
+  friend class AccessTable;
+  std::span<const ParameterKey> reads_;
+  std::span<const Write> writes_;
+  const uint32_t* first_read_ = nullptr;  // by line, and one more
+  const uint32_t* first_write_ = nullptr;
+  std::span<const uint8_t> any_;  // by line
+  bool reads_any_ = false, writes_any_ = false;
+};
+
+/// What lines read and assign, one after the other.
+class AccessTable {
+ public:
+  /// Of these lines, in their order.
+  AccessTable(const Program& program, std::span<const uint32_t> statements);
+
+  /// Of `count` of the lines, from the one in place `first` on.
+  Accesses lines(size_t first, size_t count) const;
 
  private:
   void read(const Syntax& syntax, ExprId id);
@@ -54,9 +72,8 @@ class Accesses {
 
   std::vector<ParameterKey> reads_;
   std::vector<Write> writes_;
-  std::vector<uint32_t> first_read_{0}, first_write_{0};
-  std::vector<bool> any_;
-  bool line_reads_any_ = false, reads_any_ = false, writes_any_ = false;
+  std::vector<uint32_t> first_read_, first_write_;  // by line, and one more
+  std::vector<uint8_t> any_;
 };
 
 }  // namespace owlint::flow

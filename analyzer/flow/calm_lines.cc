@@ -71,12 +71,12 @@ bool CalmLines::harmless_words(const Statement& s) const {
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = program_.syntax.items[s.first + i];
     if (!look(item.value).safe) return false;
-    if (item.target_name != kNoName && predefined_name(program_.name(item.target_name))) return false;
+    if (item.target_name != kNoName && evaluator_.kind(item.target_name) == NameKind::kPredefined) return false;
     if (item.target != kNoExpr) {
       const Look target = look(item.target);
       long number = 0;
       if (!target.safe || !target.constant || !to_integer(target.value, &number)) return false;
-      if (number < 1 || number > kLastNumber || read_only_number(number)) return false;
+      if (number < 1 || number > kLastNumber || evaluator_.read_only(number)) return false;
     }
   }
   return true;
@@ -87,7 +87,7 @@ Look CalmLines::look(ExprId id) const {
   const Expr& expr = program_.syntax.exprs[id];
   switch (expr.op) {
     case Operator::kNumber: return {true, true, expr.value()};
-    case Operator::kNamed: return {!program_.name(expr.name()).starts_with("_") || evaluator_.always_there(expr.name()), false, 0};
+    case Operator::kNamed: return {evaluator_.kind(expr.name()) == NameKind::kLocal || evaluator_.always_there(expr.name()), false, 0};
     case Operator::kExistsNamed: case Operator::kExistsNumbered: return {false, false, 0};
     case Operator::kParameter: {
       const Look index = look(expr.left());

@@ -48,8 +48,6 @@ std::string parameter_text(const Program& program, ParameterId parameter) {
 }
 
 struct DataFlow::Sub {
-  Sub(const Program& program, std::span<const uint32_t> statements) : accesses(program, statements) {}
-
   Accesses accesses;
   std::optional<ControlFlow> flow;
   std::optional<Liveness> live;
@@ -72,10 +70,10 @@ DataFlow::Sub& DataFlow::look(RegionId region) const {
   if (subs_.empty()) {
     subs_.resize(program_.regions.size());
     statements_.assign(program_.regions.size(), static_cast<uint32_t>(program_.size()), [&](StatementId id) { return program_.region_of[id]; });
+    table_.emplace(program_, statements_.all());
+    for (RegionId r = 0; r < subs_.size(); ++r) subs_[r].accesses = table_->lines(statements_.first(r), statements_[r].size());
   }
-  std::unique_ptr<Sub>& sub = subs_[region];
-  if (sub == nullptr) sub = std::make_unique<Sub>(program_, statements_[region]);
-  return *sub;
+  return subs_[region];
 }
 
 const ControlFlow& DataFlow::flow_of(RegionId region) const {
@@ -153,15 +151,16 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
   const Accesses& accesses = look(region).accesses;
   const auto interesting = [&](ParameterKey key) { return !is_global(key) && !(is_own_number(key) && accesses.reads_any()); };
   if (std::ranges::none_of(accesses.all_writes(), [&](const auto& write) { return interesting(write.key); })) return;
-  const std::unordered_set<ParameterKey> read(accesses.all_reads().begin(), accesses.all_reads().end());
+  std::vector<ParameterKey> read(accesses.all_reads().begin(), accesses.all_reads().end());
+  std::ranges::sort(read);
   const auto statement = [&](size_t line) { return statements_[region][line]; };
   // Numbers are anybody's: what the sub leaves in them is lost, which is another rule's, or the operator's. A name for
   // something that has a number or a name already is a remark as well.
-  const auto never_read = [&](size_t line, const Accesses::Write& write) {
+  const auto never_read = [&](size_t line, const Write& write) {
     const Operator value = program_.syntax.exprs[program_.syntax.items[program_.at(statement(line)).first + write.item].value].op;
     return !is_own_number(write.key) && value != Operator::kParameter && value != Operator::kNamed && !printed(write.key);
   };
-  const auto overwritten = [&](size_t line, const Accesses::Write& write) {
+  const auto overwritten = [&](size_t line, const Write& write) {
     if (line + 1 >= accesses.size() || program_.at(statement(line + 1)).kind != LineKind::kWords) return false;
     if (std::ranges::none_of(accesses.writes(line + 1), [&](const auto& other) { return other.key == write.key; })) return false;
     return std::ranges::count(accesses.reads(line + 1), write.key) == 0 && !printed(write.key);
@@ -170,7 +169,7 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
   for (size_t line = 0; line < accesses.size(); ++line) {
     for (const auto& write : accesses.writes(line)) {
       if (!interesting(write.key)) continue;
-      if (!read.contains(write.key)) {
+      if (!std::ranges::binary_search(read, write.key)) {
         if (never_read(line, write) && flow_of(region).known() && told.insert(write.key).second) out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement});
       } else if (overwritten(line, write) && flow_of(region).known() && flow_of(region).nodes()[line].next[0] == line + 1) {
         out.push_back({statement(line), write.item, parameter_of(write.key), statement(line + 1)});

@@ -77,7 +77,8 @@ class DataFlow {
   bool too_large_;
   mutable std::shared_ptr<const Structure> structure_;
   mutable Grouped statements_;  ///< by region
-  mutable std::vector<std::unique_ptr<Sub>> subs_;
+  mutable std::optional<AccessTable> table_;  ///< in the order of `statements_`
+  mutable std::vector<Sub> subs_;
   mutable std::optional<std::vector<UnusedValue>> unused_;
   mutable std::optional<std::vector<FixedCondition>> fixed_;
   mutable std::optional<std::vector<ParameterKey>> printed_;  ///< parameters that comments print, sorted

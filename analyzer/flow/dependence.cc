@@ -1,4 +1,6 @@
 // What the outcome of lines depends on: the parameters in them, and what is tracked of these because of lines elsewhere.
+#include <bit>
+
 #include "analyzer/flow/values.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
@@ -9,7 +11,7 @@ void Evaluator::note_number(long number, Dependence& out) const {
   const bool local = number < kFirstGlobalNumber;
   out.circumstances.push_back(relevant_number_[number] ? 'r' : '-');
   if (local) out.circumstances.push_back(read_argument_[number] ? 'a' : '-');
-  out.circumstances.push_back(compared_[!local].contains(static_cast<uint32_t>(number)) ? 'c' : '-');
+  out.circumstances.push_back(is_compared(static_cast<uint32_t>(number) | (local ? 0 : kGlobalKey)) ? 'c' : '-');
   (local ? out.locals : out.globals).push_back(static_cast<uint32_t>(number));
 }
 
@@ -17,7 +19,7 @@ void Evaluator::note_name(NameId name, Dependence& out) const {
   const bool global = syntax_.names.text(name).starts_with('_');
   out.circumstances.push_back(relevant_name_[name] ? 'r' : '-');
   out.circumstances.push_back(kept_[name] || asked_for_[name] ? 'k' : '-');
-  out.circumstances.push_back(compared_[global].contains((global ? kGlobalNames : kLocalNames) + name) ? 'c' : '-');
+  out.circumstances.push_back(is_compared(key_of_name(name)) ? 'c' : '-');
   (global ? out.globals : out.locals).push_back((global ? kGlobalNames : kLocalNames) + name);
 }
 
@@ -59,6 +61,17 @@ bool Evaluator::note_assignments(const Statement& s, Dependence& out) const {
     note_number(index, out);
   }
   return out.known;
+}
+
+uint64_t Evaluator::machine_values() const {
+  uint64_t out = 0;
+  for (NameId name = 0; name < kinds_.size(); ++name) {
+    const std::string_view text = syntax_.names.text(name);
+    if (!may_be_predefined(text)) continue;
+    out = mix(out, static_cast<uint64_t>(kinds_[name]));
+    if (const auto number = ini_number(text, profile_)) out = mix(out, std::bit_cast<uint64_t>(*number));
+  }
+  return out;
 }
 
 }  // namespace owlint::flow

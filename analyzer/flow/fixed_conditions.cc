@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/flow/conditions.h"
+#include "analyzer/machine/predefined.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -27,7 +28,8 @@ class Solver {
     if (keys_.empty() || count * keys_.size() > kMaxRanges) return false;
     at_.resize(count * keys_.size());
     reached_.resize(count);
-    reached_[0] = true;
+    changed_.resize(count);
+    reached_[0] = changed_[0] = true;
     for (int i = 0; i < kMaxSweeps; ++i) {
       if (!sweep(i >= kExactSweeps)) return true;
     }
@@ -44,8 +46,7 @@ class Solver {
   ParameterKey key_of(ExprId id) const {
     const Expr& expr = exprs_[id];
     if (expr.op == Operator::kNamed) {
-      const std::string_view name = program_.name(expr.name());
-      return predefined_name(name) || machine_name(name) ? kComputedKey : key_of_name(program_.syntax, expr.name());
+      return may_be_predefined(program_.name(expr.name())) ? kComputedKey : key_of_name(program_.syntax, expr.name());
     }
     if (expr.op != Operator::kParameter) return kComputedKey;
     const ParameterKey key = key_of_number(program_.syntax, expr.left());
@@ -138,43 +139,44 @@ class Solver {
 
   void load(NodeId id, Ranges& into) const { into.assign(at_.begin() + static_cast<ptrdiff_t>(id * keys_.size()), at_.begin() + static_cast<ptrdiff_t>((id + 1) * keys_.size())); }
 
-  bool arrive(NodeId from, NodeId to, const Ranges& ranges, bool widen) {
-    if (to >= flow_.nodes().size()) return false;
+  void arrive(NodeId from, NodeId to, const Ranges& ranges, bool widen) {
+    if (to >= flow_.nodes().size()) return;
     Range* at = &at_[to * keys_.size()];
     if (!reached_[to]) {
-      reached_[to] = true;
+      reached_[to] = changed_[to] = true;
       std::ranges::copy(ranges, at);
-      return true;
+      return;
     }
-    bool changed = false;
     for (size_t i = 0; i < ranges.size(); ++i) {
       Range joined = hull(at[i], ranges[i]);
       if (joined == at[i]) continue;
       if (widen && to <= from) joined = thresholds_.widened(joined);
       at[i] = joined;
-      changed = true;
+      changed_[to] = true;
     }
-    return changed;
   }
 
+  /// Goes through the lines where something new has arrived; false if there were none.
   bool sweep(bool widen) {
-    bool changed = false;
+    bool any = false;
     for (NodeId id = 0; id < flow_.nodes().size(); ++id) {
-      if (!reached_[id]) continue;
+      if (!changed_[id]) continue;
+      changed_[id] = false;
+      any = true;
       const auto& node = flow_.nodes()[id];
       const Statement& s = program_.at(node.statement);
       load(id, now_);
       execute(s, now_);
       if (!node.tests) {
-        for (const NodeId next : node.next) changed |= arrive(id, next, now_, widen);
+        for (const NodeId next : node.next) arrive(id, next, now_, widen);
         continue;
       }
       for (const bool truth : {true, false}) {
         branch_ = now_;
-        if (branch(program_.syntax.values[s.first], truth, branch_)) changed |= arrive(id, node.next[truth ? 0 : 1], branch_, widen);
+        if (branch(program_.syntax.values[s.first], truth, branch_)) arrive(id, node.next[truth ? 0 : 1], branch_, widen);
       }
     }
-    return changed;
+    return any;
   }
 
   const Program& program_;
@@ -184,7 +186,7 @@ class Solver {
   Thresholds thresholds_;
   Ranges at_;  // by node and key
   Ranges now_, branch_;
-  std::vector<bool> reached_;
+  std::vector<bool> reached_, changed_;
 };
 
 // Depth is bounded by the length of a line.

@@ -71,7 +71,7 @@ std::optional<std::string> CallKeys::of(const Context& callee, const State& entr
   add_number(key, level << 32 | static_cast<uint64_t>(entry.executed) << 24 | static_cast<uint64_t>(entry.breaking) << 16 |
                       static_cast<uint64_t>(entry.continuing) << 8 | entry.returned);
   add_number(key, static_cast<uint64_t>(entry.joined) | static_cast<uint64_t>(entry.mixed) << 1 | static_cast<uint64_t>(p.outside) << 2);
-  add_number(key, machine_.circumstances());
+  add_number(key, circumstances_);
   const auto add_values = [&](const std::vector<uint32_t>& keys, const PersistentMap& map) {
     for (const uint32_t k : keys) {
       const ValueId value = map.get(k);

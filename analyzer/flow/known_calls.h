@@ -53,7 +53,7 @@ class KnownCalls {
 /// Makes the keys of calls in one analysis.
 class CallKeys {
  public:
-  CallKeys(const Linked& linked, const Machine& machine) : linked_(linked), program_(linked.program()), machine_(machine), subs_(program_.regions.size()) {}
+  CallKeys(const Linked& linked, const Machine& machine) : linked_(linked), program_(linked.program()), machine_(machine), circumstances_(machine.circumstances()), subs_(program_.regions.size()) {}
 
   /// The key of a call that enters `entry`, at the sub's opener; none for calls that cannot be kept. `level`: how closely
   /// the analysis follows runs.
@@ -72,6 +72,7 @@ class CallKeys {
   const Linked& linked_;
   const Program& program_;
   const Machine& machine_;
+  uint64_t circumstances_;
   std::vector<Sub> subs_;  // by region
 };
 

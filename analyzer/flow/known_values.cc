@@ -1,4 +1,5 @@
 // Constants and ranges by number, and what is known where two paths meet.
+#include <algorithm>
 #include <bit>
 
 #include "analyzer/flow/values.h"
@@ -6,10 +7,19 @@
 namespace owlint::flow {
 
 ValueId KnownValues::intern(double value) {
+  constexpr size_t kFew = 16;  // as many as most programs have: to look through them is faster than to hash
   if (value == 0) value = 0;  // -0 is 0
-  const auto [entry, added] = ids_.emplace(std::bit_cast<uint64_t>(value), static_cast<ValueId>(constants_.size()) + kFirstConstant);
-  if (added) constants_.push_back(value);
-  return entry->second;
+  const uint64_t bits = std::bit_cast<uint64_t>(value);
+  const auto next = [this] { return static_cast<ValueId>(constants_.size()) + kFirstConstant; };
+  for (size_t i = 0; i < std::min(constants_.size(), kFew); ++i) {
+    if (std::bit_cast<uint64_t>(constants_[i]) == bits) return static_cast<ValueId>(i) + kFirstConstant;
+  }
+  if (constants_.size() >= kFew) {
+    const auto [entry, added] = ids_.try_emplace(bits, next());
+    if (!added) return entry->second;
+  }
+  constants_.push_back(value);
+  return next() - 1;
 }
 
 ValueId KnownValues::intern(const Range& range) {

@@ -8,9 +8,6 @@ namespace owlint::flow {
 namespace {
 
 constexpr uint32_t kSetMark = 0x80000000U;
-// A label with more definers than this on merged paths is remembered by its first ones only; which line the message
-// names may then be another one of them, whether it stops does not change.
-constexpr size_t kMaxDefiners = 4;
 
 uint64_t combine(uint64_t hash, uint64_t value) { return mix(hash, value); }
 
@@ -58,15 +55,17 @@ uint64_t State::hash() const {
 Definers::Set Definers::get(uint32_t packed) const {
   if (packed == 0) return {{}, true};
   if ((packed & kSetMark) != 0) return sets_[packed & ~kSetMark];
-  return {{(packed >> 1) - 1}, (packed & 1) != 0};
+  Set set{{}, (packed & 1) != 0};
+  set.lines.push_back((packed >> 1) - 1);
+  return set;
 }
 
 uint32_t Definers::pack(Set set) {
   if (set.lines.empty()) return 0;
-  if (set.lines.size() == 1) return one(set.lines[0]) | (set.undefined ? 1 : 0);
+  if (set.lines.size() == 1) return one(*set.lines.begin()) | (set.undefined ? 1 : 0);
   uint64_t hash = set.undefined ? 1 : 0;
   for (const StatementId line : set.lines) hash = mix(hash, line);
-  const auto [entry, added] = ids_.emplace(hash, static_cast<uint32_t>(sets_.size()) | kSetMark);
+  const auto [entry, added] = ids_.try_emplace(hash, static_cast<uint32_t>(sets_.size()) | kSetMark);
   if (added) sets_.push_back(std::move(set));
   return entry->second;
 }
@@ -78,7 +77,7 @@ uint32_t Definers::join(uint32_t a, uint32_t b) {
   Set out;
   out.undefined = left.undefined || right.undefined;
   std::ranges::set_union(left.lines, right.lines, std::back_inserter(out.lines));
-  if (out.lines.size() > kMaxDefiners) out.lines.resize(kMaxDefiners);
+  out.lines.shorten();
   return pack(std::move(out));
 }
 
@@ -89,7 +88,7 @@ uint32_t Definers::without_undefined(uint32_t packed) {
 }
 
 Machine::Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool)
-    : linked_(linked), program_(linked.program()), profile_(profile), pool_(pool), evaluator_(program_.syntax, values_, pool),
+    : linked_(linked), program_(linked.program()), profile_(profile), pool_(pool), evaluator_(program_.syntax, profile_, values_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
       reads_break_(profile.warn_only()), structure_(program_), effects_(program_, structure_.regular) {
@@ -239,7 +238,7 @@ FullLabel Machine::full_label(NameId scope, NameId label) {
     return known;
   }
   const uint64_t key = static_cast<uint64_t>(scope) << 32 | label;
-  const auto [entry, added] = label_ids_.emplace(key, static_cast<FullLabel>(labels_.size()));
+  const auto [entry, added] = label_ids_.try_emplace(key, static_cast<FullLabel>(labels_.size()));
   if (added) labels_.emplace_back(scope, label);
   return entry->second;
 }

@@ -3,6 +3,8 @@
 // docs/interpreter.md; where a set has several members, a step has several successors.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -65,8 +67,26 @@ struct State {
 /// Which opening lines a label may belong to, packed into a map value: undefined only (0), one line, or a set.
 class Definers {
  public:
+  /// A label with more definers than kMost on merged paths is remembered by its first ones only; which line the message
+  /// names may then be another one of them, whether it stops does not change.
+  class Lines {
+   public:
+    using value_type = StatementId;
+    static constexpr size_t kMost = 4;
+    void push_back(StatementId line) { lines_[size_++] = line; }
+    StatementId front() const { return lines_[0]; }
+    const StatementId* begin() const { return lines_.data(); }
+    const StatementId* end() const { return lines_.data() + size_; }
+    size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    void shorten() { size_ = std::min(size_, kMost); }
+
+   private:
+    std::array<StatementId, 2 * kMost> lines_{};  // room for two sets that are joined
+    size_t size_ = 0;
+  };
   struct Set {
-    std::vector<StatementId> lines;
+    Lines lines;
     bool undefined = false;
   };
   static uint32_t one(StatementId line) { return (line + 1) << 1; }
@@ -157,6 +177,7 @@ class Machine {
   /// What else a call depends on, besides lines and parameters, as a number.
   uint64_t circumstances() const {
     uint64_t out = static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 | static_cast<uint64_t>(evaluator_.distrusts_globals());
+    out = mix(out, evaluator_.machine_values());
     for (const double number : values_.thresholds().numbers()) out = mix(out, std::bit_cast<uint64_t>(number));
     return out;
   }

@@ -1,5 +1,5 @@
-// LinuxCNC's parameters: which there are, whose they are, who may set them. Source: its page on O-words and parameters,
-// and each name and number tried with `rs274` (../../docs/interpreter.md).
+// LinuxCNC's parameters: which there are, and whose they are. Source: its page on O-words and parameters, and
+// ../../docs/interpreter.md. What LinuxCNC keeps itself: ../machine/predefined.h.
 #pragma once
 
 #include <cstdint>
@@ -26,12 +26,6 @@ inline constexpr uint32_t kLocalNames = 32;
 inline constexpr uint32_t kGlobalNames = 8192;
 
 /// Whether a name begins with `_` and so is shared by all subs.
-bool is_global_name(std::string_view name);
-/// Whether a name is one that LinuxCNC predefines: it can be read at any time, and not be assigned.
-bool predefined_name(std::string_view name);
-/// Whether a name is looked up in the machine: `#<_ini[section]entry>`, `#<_hal[pin]>`. It may be there or not.
-bool machine_name(std::string_view name);
-/// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured).
-bool read_only_number(long number);
+inline bool is_global_name(std::string_view name) { return name.starts_with('_'); }
 
 }  // namespace owlint::flow

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
+#include <memory_resource>
+#include <new>
+#include <type_traits>
 
 namespace owlint::flow {
 
@@ -29,9 +31,10 @@ class PersistentMap {
   class Pool {
    public:
     Node* copy(const Node* node) {
-      Node& made = nodes_.emplace_back(node == nullptr ? Node{} : *node);
-      made.batch = batch_;
-      return &made;
+      static_assert(std::is_trivially_destructible_v<Node>);
+      Node* made = new (memory_.allocate(sizeof(Node), alignof(Node))) Node(node == nullptr ? Node{} : *node);
+      made->batch = batch_;
+      return made;
     }
     /// A node to write to: the same one where it was made in this batch and nobody else has it.
     Node* own(Node* node) { return node != nullptr && batch_ != 0 && node->batch == batch_ ? node : copy(node); }
@@ -49,7 +52,7 @@ class PersistentMap {
     };
 
    private:
-    std::deque<Node> nodes_;
+    std::pmr::monotonic_buffer_resource memory_{32 * sizeof(Node)};  // the first block; each one after it is larger
     uint32_t batch_ = 0;
     uint32_t batches_ = 0;
   };

@@ -2,8 +2,8 @@
 // can matter: it tells states apart that a parameter compared once would not.
 #include <algorithm>
 #include <span>
+#include <utility>
 
-#include "analyzer/flow/accesses.h"
 #include "analyzer/flow/conditions.h"
 #include "analyzer/flow/values.h"
 #include "analyzer/syntax/arithmetic.h"
@@ -17,41 +17,36 @@ constexpr size_t kMaxStatements = 100'000;
 
 }  // namespace
 
-/// The key of a parameter that stands alone on one side of a comparison.
-bool Evaluator::key_of(ExprId side, uint32_t* key, bool* global) const {
+/// The key of a parameter that stands alone on one side of a comparison; kComputedKey for anything else.
+ParameterKey Evaluator::key_of(ExprId side) const {
   const Expr& expr = syntax_.exprs[side];
-  if (expr.op == Operator::kNamed) {
-    *global = is_global_name(syntax_.names.text(expr.name()));
-    *key = (*global ? kGlobalNames : kLocalNames) + expr.name();
-    return true;
-  }
-  double number = 0;
-  long index = 0;
-  if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) return false;
-  if (!to_integer(number, &index) || index < 1 || index >= kFirstVolatileNumber) return false;
-  *global = index >= kFirstGlobalNumber;
-  *key = static_cast<uint32_t>(index);
-  return true;
+  if (expr.op == Operator::kNamed) return key_of_name(expr.name());
+  if (expr.op != Operator::kParameter) return kComputedKey;
+  const ParameterKey key = key_of_number(syntax_, expr.left());
+  const ParameterKey number = key & ~kGlobalKey;
+  return number >= 1 && number < kFirstVolatileNumber ? key : kComputedKey;
 }
 
 /// The same, if it keeps its value until it is set again.
-bool Evaluator::may_narrow(ExprId side, uint32_t* key, bool* global) const {
-  if (!key_of(side, key, global) || (*global && distrusts_globals_)) return false;
-  if (syntax_.exprs[side].op != Operator::kNamed) return true;
-  const std::string_view name = syntax_.names.text(syntax_.exprs[side].name());
-  return !predefined_name(name) && !machine_name(name);
+ParameterKey Evaluator::key_if_kept(ExprId side) const {
+  const ParameterKey key = key_of(side);
+  if (key == kComputedKey || (is_global(key) && distrusts_globals_)) return kComputedKey;
+  const Expr& expr = syntax_.exprs[side];
+  return expr.op == Operator::kNamed && kind(expr.name()) > NameKind::kGlobal ? kComputedKey : key;
+}
+
+uint8_t* Evaluator::compared(ParameterKey key) {
+  const auto found = std::ranges::lower_bound(compared_, key, {}, &std::pair<ParameterKey, uint8_t>::first);
+  return found != compared_.end() && found->first == key ? &found->second : nullptr;
 }
 
 // Depth is bounded by the length of a line.
 void Evaluator::count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds) {
   const Expr& expr = syntax_.exprs[id];
-  uint32_t key = 0;
-  bool global = false;
   const auto count = [&](ExprId side, ExprId other) {
-    if (!may_narrow(side, &key, &global)) return;
-    uint32_t& how = compared_[global][key];
-    how |= (how & kOnce) != 0 ? kMoreThanOnce : kOnce;
-    if (of_while) how |= kByLoop;
+    const ParameterKey key = key_if_kept(side);
+    if (key == kComputedKey) return;
+    compared_.emplace_back(key, of_while ? kOnce | kByLoop : kOnce);
     double number = 0;
     if (other == kNoExpr || !literal_value(syntax_.exprs, other, &number)) return;
     add_thresholds(expr.op, number, thresholds);
@@ -75,43 +70,50 @@ void Evaluator::find_compared() {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
     if (is_test && s.value_count > 0) count_comparisons(syntax_.values[s.first], s.is(Keyword::kWhile), thresholds);
   }
-  if (compared_[0].empty() && compared_[1].empty()) return;
+  if (compared_.empty()) return;
+  std::ranges::sort(compared_);
+  size_t kept = 0;
+  for (size_t i = 1; i < compared_.size(); ++i) {
+    auto& [key, how] = compared_[kept];
+    const auto [next_key, next] = compared_[i];
+    if (next_key != key) {
+      compared_[++kept] = compared_[i];
+    } else {
+      how |= (how & next & kOnce) != 0 ? next | kMoreThanOnce : next;
+    }
+  }
+  compared_.resize(kept + 1);
   for (const Item& item : syntax_.items) {
     double number = 0;
     if (!assigns(item) || literal_value(syntax_.exprs, item.value, &number)) continue;
-    const ParameterKey key = key_of_target(syntax_, item);
-    if (key == kComputedKey) continue;
-    auto& compared = compared_[is_global(key)];
-    if (const auto found = compared.find(static_cast<uint32_t>(key)); found != compared.end()) found->second |= kComputed;
+    if (uint8_t* how = compared(key_of_target(syntax_, item))) *how |= kComputed;
   }
-  const auto no_use = [](const auto& entry) {
-    constexpr uint32_t kCounter = kByLoop | kComputed;
-    if ((entry.second & kOnce) == 0) return true;
-    return (entry.second & (kMoreThanOnce | kCanFail)) == 0 && (entry.second & kCounter) != kCounter;
-  };
-  for (auto& compared : compared_) std::erase_if(compared, no_use);
-  if (compared_[0].empty() && compared_[1].empty()) return;
+  std::erase_if(compared_, [](const auto& entry) {
+    constexpr uint8_t kCounter = kByLoop | kComputed;
+    const uint8_t how = entry.second;
+    return (how & kOnce) == 0 || ((how & (kMoreThanOnce | kCanFail)) == 0 && (how & kCounter) != kCounter);
+  });
+  if (compared_.empty()) return;
   std::ranges::sort(thresholds);
   thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
   if (thresholds.size() > Thresholds::kMost) {  // ranges between so many numbers would only tell states apart
-    for (auto& compared : compared_) compared.clear();
+    compared_.clear();
     return;
   }
   values_.set_thresholds(std::move(thresholds));
 }
 
 void Evaluator::narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const {
-  uint32_t key = 0;
-  bool global = false;
+  const ParameterKey key = key_of(side);
   // What may not be narrowed has not been counted.
-  if (!key_of(side, &key, &global) || !compared_[global].contains(key) || (global && distrusts_globals_)) return;
-  PersistentMap& map = global ? p.globals : p.locals;
-  const ValueId before = map.get(key);
+  if (key == kComputedKey || !is_compared(key) || (is_global(key) && distrusts_globals_)) return;
+  PersistentMap& map = is_global(key) ? p.globals : p.locals;
+  const ValueId before = map.get(static_cast<uint32_t>(key));
   if (KnownValues::is_constant(before) || before == kMaybeUnassigned || before == kNotPassed) return;
   Range right = Range::of(0);
   if (other != kNoExpr) right = values_.range(evaluate(other, p, false, false, nullptr).value);
   const ValueId after = values_.intern(narrowed(values_.range(before), op, right, truth));
-  if (after != kUnknown) map.set(pool_, key, after);
+  if (after != kUnknown) map.set(pool_, static_cast<uint32_t>(key), after);
 }
 
 /// Whether `EXISTS[#<name>] OP number` comes out as `truth` only where the name exists.
@@ -126,40 +128,36 @@ bool Evaluator::tells_existence(const Expr& comparison, bool truth, NameId* name
     owlint::apply(comparison.op, left ? exists : number, left ? number : exists, &result);
     return result != 0;
   };
-  return outcome(1) == truth && outcome(0) != truth && !predefined_name(syntax_.names.text(*name));
+  return outcome(1) == truth && outcome(0) != truth && kind(*name) != NameKind::kPredefined;
 }
 
 void Evaluator::assume_assigned(NameId name, Parameters& p) const {
-  const bool global = is_global_name(syntax_.names.text(name));
+  const bool global = global_name(name);
   PersistentMap& map = global ? p.globals : p.locals;
   const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
   if (const ValueId before = map.get(key); before == kUnassigned || before == kMaybeUnassigned) map.set(pool_, key, kUnknown);
 }
 
 void Evaluator::assume_there(NameId name, Parameters& p) const {
-  const bool from_before = is_global_name(syntax_.names.text(name)) && p.globals.get(kGlobalNames + name) == kUnassigned;
+  const bool from_before = global_name(name) && p.globals.get(kGlobalNames + name) == kUnassigned;
   assume_assigned(name, p);
   if (!from_before) return;
   for (const NameId other : globals_) assume_assigned(other, p);
 }
 
 // Depth is bounded by the length of a line.
-bool Evaluator::followed(ExprId condition, std::vector<uint64_t>& reads) const {
+bool Evaluator::followed(ExprId condition, std::vector<ParameterKey>& reads) const {
   const Expr& expr = syntax_.exprs[condition];
-  uint32_t key = 0;
-  bool global = false;
   double number = 0;
   if (expr.op == Operator::kNumber) return true;
   if (expr.op == Operator::kExistsNumbered) return false;
   if (expr.op == Operator::kNamed || expr.op == Operator::kParameter) {
-    const bool keeps = may_narrow(condition, &key, &global);
-    if (keeps) reads.push_back(key | (global ? kGlobalKey : 0));
-    if (!keeps && expr.op == Operator::kNamed) reads.push_back((kGlobalNames + expr.name()) | kGlobalKey);
-    if (!keeps && expr.op == Operator::kParameter) reads.push_back(literal_value(syntax_.exprs, expr.left(), &number) ? static_cast<uint64_t>(number) | kGlobalKey : kComputedKey);
-    return keeps;
+    const ParameterKey kept = key_if_kept(condition);
+    reads.push_back(kept != kComputedKey ? kept : expr.op == Operator::kNamed ? key_of_name(expr.name()) : key_of_number(syntax_, expr.left()));
+    return kept != kComputedKey;
   }
   if (expr.op == Operator::kExistsNamed) {
-    reads.push_back(key_of_name(syntax_, expr.name()));
+    reads.push_back(key_of_name(expr.name()));
     return true;
   }
   const bool left = followed(expr.left(), reads);
@@ -168,7 +166,7 @@ bool Evaluator::followed(ExprId condition, std::vector<uint64_t>& reads) const {
   if (expr.op == Operator::kAnd || expr.op == Operator::kOr) return true;
   if (!is_comparison(expr.op)) return false;
   const bool with_number = literal_value(syntax_.exprs, expr.left(), &number) || literal_value(syntax_.exprs, expr.right(), &number);
-  return with_number && (may_narrow(expr.left(), &key, &global) || may_narrow(expr.right(), &key, &global));
+  return with_number && (key_if_kept(expr.left()) != kComputedKey || key_if_kept(expr.right()) != kComputedKey);
 }
 
 void Evaluator::refine(Parameters& p, ExprId condition, bool truth) const {
@@ -186,7 +184,7 @@ void Evaluator::find_existing(Parameters& p, ExprId condition, bool truth) const
     find_existing(p, expr.left(), truth);
     find_existing(p, expr.right(), truth);
   } else if (expr.op == Operator::kExistsNamed) {
-    if (truth && !predefined_name(syntax_.names.text(expr.name()))) assume_there(expr.name(), p);
+    if (truth && kind(expr.name()) != NameKind::kPredefined) assume_there(expr.name(), p);
   } else if (is_comparison(expr.op) && tells_existence(expr, truth, &name)) {
     assume_there(name, p);
   }

@@ -119,25 +119,36 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
   hazards_.emplace(std::make_tuple(kind, hazard.statement, hazard.other, static_cast<uint32_t>(warned)), std::move(hazard));
 }
 
-/// Loops that no run leaves: their lines are in records from which no end can be reached.
+/// Loops that no run leaves: nothing leads out of their way round, and no end is on it. A loop inside one of them that ends is
+/// left for the rest of the outer one: it shows when the way back to the beginning of the outer one is taken away.
 void Analysis::endless_loops() {
   const std::vector<bool>& hanging = trace_->hanging();
-  std::vector<StatementId> loops;
-  const auto back = [&](RecordId from, RecordId to) {
-    if (!hanging[from] || !hanging[to]) return;
+  if (std::ranges::find(hanging, true) == hanging.end()) return;
+  constexpr int kMaxNesting = 64;
+  std::vector<bool> found(program_.size());  // by statement: the opener of such a loop
+  const auto goes_back = [&](RecordId from, RecordId to) {
     const StatementId target = trace_->at(to).statement;
     const StatementId source = trace_->at(from).statement;
-    if (target != kNoStatement && source != kNoStatement && target <= source) loops.push_back(target);
+    if (target == kNoStatement || source == kNoStatement || target > source) return false;
+    const Statement& s = program_.at(target);
+    return s.is(Keyword::kWhile) || s.is(Keyword::kDo) || s.is(Keyword::kRepeat);
   };
-  for (const auto& [from, to, branch] : trace_->links()) back(from, to);
-  for (RecordId id = 0; id < trace_->size(); ++id) {
-    if (trace_->at(id).parent != kNoRecord) back(trace_->at(id).parent, id);
-  }
-  std::ranges::sort(loops);
-  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
-  for (const StatementId loop : loops) {
-    Hazard hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}};
-    hazards_.emplace(std::make_tuple(hazard.kind, loop, kNoStatement, 0U), std::move(hazard));
+  const auto removed = [&](RecordId from, RecordId to) { return goes_back(from, to) && found[trace_->at(to).statement]; };
+  for (int i = 0; i < kMaxNesting; ++i) {
+    const std::vector<uint32_t> round = trace_->closed_cycles(removed);
+    std::vector<StatementId> outermost(trace_->size() + 1, kNoStatement);  // by way round
+    trace_->for_edges([&](RecordId from, RecordId to) {
+      if (!hanging[from] || round[from] == 0 || round[from] != round[to] || !goes_back(from, to) || removed(from, to)) return;
+      outermost[round[from]] = std::min(outermost[round[from]], trace_->at(to).statement);
+    });
+    bool grew = false;
+    for (const StatementId loop : outermost) {
+      if (loop == kNoStatement) continue;
+      grew = found[loop] = true;
+      hazards_.emplace(std::make_tuple(HazardKind::kEndlessLoop, loop, kNoStatement, 0U),
+                       Hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}});
+    }
+    if (!grew) return;
   }
 }
 
@@ -289,7 +300,11 @@ void Analysis::finish() {
     // A global name may come from another program; a branch that is not followed exactly may go as one before it.
     if (key.kind == StopKind::kNameUndefined) {
       const bool told = stop.reach == Reach::kAlways || (level_ < kCoarse && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
-      if (!told || key.detail.starts_with("_")) stop.unproven = true;
+      // But nobody assigns what looks like an entry of the INI or is LinuxCNC's own in another version.
+      const NameId name = program_.syntax.names.find(key.detail);
+      const bool never = may_be_predefined(key.detail) && machine_.evaluator().kind(name) == NameKind::kGlobal && !machine_.evaluator().assigned(name);
+      const bool from_elsewhere = key.detail.starts_with("_") && !never;
+      if (!told || from_elsewhere) stop.unproven = true;
     }
     if (stop.path.size() > kToldDecisions) stop.path.erase(stop.path.begin(), stop.path.end() - kToldDecisions);
     result_.stops.push_back(std::move(stop));

@@ -96,6 +96,7 @@ void Machine::Step::leave_sub() {
 
 void Machine::Step::call(int repeats, bool fanuc) {
   std::vector<ValueId> arguments;
+  arguments.reserve(s.value_count);
   if (!fanuc) {
     for (uint32_t i = 0; i < s.value_count; ++i) {
       const Evaluation e = evaluate(value(i));
@@ -118,10 +119,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
     enter.parameters.locals = m.evaluator_.share_numbers({}, state.parameters.locals);
   } else {
     enter.parameters.locals = {};
-    for (long n = 1; n < kFirstGlobalNumber; ++n) {
-      const bool passed = n <= static_cast<long>(arguments.size());
-      m.evaluator_.set_number(enter.parameters, n, passed ? arguments[n - 1] : kNotPassed);
-    }
+    m.evaluator_.pass(enter.parameters, arguments);
     const NameId count = m.program_.syntax.names.find("n_args");
     if (count != kNoName && m.profile_.setup != nullptr && m.profile_.setup->counts_arguments) {
       m.evaluator_.set_name(enter.parameters, count, m.values_.intern(static_cast<double>(arguments.size())));

@@ -21,6 +21,59 @@ void pack(const std::vector<std::pair<RecordId, RecordId>>& edges, size_t nodes,
   for (const auto& [from, to] : edges) list[fill[forward ? from : to]++] = forward ? to : from;
 }
 
+/// Tarjan's strongly connected components, with the recursion as a stack of (record, next edge): by record the number of
+/// its component, from 1, or 0 if there is no way from it back to it. The edges of record i are `next[first[i]]` up to
+/// `next[first[i + 1]]`.
+std::vector<uint32_t> ways_round(const std::vector<uint32_t>& first, const std::vector<uint32_t>& next) {
+  const auto size = static_cast<RecordId>(first.size() - 1);
+  constexpr uint32_t kNew = 0;
+  std::vector<uint32_t> order(size, kNew);
+  std::vector<uint32_t> low(size);
+  std::vector<uint32_t> group(size);
+  std::vector<bool> open(size);
+  std::vector<RecordId> stack;
+  std::vector<std::pair<RecordId, uint32_t>> walk;
+  uint32_t count = 0;
+  uint32_t groups = 0;
+  const auto enter = [&](RecordId id) {
+    order[id] = low[id] = ++count;
+    stack.push_back(id);
+    open[id] = true;
+    walk.emplace_back(id, first[id]);
+  };
+  for (RecordId start = 0; start < size; ++start) {
+    if (order[start] != kNew) continue;
+    enter(start);
+    while (!walk.empty()) {
+      auto& [id, edge] = walk.back();
+      if (edge < first[id + 1]) {
+        const RecordId to = next[edge++];
+        if (order[to] == kNew) {
+          enter(to);
+        } else if (open[to]) {
+          low[id] = std::min(low[id], order[to]);
+        }
+        continue;
+      }
+      const RecordId done = id;
+      walk.pop_back();
+      if (!walk.empty()) low[walk.back().first] = std::min(low[walk.back().first], low[done]);
+      if (low[done] != order[done]) continue;
+      const bool self = std::find(next.begin() + first[done], next.begin() + first[done + 1], done) != next.begin() + first[done + 1];
+      const bool cycle = stack.back() != done || self;
+      if (cycle) ++groups;
+      RecordId member = kNoRecord;
+      while (member != done) {
+        member = stack.back();
+        stack.pop_back();
+        open[member] = false;
+        if (cycle) group[member] = groups;
+      }
+    }
+  }
+  return group;
+}
+
 }  // namespace
 
 void Trace::finish(std::vector<bool> executed) {
@@ -99,52 +152,24 @@ std::vector<uint32_t> Trace::idle_cycles() const {
   std::vector<uint32_t> first;
   std::vector<uint32_t> next;
   pack(edges, records_.size(), true, first, next);
+  return ways_round(first, next);
+}
 
-  // Tarjan's strongly connected components, with the recursion as a stack of (record, next edge).
-  constexpr uint32_t kNew = 0;
-  std::vector<uint32_t> order(records_.size(), kNew);
-  std::vector<uint32_t> low(records_.size());
-  std::vector<uint32_t> group(records_.size());
-  std::vector<bool> open(records_.size());
-  std::vector<RecordId> stack;
-  std::vector<std::pair<RecordId, uint32_t>> walk;
-  uint32_t count = 0;
-  uint32_t groups = 0;
-  const auto enter = [&](RecordId id) {
-    order[id] = low[id] = ++count;
-    stack.push_back(id);
-    open[id] = true;
-    walk.emplace_back(id, first[id]);
-  };
-  for (RecordId start = 0; start < records_.size(); ++start) {
-    if (order[start] != kNew) continue;
-    enter(start);
-    while (!walk.empty()) {
-      auto& [id, edge] = walk.back();
-      if (edge < first[id + 1]) {
-        const RecordId to = next[edge++];
-        if (order[to] == kNew) {
-          enter(to);
-        } else if (open[to]) {
-          low[id] = std::min(low[id], order[to]);
-        }
-        continue;
-      }
-      const RecordId done = id;
-      walk.pop_back();
-      if (!walk.empty()) low[walk.back().first] = std::min(low[walk.back().first], low[done]);
-      if (low[done] != order[done]) continue;
-      const bool self = std::find(next.begin() + first[done], next.begin() + first[done + 1], done) != next.begin() + first[done + 1];
-      const bool cycle = stack.back() != done || self;
-      if (cycle) ++groups;
-      RecordId member = kNoRecord;
-      while (member != done) {
-        member = stack.back();
-        stack.pop_back();
-        open[member] = false;
-        if (cycle) group[member] = groups;
-      }
-    }
+std::vector<uint32_t> Trace::closed_cycles(const std::function<bool(RecordId, RecordId)>& removed) const {
+  std::vector<std::pair<RecordId, RecordId>> edges;
+  for_edges([&](RecordId from, RecordId to) {
+    if (!removed(from, to)) edges.emplace_back(from, to);
+  });
+  std::vector<uint32_t> first;
+  std::vector<uint32_t> next;
+  pack(edges, records_.size(), true, first, next);
+  std::vector<uint32_t> group = ways_round(first, next);
+  std::vector<bool> left(records_.size() + 1);  // by group
+  for (const auto& [from, to] : edges) {
+    if (group[from] != group[to]) left[group[from]] = true;
+  }
+  for (uint32_t& number : group) {
+    if (left[number]) number = 0;
   }
   return group;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <unordered_set>
 #include <utility>
@@ -84,6 +85,15 @@ class Trace {
   /// The ways round that need no condition to be true (as the ways round of loops do), so that nothing makes them end:
   /// by record, the number of its group of such ways, or 0.
   std::vector<uint32_t> idle_cycles() const;
+  /// Ways round that nothing leads out of, numbered in the same way; edges that are `removed` are not there.
+  std::vector<uint32_t> closed_cycles(const std::function<bool(RecordId from, RecordId to)>& removed) const;
+  /// Calls `each` with all edges: from, to.
+  template <typename Each>
+  void for_edges(const Each& each) const {
+    for (RecordId id = 0; id < records_.size(); ++id) {
+      for (uint32_t i = next_first_[id]; i < next_first_[id + 1]; ++i) each(id, next_[i]);
+    }
+  }
 
  private:
   bool has_cycle(const std::vector<bool>& within) const;

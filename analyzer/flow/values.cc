@@ -1,6 +1,9 @@
 #include "analyzer/flow/values.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
 #include <string_view>
 
 #include "analyzer/syntax/arithmetic.h"
@@ -14,13 +17,18 @@ constexpr size_t kMaxTracked = 512;
 
 }  // namespace
 
-Evaluator::Evaluator(const Syntax& syntax, KnownValues& values, PersistentMap::Pool& pool)
-    : syntax_(syntax), values_(values), pool_(pool), relevant_number_(kLastNumber + 1),
+Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool)
+    : syntax_(syntax), profile_(profile), values_(values), pool_(pool), relevant_number_(kLastNumber + 1),
       relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber), kept_(syntax.names.size()), asked_for_(syntax.names.size()),
       value_name_(syntax.names.find("_value")), value_returned_name_(syntax.names.find("_value_returned")) {
+  kinds_.reserve(syntax.names.size());
+  for (NameId name = 0; name < syntax.names.size(); ++name) kinds_.push_back(name_kind(syntax.names.text(name), profile));
   find_relevant();
   find_facts();
   find_compared();
+  for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
+    if (relevant_number_[n] || read_argument_[n]) arguments_.push_back(n);
+  }
 }
 
 /// Marks the parameters that an expression reads; true when one of them is new. Recursion is bounded by the length of
@@ -46,9 +54,7 @@ bool Evaluator::mark(ExprId id) {
 
 /// A parameter whose value decides whether an operation fails.
 void Evaluator::mark_operand(ExprId id) {
-  uint32_t key = 0;
-  bool global = false;
-  if (may_narrow(id, &key, &global)) compared_[global][key] |= kCanFail;
+  if (const ParameterKey key = key_if_kept(id); key != kComputedKey) compared_.emplace_back(key, kCanFail);
   mark(id);
 }
 
@@ -77,7 +83,7 @@ void Evaluator::find_relevant() {
     if (expr.op == Operator::kExistsNamed) asked_for_[expr.name()] = true;
     if (expr.op == Operator::kNamed && expr.target && !kept_[expr.name()]) {
       kept_[expr.name()] = true;
-      if (is_global_name(syntax_.names.text(expr.name()))) globals_.push_back(expr.name());
+      if (global_name(expr.name())) globals_.push_back(expr.name());
     }
     double number = 0;
     if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) continue;
@@ -117,7 +123,7 @@ void Evaluator::find_relevant() {
 
 void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
   if (number < 1 || number > kLastNumber) return;
-  forget_facts(p, static_cast<uint32_t>(number), number >= kFirstGlobalNumber);
+  forget_facts(p, static_cast<uint32_t>(number) | (number >= kFirstGlobalNumber ? kGlobalKey : 0));
   if (!relevant_number_[number]) {
     // Of an argument that only moves read, all that matters is whether it was passed.
     if (number >= kFirstGlobalNumber || !read_argument_[number]) return;
@@ -129,11 +135,16 @@ void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
 }
 
 void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
-  const bool global = is_global_name(syntax_.names.text(name));
-  forget_facts(p, (global ? kGlobalNames : kLocalNames) + name, global);
+  const bool global = global_name(name);
+  forget_facts(p, key_of_name(name));
   // A constant that decides nothing is only "assigned".
   if (value >= kFirstConstant && (coarse_ || !relevant_name_[name])) value = kUnknown;
   (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
+}
+
+void Evaluator::pass(Parameters& p, std::span<const ValueId> arguments) const {
+  const PersistentMap::Pool::Batch batch(pool_);
+  for (const uint32_t n : arguments_) set_number(p, n, n <= arguments.size() ? arguments[n - 1] : kNotPassed);
 }
 
 PersistentMap Evaluator::share_numbers(PersistentMap names, const PersistentMap& numbers) const {
@@ -171,8 +182,7 @@ ValueId Evaluator::read_number(long number, const Parameters& in) const {
 }
 
 bool Evaluator::always_there(NameId global) const {
-  const std::string_view text = syntax_.names.text(global);
-  return predefined_name(text) || machine_name(text) || (coarse_ && (kept_[global] || asked_for_[global]));
+  return kinds_[global] >= NameKind::kOfMachine || (coarse_ && (kept_[global] || asked_for_[global]));
 }
 
 bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
@@ -182,7 +192,7 @@ bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
     value = (local ? in.locals : in.globals).get(p.id);
     return value != kNotPassed && value < kFirstConstant;
   }
-  const bool global = is_global_name(syntax_.names.text(p.id));
+  const bool global = global_name(p.id);
   value = global ? in.globals.get(kGlobalNames + p.id) : in.locals.get(kLocalNames + p.id);
   return global ? value < kFirstConstant : value == kUnknown;
 }
@@ -192,15 +202,13 @@ void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& paramete
     return certain ? kUnknown : values_.join((global ? parameters.globals : parameters.locals).get(key), kUnknown);
   };
   if (!p.named) return set_number(parameters, p.id, value(p.id, p.id >= kFirstGlobalNumber));
-  const bool global = is_global_name(syntax_.names.text(p.id));
+  const bool global = global_name(p.id);
   set_name(parameters, p.id, value((global ? kGlobalNames : kLocalNames) + p.id, global));
 }
 
 Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const {
-  const std::string_view text = syntax_.names.text(name);
   Evaluation out;
-  if (is_global_name(text)) {
-    // `#<_ini[...]...>` and `#<_hal[...]>` are looked up in the machine; a sub from elsewhere may have assigned any.
+  if (global_name(name)) {
     const ValueId known = in.globals.get(kGlobalNames + name);
     const bool result = name == value_name_ || name == value_returned_name_;
     if (result && coarse_) return out;
@@ -209,12 +217,16 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_whe
       if (known != kMaybeNotReturned) out.value = values_.intern(0);
       return out;
     }
-    const bool own = result || !predefined_name(text);
-    if (own && !distrusts_globals_ && known >= kFirstConstant) {
+    const bool predefined = kinds_[name] == NameKind::kPredefined && !result;
+    if (const auto number = predefined ? ini_number(syntax_.names.text(name), profile_) : std::nullopt) {
+      out.value = values_.intern(*number);
+      return out;
+    }
+    if (!predefined && !distrusts_globals_ && known >= kFirstConstant) {
       out.value = known;
       return out;
     }
-    if (in.outside || always_there(name)) return out;
+    if (in.outside || always_there(name)) return out;  // a sub from elsewhere may have assigned any
     out.value = distrusts_globals_ && known >= kFirstConstant ? kUnknown : known;
   } else {
     out.value = in.locals.get(kLocalNames + name);
@@ -226,7 +238,7 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_whe
     return out;
   }
   // A global that the program assigns elsewhere is there from the second run on.
-  const bool from_before = is_global_name(text) && (kept_[name] || asked_for_[name]);
+  const bool from_before = kinds_[name] == NameKind::kSomeReleases || (global_name(name) && (kept_[name] || asked_for_[name]));
   (out.value == kUnassigned && !from_before ? out.fails : out.may_fail) = StopKind::kNameUndefined;
   out.name = name;
   out.value = kUnknown;
@@ -236,9 +248,8 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_whe
 Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
   Evaluation out;
   if (expr.op == Operator::kExistsNumbered) return out;
-  const std::string_view text = syntax_.names.text(expr.name());
-  if (is_global_name(text)) {
-    const ValueId value = predefined_name(text) ? kUnknown : in.globals.get(kGlobalNames + expr.name());
+  if (global_name(expr.name())) {
+    const ValueId value = kinds_[expr.name()] == NameKind::kPredefined ? kUnknown : in.globals.get(kGlobalNames + expr.name());
     if (value == kUnknown || value >= kFirstConstant) out.value = values_.intern(1);
     return out;
   }
@@ -325,7 +336,7 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
 /// A name exists from where it stands before `=`, for its own value and for the rest of the line: new ones read 0 there, others
 /// what they were before the line (measured).
 void Evaluator::begin_name(NameId name, Parameters& p) const {
-  const bool global = is_global_name(syntax_.names.text(name));
+  const bool global = global_name(name);
   PersistentMap& map = global ? p.globals : p.locals;
   const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
   const ValueId before = map.get(key);
@@ -340,7 +351,10 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     NameId name;
     ValueId value;
   };
-  std::vector<Write> writes;
+  std::array<std::byte, 8 * sizeof(Write)> room;  // for most lines
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+  std::pmr::vector<Write> writes(&memory);
+  writes.reserve(s.item_count);
   Parameters reading = parameters;
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = syntax_.items[s.first + i];
@@ -358,7 +372,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
         } else if (write.number < 1 || write.number > kLastNumber) {
           out.fails = StopKind::kParameterReadOnly;
           out.message = "Parameter number out of range";
-        } else if (read_only_number(write.number)) {
+        } else if (read_only(write.number)) {
           out.fails = StopKind::kParameterReadOnly;
           out.message = "Parameter is readonly";
         }
@@ -375,9 +389,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     write.value = value.value;
     const bool assigns = item.target != kNoExpr || item.target_name != kNoName;
     if (!assigns) continue;
-    if (item.target_name != kNoName) {
-      if (predefined_name(syntax_.names.text(item.target_name)) && may.read_only == kNoName) may.read_only = item.target_name;
-    }
+    if (item.target_name != kNoName && kinds_[item.target_name] == NameKind::kPredefined && may.read_only == kNoName) may.read_only = item.target_name;
     writes.push_back(write);
   }
   if (may.read_only != kNoName) return may;

@@ -3,14 +3,18 @@
 // unknown, so that both outcomes of a condition are followed.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
-#include "analyzer/flow/parameters.h"
+#include "analyzer/flow/accesses.h"
 #include "analyzer/flow/persistent_map.h"
 #include "analyzer/flow/ranges.h"
+#include "analyzer/machine/predefined.h"
 #include "analyzer/syntax/statement.h"
 
 namespace owlint::flow {
@@ -43,7 +47,7 @@ class KnownValues {
 
  private:
   std::vector<double> constants_;
-  std::unordered_map<uint64_t, ValueId> ids_;
+  std::unordered_map<uint64_t, ValueId> ids_;  ///< of all but the first few
   std::vector<Range> ranges_;
   std::unordered_map<uint64_t, std::vector<ValueId>> range_ids_;
   Thresholds thresholds_;
@@ -92,7 +96,7 @@ struct Dependence {
 
 class Evaluator {
  public:
-  Evaluator(const Syntax& syntax, KnownValues& values, PersistentMap::Pool& pool);
+  Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool);
 
   /// Evaluates `id`. `zero_when_unassigned`: numbered parameters that the program never set read 0, as they do
   /// in a freshly started interpreter; used only to tell whether a value can fail. `defining`: while a sub
@@ -105,6 +109,10 @@ class Evaluator {
 
   /// From now on constants are only "assigned", and outcomes are not remembered: for very large programs.
   void set_coarse() { coarse_ = true; }
+  NameKind kind(NameId name) const { return kinds_[name]; }
+  /// Whether some line assigns a name.
+  bool assigned(NameId name) const { return kept_[name]; }
+  bool read_only(long number) const { return read_only_number(number, profile_.version); }
   /// Whether reading a global name cannot fail, whatever was assigned.
   bool always_there(NameId global) const;
   /// Whether a parameter can be read, and nothing is known of its value.
@@ -118,9 +126,9 @@ class Evaluator {
   Fact fact(ExprId condition) const;
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
-  /// Adds the parameters that a condition reads, by their keys (accesses.h). Whether its outcomes are followed
+  /// Adds the parameters that a condition reads, by their keys. Whether its outcomes are followed
   /// exactly: what it compares are parameters with numbers, and they keep their values.
-  bool followed(ExprId condition, std::vector<uint64_t>& reads) const;
+  bool followed(ExprId condition, std::vector<ParameterKey>& reads) const;
   /// A name was read without a stop, or EXISTS has found it. What this run has not assigned, one before it has; then that run
   /// has assigned its other globals, too.
   void assume_there(NameId name, Parameters& p) const;
@@ -134,6 +142,8 @@ class Evaluator {
   /// The same for a line of assignments and words. False if it may assign a global parameter.
   bool note_assignments(const Statement& s, Dependence& out) const;
   bool distrusts_globals() const { return distrusts_globals_; }
+  /// What the machine's INI says to the names that it decides about, as a number.
+  uint64_t machine_values() const;
 
   KnownValues& values() const { return values_; }
   /// Keys of `#<_value>` and `#<_value_returned>`, as far as anything reads them.
@@ -142,6 +152,8 @@ class Evaluator {
   /// A sub comes back, or its definition is passed over: sets `#<_value>` and `#<_value_returned>`. `value`: null without
   /// one; `never`: the sub has no line that returns a value.
   void come_back(Parameters& p, const ValueId* value, bool never) const;
+  /// A call passes its arguments to a sub that has no parameters yet.
+  void pass(Parameters& p, std::span<const ValueId> arguments) const;
   /// M98 shares #1 to #30 with its sub, but not names: `names` with the numbers of `numbers`.
   PersistentMap share_numbers(PersistentMap names, const PersistentMap& numbers) const;
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
@@ -149,14 +161,18 @@ class Evaluator {
   void set_name(Parameters& p, NameId name, ValueId value) const;
 
  private:
+  bool global_name(NameId name) const { return kinds_[name] != NameKind::kLocal; }
   void find_relevant();
   void find_facts();
-  void forget_facts(Parameters& p, uint32_t key, bool global) const;
+  void forget_facts(Parameters& p, ParameterKey key) const;
   void find_compared();
   void count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds);
   bool tells_existence(const Expr& comparison, bool truth, NameId* name) const;
-  bool key_of(ExprId side, uint32_t* key, bool* global) const;
-  bool may_narrow(ExprId side, uint32_t* key, bool* global) const;
+  ParameterKey key_of(ExprId side) const;
+  ParameterKey key_if_kept(ExprId side) const;
+  ParameterKey key_of_name(NameId name) const { return global_name(name) ? (kGlobalNames + name) | kGlobalKey : kLocalNames + name; }
+  uint8_t* compared(ParameterKey key);
+  bool is_compared(ParameterKey key) const { return std::ranges::binary_search(compared_, key, {}, &std::pair<ParameterKey, uint8_t>::first); }
   void assume_assigned(NameId name, Parameters& p) const;
   void find_existing(Parameters& p, ExprId condition, bool truth) const;
   void narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const;
@@ -172,25 +188,28 @@ class Evaluator {
   void forget_numbers(Parameters& p) const;
 
   const Syntax& syntax_;
+  const Profile& profile_;
   KnownValues& values_;
   PersistentMap::Pool& pool_;
+  std::vector<NameKind> kinds_;  // by name
   // Only parameters on which a condition, label, count, argument or value can depend are tracked: others would
   // tell states apart that behave alike.
   std::vector<bool> relevant_number_;
   std::vector<bool> relevant_name_;
   std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere
+  std::vector<uint32_t> arguments_;  // those whose value, or whether they were passed, matters
   std::vector<bool> kept_;           // names that are assigned anywhere
   std::vector<NameId> globals_;      // global names that are assigned anywhere
   std::vector<bool> asked_for_;      // names that EXISTS asks for anywhere
   std::vector<uint32_t> tracked_numbers_;
   /// How a parameter is compared: once, more than once, in the condition of a `while`; and that it is set to something that is
   /// no plain number, so that it may count, or that an operation can fail for its value.
-  enum Comparison : uint32_t { kOnce = 1, kMoreThanOnce = 2, kByLoop = 4, kComputed = 8, kCanFail = 16 };
-  std::unordered_map<uint32_t, uint32_t> compared_[2];  // by parameter key, local and global: how it is compared
+  enum Comparison : uint8_t { kOnce = 1, kMoreThanOnce = 2, kByLoop = 4, kComputed = 8, kCanFail = 16 };
+  std::vector<std::pair<ParameterKey, uint8_t>> compared_;  // sorted, each parameter once
   NameId value_name_;           // `#<_value>`; kNoName where nothing reads it
   NameId value_returned_name_;
   std::vector<Fact> facts_;                                          // by condition, as far as there are any
-  std::unordered_map<uint32_t, std::vector<uint32_t>> facts_of_[2];  // by parameter key: local, global
+  std::unordered_map<ParameterKey, std::vector<uint32_t>> facts_of_;
   bool computed_targets_ = false;
   bool coarse_ = false;
   bool distrusts_globals_ = false;

@@ -17,13 +17,13 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Measured: the integer 1 and nothing else; `yes`, `true` and 2 are no.
-bool is_one(const Ini::Entry* entry) {
+/// Switches are compared as integers (measured): `yes`, `true` and 2 switch nothing on, `no` and `false` nothing off.
+bool is_number(const Ini::Entry* entry, int wanted) {
   if (entry == nullptr) return false;
   const std::string& text = entry->value;
   int number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return problem == std::errc{} && end == text.data() + text.size() && number == 1;
+  return problem == std::errc{} && end == text.data() + text.size() && number == wanted;
 }
 
 class Reader {
@@ -40,9 +40,11 @@ class Reader {
       m_.mask = parse_mask(entry->value);
       m_.mask_entry = entry;
     }
-    m_.warnonly = is_one(rs274("OWORD_WARNONLY"));
-    m_.counts_arguments = is_one(rs274("OWORD_NARGS"));
-    m_.no_fanuc = is_one(rs274("DISABLE_FANUC_STYLE_SUB"));
+    m_.warnonly = is_number(rs274("OWORD_WARNONLY"), 1);
+    m_.counts_arguments = is_number(rs274("OWORD_NARGS"), 1);
+    m_.reads_ini = !is_number(rs274("INI_VARS"), 0);
+    m_.reads_hal = !is_number(rs274("HAL_PIN_VARS"), 0);
+    m_.no_fanuc = is_number(rs274("DISABLE_FANUC_STYLE_SUB"), 1);
     m_.has_remaps = !m_.ini.all("RS274NGC", "REMAP").empty();
     m_.has_python = m_.ini.has_section("PYTHON");
     read_folders();

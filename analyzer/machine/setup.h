@@ -38,6 +38,8 @@ struct MachineSetup {
   const Ini::Entry* mask_entry = nullptr;
   bool warnonly = false;           ///< OWORD_WARNONLY
   bool counts_arguments = false;   ///< OWORD_NARGS: subs have `#<n_args>`
+  bool reads_ini = true;           ///< INI_VARS: programs read entries of the INI as `#<_ini[section]entry>`
+  bool reads_hal = true;           ///< HAL_PIN_VARS: and pins as `#<_hal[pin]>`
   bool no_fanuc = false;           ///< DISABLE_FANUC_STYLE_SUB
   bool has_remaps = false;         ///< codes on motion lines may run subs
   bool has_python = false;         ///< a called sub may be a Python function

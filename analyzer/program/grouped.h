@@ -31,6 +31,9 @@ class Grouped {
   }
 
   size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }
+  /// All items, group after group, and the place of a group's first among them.
+  std::span<const uint32_t> all() const { return items_; }
+  size_t first(size_t group) const { return first_[group]; }
   std::span<const uint32_t> operator[](size_t group) const {
     return {items_.data() + first_[group], first_[group + 1] - first_[group]};
   }

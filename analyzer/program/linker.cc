@@ -1,7 +1,6 @@
 #include "analyzer/program/linker.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace owlint {
 namespace {
@@ -117,7 +116,7 @@ namespace {
 
 std::shared_ptr<const SearchPath> search_path_of(const std::string& program, const Profile& profile, Library& library) {
   if (profile.setup != nullptr) return profile.setup->search_path;
-  const std::string folder = std::filesystem::path(program).parent_path().string();
+  const std::string folder(folder_of(program));
   return library.beside(folder.empty() ? "." : folder);
 }
 
@@ -126,14 +125,14 @@ std::shared_ptr<const SearchPath> search_path_of(const std::string& program, con
 Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes)
     : answers_(search_path_of(program->source->path(), profile, library), notes), library_(library) {
   const std::string path = program->source->path();
-  by_path_.emplace(std::filesystem::path(path).lexically_normal().string(), 0);
+  by_path_.emplace(file_key(path), 0);
   files_.push_back({std::move(program), 0, 0, true});
   follow(0);
   join();
 }
 
 uint32_t Linked::add_file(const FoundFile& found) {
-  const auto [entry, added] = by_path_.try_emplace(std::filesystem::path(found.path).lexically_normal().string(), static_cast<uint32_t>(files_.size()));
+  const auto [entry, added] = by_path_.try_emplace(file_key(found.path), static_cast<uint32_t>(files_.size()));
   if (added) files_.push_back({library_.load_called(found.path), 0, 0, found.regular});
   return entry->second;
 }

@@ -1,7 +1,6 @@
 #include "analyzer/program/program.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <unordered_map>
 
 namespace owlint {
@@ -20,7 +19,7 @@ void collect_calls(Program& program) {
 }
 
 NameId own_name(const Program& program) {
-  const NameId name = program.syntax.names.find(small_letters(std::filesystem::path(program.source->path()).stem().string()));
+  const NameId name = program.syntax.names.find(small_letters(stem_of(program.source->path())));
   if (name == kNoName) return kNoName;
   for (const Region& region : program.regions) {
     if (region.opener == kNoStatement) continue;

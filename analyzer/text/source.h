@@ -105,6 +105,11 @@ class Source {
 /// One text for one file, however its path was written; the file need not exist.
 std::string file_key(const std::string& path);
 
+/// The folder of a file, without the `/` at its end; empty where the path names none.
+std::string_view folder_of(std::string_view path);
+/// The name of a file without its folder and its ending.
+std::string_view stem_of(std::string_view path);
+
 /// ASCII letters in small ones, other bytes as they are.
 std::string small_letters(std::string_view text);
 

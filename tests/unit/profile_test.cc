@@ -1,7 +1,7 @@
 // The machine around a program: INI, mask, version, and when FEATURE 0x20 is in effect (interface.md's table).
 #include <catch2/catch.hpp>
 
-#include "analyzer/machine/profile.h"
+#include "analyzer/machine/predefined.h"
 #include "support/files.h"
 
 using namespace owlint;
@@ -121,4 +121,44 @@ TEST_CASE("called files are looked for where LinuxCNC looks for them", "[profile
   for (const char* outside : {"../m/a", "/etc/passwd", "~/a", "a/../../m/a", "$HOME", "`a`", ""}) CHECK_FALSE(search.find(outside));
   CHECK(search.names() == std::vector<std::string>{"a", "b", "c", "e", "x"});
   CHECK(std::ranges::count(setup->folders, false, &IniFolder::exists) == 2);
+}
+
+TEST_CASE("which names are predefined depends on the version and the INI", "[machine]") {
+  const auto kind = [](std::string_view name, const char* version, const std::string& ini) {
+    Profile profile = ini.empty() ? Profile{} : from_ini(ini);
+    profile.version = version_from_text(version).value();
+    return name_kind(name, profile);
+  };
+  const std::string ini = "[RS274NGC]\nHAL_PIN_VARS = 0\n[AXIS_Z]\nMAX_LIMIT = 12.5\nWORDS = 12 mm\nTOO_MUCH = 1e400\nSIGNS = +-1\n";
+
+  CHECK(kind("n", "2.9", "") == NameKind::kLocal);
+  CHECK(kind("_n", "2.9", "") == NameKind::kGlobal);
+  for (const char* version : {"2.7", "2.8", "2.9", "2.10"}) {
+    CHECK(kind("_x", version, "") == NameKind::kPredefined);
+    CHECK(kind("_value_returned", version, "") == NameKind::kPredefined);
+    CHECK(kind("_ini[axis_z]max_limit", version, "") == NameKind::kOfMachine);
+  }
+  CHECK(kind("_abs_x", "2.7", "") == NameKind::kSomeReleases);
+  CHECK(kind("_abs_x", "2.8", "") == NameKind::kPredefined);
+  CHECK(kind("_abs_u", "2.8", "") == NameKind::kGlobal);
+  CHECK(kind("_abs_u", "2.9", "") == NameKind::kSomeReleases);
+  CHECK(kind("_abs_u", "2.10", "") == NameKind::kPredefined);
+  CHECK(kind("_metric_machine", "2.7", "") == NameKind::kGlobal);
+  CHECK(kind("_metric_machine", "2.9", "") == NameKind::kPredefined);
+
+  CHECK(kind("_ini[axis_z]max_limit", "2.9", ini) == NameKind::kPredefined);
+  CHECK(kind("_ini[axis_z]max_limit", "2.7", ini) == NameKind::kOfMachine);
+  for (const char* missing : {"_ini[axis_z]words", "_ini[axis_z]too_much", "_ini[axis_z]signs", "_ini[axis_x]max_limit", "_ini[axis_z]", "_ini[axis_z", "_ini["}) {
+    CHECK(kind(missing, "2.9", ini) == NameKind::kGlobal);
+  }
+  CHECK(kind("_hal[pin]", "2.9", ini) == NameKind::kGlobal);
+  CHECK(kind("_hal[pin]", "2.9", "[RS274NGC]\n") == NameKind::kOfMachine);
+
+  Profile profile = from_ini(ini);
+  CHECK(ini_number("_ini[axis_z]max_limit", profile) == 12.5);
+  CHECK(ini_number("_x", profile) == std::nullopt);
+
+  CHECK(read_only_number(5420, Version::k2_7));
+  CHECK_FALSE(read_only_number(5021, Version::k2_9));
+  CHECK(read_only_number(5021, Version::k2_10));
 }
