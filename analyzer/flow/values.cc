@@ -31,6 +31,12 @@ Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& 
   }
 }
 
+bool Evaluator::mark_number(long number) {
+  if (number <= 0 || number > kLastNumber || relevant_number_[number]) return false;
+  tracked_numbers_.push_back(static_cast<uint32_t>(number));
+  return relevant_number_[number] = true;
+}
+
 /// Marks the parameters that an expression reads; true when one of them is new. Recursion is bounded by the length of
 /// one line.
 bool Evaluator::mark(ExprId id) {
@@ -42,10 +48,9 @@ bool Evaluator::mark(ExprId id) {
   }
   double number = 0;
   long index = 0;
-  if (expr.op == Operator::kParameter && literal_value(syntax_.exprs, expr.left(), &number)) {
-    if (!to_integer(number, &index) || index <= 0 || index > kLastNumber || relevant_number_[index]) return false;
-    tracked_numbers_.push_back(static_cast<uint32_t>(index));
-    return relevant_number_[index] = true;
+  if (expr.op == Operator::kParameter) {
+    if (literal_value(syntax_.exprs, expr.left(), &number)) return to_integer(number, &index) && mark_number(index);
+    computed_reads_ = true;
   }
   bool grew = expr.left() != kNoExpr && mark(expr.left());
   if (expr.right() != kNoExpr && mark(expr.right())) grew = true;
@@ -109,15 +114,18 @@ void Evaluator::find_relevant() {
           matters = true;
           grew |= mark(item.target);
         } else if (to_integer(number, &index) && index > 0 && index <= kLastNumber) {
+          // What is read by a computed number may be any of them.
+          grew |= computed_reads_ && mark_number(index);
           matters = relevant_number_[index];
         }
       }
       if (matters) grew |= mark(item.value);
     }
   }
-  if (computed_targets_ && tracked_numbers_.size() > kMaxTracked) {
+  if ((computed_targets_ || computed_reads_) && tracked_numbers_.size() > kMaxTracked) {
     relevant_number_.assign(kLastNumber + 1, false);
     tracked_numbers_.clear();
+    computed_reads_ = false;
   }
 }
 
@@ -174,8 +182,11 @@ void Evaluator::forget_numbers(Parameters& p) const {
 
 ValueId Evaluator::read_number(long number, const Parameters& in) const {
   if (number >= kFirstVolatileNumber) return kUnknown;
-  if (number >= kFirstGlobalNumber && !relevant_number_[number]) return kUnknown;
-  if (number < kFirstGlobalNumber) return in.locals.get(static_cast<uint32_t>(number));
+  // What does not matter has not been kept; but where numbers are read by computed ones, all that are assigned matter.
+  const bool never_assigned = computed_reads_ && !computed_targets_;
+  const bool local = number < kFirstGlobalNumber;
+  if (!relevant_number_[number] && !(local && read_argument_[number]) && !never_assigned) return kUnknown;
+  if (local) return in.locals.get(static_cast<uint32_t>(number));
   const ValueId value = in.globals.get(static_cast<uint32_t>(number));
   if (distrusts_globals_) return kUnknown;
   return value == kUnassigned && in.outside ? kUnknown : value;

@@ -177,6 +177,7 @@ class Evaluator {
   void find_existing(Parameters& p, ExprId condition, bool truth) const;
   void narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const;
   bool mark(ExprId id);
+  bool mark_number(long number);
   void mark_operand(ExprId id);
   void mark_what_can_fail(ExprId id);
   void begin_name(NameId name, Parameters& p) const;
@@ -211,6 +212,7 @@ class Evaluator {
   std::vector<Fact> facts_;                                          // by condition, as far as there are any
   std::unordered_map<ParameterKey, std::vector<uint32_t>> facts_of_;
   bool computed_targets_ = false;
+  bool computed_reads_ = false;  // `#[#1]`, where the value matters
   bool coarse_ = false;
   bool distrusts_globals_ = false;
 };

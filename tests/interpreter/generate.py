@@ -262,9 +262,9 @@ class ValueMaker(Maker):
         return rng.choice(("[10/[%s]]", "SQRT[%s]", "LN[%s]", "ACOS[%s]", "#[%s]")) % inner
 
     def plain_value(self):
-        """Made of numbers that are known: neither what an earlier run has left in a name, nor what a computed number has."""
+        """Made of numbers that are known: not what an earlier run has left in a name."""
         value = self.value(1)
-        while "<" in value or "#[" in value or "#1" in value or "#2" in value:
+        while "<" in value or "#1" in value or "#2" in value:
             value = self.value(1)
         return value
 
