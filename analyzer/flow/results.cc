@@ -302,7 +302,7 @@ void Analysis::finish() {
       const bool told = stop.reach == Reach::kAlways || (level_ < kCoarse && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
       // But nobody assigns what looks like an entry of the INI or is LinuxCNC's own in another version.
       const NameId name = program_.syntax.names.find(key.detail);
-      const bool never = may_be_predefined(key.detail) && machine_.evaluator().kind(name) == NameKind::kGlobal && !machine_.evaluator().assigned(name);
+      const bool never = name != kNoName && may_be_predefined(key.detail) && machine_.evaluator().kind(name) == NameKind::kGlobal && !machine_.evaluator().assigned(name);
       const bool from_elsewhere = key.detail.starts_with("_") && !never;
       if (!told || from_elsewhere) stop.unproven = true;
     }

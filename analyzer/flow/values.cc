@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory_resource>
 #include <string_view>
+#include <utility>
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
@@ -48,11 +49,12 @@ bool Evaluator::mark(ExprId id) {
   }
   double number = 0;
   long index = 0;
+  bool grew = false;
   if (expr.op == Operator::kParameter) {
     if (literal_value(syntax_.exprs, expr.left(), &number)) return to_integer(number, &index) && mark_number(index);
-    computed_reads_ = true;
+    grew = !std::exchange(computed_reads_, true);
   }
-  bool grew = expr.left() != kNoExpr && mark(expr.left());
+  if (expr.left() != kNoExpr && mark(expr.left())) grew = true;
   if (expr.right() != kNoExpr && mark(expr.right())) grew = true;
   return grew;
 }
