@@ -107,14 +107,14 @@ TEST_CASE("very deep nesting", "[hostile]") {
   const int n = kMany;
   const auto open = [](const char* keyword) { return [keyword](int i) { return fmt::format("o{} {}\n", i, keyword); }; };
   const auto close = [](const char* keyword) { return [keyword](int i) { return fmt::format("o{} {}\n", kMany + 1 - i, keyword); }; };
-  CHECK(codes("many nested ifs", repeat(n, open("if [#1 GT 0]")) + repeat(n, close("endif")) + "M2\n").empty());
+  CHECK(codes("many nested ifs", repeat(n, open("if [#5070 GT 0]")) + repeat(n, close("endif")) + "M2\n").empty());
   CHECK(codes("many nested whiles", repeat(n, open("while [#5070 GT 0]")) + repeat(n, close("endwhile")) + "M2\n").empty());
   CHECK(codes("many ifs not closed", repeat(n, open("if [#1 GT 0]")) + "M2\n") == "OW205");
   CHECK(codes("many dos not closed", repeat(n, open("do")) + "M2\n") == "OW205");
   CHECK(codes("many ends", repeat(n, open("endif")) + "M2\n") == "OW106");
   CHECK(codes("many crossed", repeat(n, open("if [#1 GT 0]")) + repeat(n, open("endif")) + "M2\n").find("OW106") != std::string::npos);
   CHECK(codes("many elses", "o1 if [#1 GT 0]\n" + lines(n, "o1 else\n") + "o1 endif\nM2\n") == "OW212");
-  CHECK(codes("many elseifs", "o1 if [#1 GT 0]\n" + repeat(n, [](int i) { return fmt::format("o1 elseif [#1 EQ {}]\n", i); }) + "o1 endif\nM2\n").empty());
+  CHECK(codes("many elseifs", "o1 if [#5070 GT 0]\n" + repeat(n, [](int i) { return fmt::format("o1 elseif [#5070 EQ {}]\n", i); }) + "o1 endif\nM2\n").empty());
 }
 
 TEST_CASE("very many subs and calls", "[hostile]") {
