@@ -16,7 +16,7 @@ void Evaluator::note_number(long number, Dependence& out) const {
 }
 
 void Evaluator::note_name(NameId name, Dependence& out) const {
-  const bool global = syntax_.names.text(name).starts_with('_');
+  const bool global = global_name(name);
   out.circumstances.push_back(relevant_name_[name] ? 'r' : '-');
   out.circumstances.push_back(kept_[name] || asked_for_[name] ? 'k' : '-');
   out.circumstances.push_back(is_compared(key_of_name(name)) ? 'c' : '-');
@@ -50,7 +50,7 @@ bool Evaluator::note_assignments(const Statement& s, Dependence& out) const {
     const Item& item = syntax_.items[s.first + i];
     note(item.value, out);
     if (item.target_name != kNoName) {
-      if (syntax_.names.text(item.target_name).starts_with('_')) return false;
+      if (global_name(item.target_name)) return false;
       note_name(item.target_name, out);
     }
     if (item.target == kNoExpr) continue;

@@ -5,18 +5,11 @@
 #include <cstddef>
 #include <memory_resource>
 #include <string_view>
-#include <utility>
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
-namespace {
-
-// Above this many tracked numbers a write to a computed number would cost too much to model.
-constexpr size_t kMaxTracked = 512;
-
-}  // namespace
 
 Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool)
     : syntax_(syntax), profile_(profile), values_(values), pool_(pool), relevant_number_(kLastNumber + 1),
@@ -29,105 +22,6 @@ Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& 
   find_compared();
   for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
     if (relevant_number_[n] || read_argument_[n]) arguments_.push_back(n);
-  }
-}
-
-bool Evaluator::mark_number(long number) {
-  if (number <= 0 || number > kLastNumber || relevant_number_[number]) return false;
-  tracked_numbers_.push_back(static_cast<uint32_t>(number));
-  return relevant_number_[number] = true;
-}
-
-/// Marks the parameters that an expression reads; true when one of them is new. Recursion is bounded by the length of
-/// one line.
-bool Evaluator::mark(ExprId id) {
-  const Expr& expr = syntax_.exprs[id];
-  if (expr.op == Operator::kNumber) return false;
-  if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) {
-    if (relevant_name_[expr.name()]) return false;
-    return relevant_name_[expr.name()] = true;
-  }
-  double number = 0;
-  long index = 0;
-  bool grew = false;
-  if (expr.op == Operator::kParameter) {
-    if (literal_value(syntax_.exprs, expr.left(), &number)) return to_integer(number, &index) && mark_number(index);
-    grew = !std::exchange(computed_reads_, true);
-  }
-  if (expr.left() != kNoExpr && mark(expr.left())) grew = true;
-  if (expr.right() != kNoExpr && mark(expr.right())) grew = true;
-  return grew;
-}
-
-/// A parameter whose value decides whether an operation fails.
-void Evaluator::mark_operand(ExprId id) {
-  if (const ParameterKey key = key_if_kept(id); key != kComputedKey) compared_.emplace_back(key, kCanFail);
-  mark(id);
-}
-
-/// Marks what decides whether a value can be computed.
-void Evaluator::mark_what_can_fail(ExprId id) {
-  const Expr& expr = syntax_.exprs[id];
-  double number = 0;
-  switch (expr.op) {
-    case Operator::kNumber: case Operator::kNamed: case Operator::kExistsNamed: return;
-    case Operator::kParameter:
-      if (!literal_value(syntax_.exprs, expr.left(), &number)) mark(expr.left());
-      return;
-    case Operator::kDivide:
-      if (!literal_value(syntax_.exprs, expr.right(), &number)) mark(expr.right());
-      break;
-    case Operator::kSqrt: case Operator::kLn: case Operator::kAcos: case Operator::kAsin: mark_operand(expr.left()); return;
-    case Operator::kPower: mark(id); return;
-    default: break;
-  }
-  mark_what_can_fail(expr.left());
-  if (expr.right() != kNoExpr) mark_what_can_fail(expr.right());
-}
-
-void Evaluator::find_relevant() {
-  for (const Expr& expr : syntax_.exprs) {
-    if (expr.op == Operator::kExistsNamed) asked_for_[expr.name()] = true;
-    if (expr.op == Operator::kNamed && expr.target && !kept_[expr.name()]) {
-      kept_[expr.name()] = true;
-      if (global_name(expr.name())) globals_.push_back(expr.name());
-    }
-    double number = 0;
-    if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) continue;
-    if (number >= 1 && number < kFirstGlobalNumber) read_argument_[static_cast<size_t>(number)] = true;
-  }
-  for (const ExprId value : syntax_.values) mark(value);
-  for (const Item& item : syntax_.items) mark_what_can_fail(item.value);
-  for (const Statement& s : syntax_.statements) {
-    if (s.label_expr != kNoExpr) mark(s.label_expr);
-  }
-  // An assignment to a parameter that matters makes what it reads matter. Few rounds suffice in practice; the
-  // limit only costs precision.
-  bool grew = true;
-  for (int round = 0; grew && round < 8; ++round) {
-    grew = false;
-    for (const Item& item : syntax_.items) {
-      double number = 0;
-      long index = 0;
-      bool matters = item.target_name != kNoName && relevant_name_[item.target_name];
-      if (item.target != kNoExpr) {
-        if (!literal_value(syntax_.exprs, item.target, &number)) {
-          computed_targets_ = true;
-          matters = true;
-          grew |= mark(item.target);
-        } else if (to_integer(number, &index) && index > 0 && index <= kLastNumber) {
-          // What is read by a computed number may be any of them.
-          grew |= computed_reads_ && mark_number(index);
-          matters = relevant_number_[index];
-        }
-      }
-      if (matters) grew |= mark(item.value);
-    }
-  }
-  if ((computed_targets_ || computed_reads_) && tracked_numbers_.size() > kMaxTracked) {
-    relevant_number_.assign(kLastNumber + 1, false);
-    tracked_numbers_.clear();
-    computed_reads_ = false;
   }
 }
 
@@ -359,20 +253,20 @@ void Evaluator::begin_name(NameId name, Parameters& p) const {
 
 Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) const {
   Evaluation may;  // the first thing that stops on some of the merged paths
-  struct Write {
+  struct Assigned {
     long number;  // 0: unknown number; -1: a name
     NameId name;
     ValueId value;
   };
-  std::array<std::byte, 8 * sizeof(Write)> room;  // for most lines
+  std::array<std::byte, 8 * sizeof(Assigned)> room;  // for most lines
   std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
-  std::pmr::vector<Write> writes(&memory);
+  std::pmr::vector<Assigned> writes(&memory);
   writes.reserve(s.item_count);
   Parameters reading = parameters;
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = syntax_.items[s.first + i];
     if (item.target_name != kNoName) begin_name(item.target_name, reading);
-    Write write{-1, item.target_name, kUnknown};
+    Assigned write{-1, item.target_name, kUnknown};
     if (item.target != kNoExpr) {
       const Evaluation index = evaluate(item.target, reading, false, false, log);
       if (index.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? index : may;
@@ -406,7 +300,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     writes.push_back(write);
   }
   if (may.read_only != kNoName) return may;
-  for (const Write& write : writes) {
+  for (const Assigned& write : writes) {
     if (write.number == 0) {
       forget_numbers(parameters);
     } else if (write.number > 0) {
