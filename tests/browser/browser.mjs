@@ -4,6 +4,7 @@ import { cpSync, mkdirSync, mkdtempSync, readdirSync, writeFileSync } from "node
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
+import { setTimeout as pause } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -63,9 +64,24 @@ export async function open(file, route = "#/", options = {}) {
   page.on("console", (message) => { if (message.type() === "error") page.troubles.push(message.text()); });
   page.on("pageerror", (error) => page.troubles.push(String(error)));
   page.on("request", (request) => { if (!request.url().startsWith(`file://${file}`) && !request.url().startsWith("data:")) page.troubles.push(`request: ${request.url()}`); });
+  // SLOWER=10 makes the browser ten times as slow: what a test does not wait for shows then.
+  if (process.env.SLOWER) await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate: Number(process.env.SLOWER) });
   await page.goto(`file://${file}${route}`);
   await page.waitForSelector("#app[data-ready]", { timeout: 120_000 });
   return page;
+}
+
+/** Asserts again and again until it holds: what a click or a key does is drawn some time after it. */
+export async function eventually(assertion) {
+  const end = Date.now() + 20_000;
+  for (;;) {
+    try {
+      return await assertion();
+    } catch (failure) {
+      if (Date.now() > end) throw failure;
+      await pause(20);
+    }
+  }
 }
 
 /** What axe-core finds against the page. */
