@@ -54,6 +54,19 @@ TEST_CASE("exit status 2 for wrong usage", "[cli]") {
   }
 }
 
+TEST_CASE("an unknown option is named, also where it took the place of a path", "[cli]") {
+  CHECK(run({"-x.ngc"}).err == "owlint: unknown option `-x.ngc`; `--help` lists all, and what comes after `--` is a path\n");
+  CHECK(run({"--selct", "OW1", "a.ngc"}).err == "owlint: unknown option `--selct`, did you mean `--select`?\n");
+  CHECK(contains(run({"check"}).err, "PATH is required"));
+}
+
+TEST_CASE("a path in a report is the file's, line ends and all", "[cli]") {
+  const Scratch s;
+  const std::string path = s.write("a\nb.ngc", kBad);
+  CHECK(nlohmann::json::parse(run({"--isolated", "--format", "json", path}).out)["files"][0]["path"] == path);
+  CHECK(nlohmann::json::parse(run({"--isolated", "--format", "jsonl", path}).out)["path"] == path);
+}
+
 TEST_CASE("help and version are asked for", "[cli]") {
   CHECK(run({"--version"}).out.starts_with("owlint "));
   for (const auto& arguments : std::vector<std::vector<std::string>>{{"--help"}, {"check", "--help"}, {"graph", "--help"}, {"rules", "-h"}}) {

@@ -67,7 +67,9 @@ class Tester:
         self.say(what + ", json", problems if report else ["exit status %d: %s" % (status, errors.decode("utf-8", "replace")[:300])])
         if report is None:
             return None, status
-        return Run(report, folder, [] if stdin is not None else paths, stdin, self.catalogue), status
+        run = Run(report, folder, [] if stdin is not None else paths, stdin, self.catalogue)
+        self.say(what + ", json", ["not the path of a file: %r" % path for path in run.lost_paths()])
+        return run, status
 
     def run(self, what, folder, arguments, paths, stdin=None, validate=False):
         """All formats of one run; returns the run and what each format said."""

@@ -13,6 +13,7 @@
 #include "analyzer/cli/generate.h"
 #include "analyzer/report/formats.h"
 #include "analyzer/syntax/bulk.h"
+#include "rules/stops.h"
 
 namespace {
 
@@ -152,6 +153,22 @@ std::string version_text() {
   return fmt::format("owlint {}\nbuilt with {}, {}, {}; fast path: {}", owlint::kToolVersion, kCompiler, OWLINT_BUILD_TYPE, OWLINT_LINKED, owlint::bulk_variants().front().name);
 }
 
+/// What is wrong with an option that there is not, or "". It is said first: PATH is missing only because such an option took its place.
+std::string unknown_option(const CLI::App& app) {
+  for (const std::string& left : app.remaining(true)) {
+    if (!left.starts_with('-')) continue;
+    std::vector<std::string> known;
+    for (const CLI::App* command : app.get_subcommands()) {
+      for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+      }
+    }
+    const std::string near = owlint::rules::nearest(left, known);
+    return fmt::format("unknown option `{}`{}", left, near.empty() ? "; `--help` lists all, and what comes after `--` is a path" : ", did you mean `" + near + "`?");
+  }
+  return "";
+}
+
 int run(std::vector<std::string> arguments) {
   CLI::App app{"owlint finds the O-word mistakes in LinuxCNC G-code that stop the machine, before it moves.", "owlint"};
   app.set_version_flag("--version", version_text());
@@ -229,6 +246,10 @@ int run(std::vector<std::string> arguments) {
     std::ranges::reverse(arguments);  // CLI11 takes them from the back
     app.parse(arguments);
   } catch (const CLI::ParseError& problem) {
+    if (const std::string unknown = unknown_option(app); !unknown.empty()) {
+      owlint::cli::complain(unknown);
+      return owlint::cli::kUsage;
+    }
     const int status = app.exit(problem);
     return status == 0 ? owlint::cli::kClean : owlint::cli::kUsage;
   }

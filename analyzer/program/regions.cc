@@ -15,7 +15,7 @@ void find_endsub(const Program& program, StatementId next_sub, Region* region) {
   StatementId first = kNoStatement;
   for (auto at = std::ranges::upper_bound(lines, region->opener); at != lines.end(); ++at) {
     if (program.at(*at).is(Keyword::kSub)) break;
-    if (!program.at(*at).is(Keyword::kEndsub)) continue;
+    if (!program.at(*at).is(Keyword::kEndsub) || program.at(*at).refused) continue;
     // Behind another sub only the first one counts: the subs between are nested.
     if (first != kNoStatement && *at > next_sub) break;
     if (first == kNoStatement) first = *at;
@@ -65,7 +65,7 @@ void find_regions(Program& program) {
       region.last = next_sub;
       // No other sub is open here, so an `endsub` before the next one was probably meant for this.
       for (StatementId at = id + 1; at < region.last && sub; ++at) {
-        if (program.at(at).is(Keyword::kEndsub)) region.likely_end = at;
+        if (program.at(at).is(Keyword::kEndsub) && !program.at(at).refused) region.likely_end = at;
       }
       if (region.likely_end != kNoStatement) region.last = region.likely_end + 1;
     }

@@ -13,6 +13,13 @@ void jsonl(std::ostream& out, const Reports& files, const ReportStyle&) {
   for (const FileReport& file : files) write_jsonl(out, file);
 }
 
+std::string_view seen_from_root(const Source& source, const ReportStyle& style) {
+  std::string_view path = source.path();
+  if (!style.root.empty() && path.starts_with(style.root) && path.substr(style.root.size()).starts_with('/')) path.remove_prefix(style.root.size() + 1);
+  while (path.starts_with("./")) path.remove_prefix(2);
+  return path;
+}
+
 }  // namespace
 
 const std::vector<Format>& formats() {
@@ -42,12 +49,9 @@ void write_text_report(std::ostream& out, const Reports& files, const ReportStyl
   for (const FileReport& file : files) write_text(out, file, style);
 }
 
-std::string shown_path(const Source& source, const ReportStyle& style) {
-  std::string_view path = source.path();
-  if (!style.root.empty() && path.starts_with(style.root) && path.substr(style.root.size()).starts_with('/')) path.remove_prefix(style.root.size() + 1);
-  while (path.starts_with("./")) path.remove_prefix(2);
-  return printable(path);
-}
+std::string shown_path(const Source& source, const ReportStyle& style) { return printable(seen_from_root(source, style)); }
+
+std::string json_path(const Source& source, const ReportStyle& style) { return as_utf8(seen_from_root(source, style)); }
 
 std::string whole_message(const Finding& finding, std::string_view separator) {
   std::string text = printable(finding.message);

@@ -47,6 +47,8 @@ void write_rdjson(std::ostream& out, const Reports& files, const ReportStyle& st
 
 /// The path as seen from the root, if it lies below; printable.
 std::string shown_path(const Source& source, const ReportStyle& style);
+/// The same for JSON, which can hold any name: nothing of it is replaced.
+std::string json_path(const Source& source, const ReportStyle& style);
 /// The message with what LinuxCNC says and how to mend it, each on a line of its own or behind `separator`.
 std::string whole_message(const Finding& finding, std::string_view separator = "\n");
 /// The file that a finding is in.

@@ -16,7 +16,7 @@ void write_gitlab(std::ostream& out, const Reports& files, const ReportStyle& st
     for (size_t i = 0; i < file.findings.size(); ++i) {
       const Finding& f = file.findings[i];
       const Source& source = source_of(file, f);
-      const std::string path = shown_path(source, style);
+      const std::string path = json_path(source, style);
       issues.push_back({{"description", whole_message(f, "; ")},
                         {"check_name", fmt::format("{} {}", f.code, f.rule)},
                         // Programs are often copied, whole, into another folder.

@@ -223,7 +223,7 @@ Json graph_of(const Linked& linked, size_t file) {
   const auto line_of = [&](StatementId id) { return id == kNoStatement ? Json(nullptr) : Json(p.at(id).line); };
   Json graph;
   if (file == 0) graph["schema"] = "owlint-graph-1";
-  graph["path"] = printable(p.source->path());
+  graph["path"] = as_utf8(p.source->path());
   graph["kind"] = p.sub_file ? "sub file" : "program";
   graph["scopes"] = Json::array();
   const flow::DataFlow data(p);
@@ -247,7 +247,7 @@ Json graph_of(const Linked& linked, size_t file) {
     graph["calls"].push_back({{"line", p.at(call.statement).line}, {"from", call.caller},
                               {"label", call.callee == kNoName ? Json(nullptr) : Json(printable(p.name(call.callee)))},
                               {"to", call.target == UINT32_MAX ? Json(nullptr) : Json(call.target)},
-                              {"file", target.file == CallTarget::kNotFound ? Json(nullptr) : Json(printable(linked.files()[target.file].program->source->path()))}});
+                              {"file", target.file == CallTarget::kNotFound ? Json(nullptr) : Json(as_utf8(linked.files()[target.file].program->source->path()))}});
   }
   return graph;
 }

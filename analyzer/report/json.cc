@@ -35,7 +35,7 @@ Json finding_json(const Source& source, const Finding& f) {
   places.insert(places.end(), f.path.begin(), f.path.end());
   for (const Related& related : places) {
     const Source& file = related.source == nullptr ? source : *related.source;
-    Json entry{{"path", printable(file.path())}, {"message", printable(related.message)}};
+    Json entry{{"path", as_utf8(file.path())}, {"message", printable(related.message)}};
     place_in(entry, file, related.span);
     json["related"].push_back(std::move(entry));
   }
@@ -68,7 +68,7 @@ void write_json(std::ostream& out, const std::vector<FileReport>& files) {
   report["tool"] = {{"name", kToolName}, {"version", kToolVersion}};
   report["files"] = Json::array();
   for (const FileReport& file : files) {
-    Json entry{{"path", printable(file.source->path())}, {"findings", Json::array()}};
+    Json entry{{"path", as_utf8(file.source->path())}, {"findings", Json::array()}};
     for (const Finding& f : file.findings) entry["findings"].push_back(finding_json(*file.source, f));
     report["files"].push_back(std::move(entry));
   }
@@ -79,7 +79,7 @@ void write_json(std::ostream& out, const std::vector<FileReport>& files) {
 
 void write_jsonl(std::ostream& out, const FileReport& file) {
   for (const Finding& f : file.findings) {
-    Json line{{"path", printable(file.source->path())}};
+    Json line{{"path", as_utf8(file.source->path())}};
     line.update(finding_json(*file.source, f));
     out << line.dump() << '\n';
   }

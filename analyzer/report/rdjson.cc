@@ -19,7 +19,7 @@ Json diagnostic(const FileReport& file, const Finding& f, const ReportStyle& sty
   const Source& source = source_of(file, f);
   const char* const severity = f.severity == Severity::kError ? "ERROR" : f.severity == Severity::kWarning ? "WARNING" : "INFO";
   Json out{{"message", whole_message(f)},
-           {"location", {{"path", shown_path(source, style)}, {"range", range(source, f.span)}}},
+           {"location", {{"path", json_path(source, style)}, {"range", range(source, f.span)}}},
            {"severity", severity},
            {"code", {{"value", f.code}}}};
   for (const Fix& fix : f.fixes) {
@@ -28,7 +28,7 @@ Json diagnostic(const FileReport& file, const Finding& f, const ReportStyle& sty
   }
   for (const Related& related : f.related) {
     const Source& place = related.source == nullptr ? source : *related.source;
-    out["relatedLocations"].push_back({{"message", printable(related.message)}, {"location", {{"path", shown_path(place, style)}, {"range", range(place, related.span)}}}});
+    out["relatedLocations"].push_back({{"message", printable(related.message)}, {"location", {{"path", json_path(place, style)}, {"range", range(place, related.span)}}}});
   }
   return out;
 }

@@ -8,7 +8,9 @@
 
 namespace owlint {
 
-std::string printable(std::string_view bytes) {
+namespace {
+
+std::string converted(std::string_view bytes, bool controls) {
   std::string out;
   for (size_t at = 0; at < bytes.size();) {
     const auto byte = static_cast<unsigned char>(bytes[at]);
@@ -30,7 +32,7 @@ std::string printable(std::string_view bytes) {
     } else if (byte >= 0x80) {
       out += static_cast<char>(0xC0 | byte >> 6);
       out += static_cast<char>(0x80 | (byte & 0x3F));
-    } else if ((byte < 0x20 && byte != '\t') || byte == 0x7F) {
+    } else if (!controls && ((byte < 0x20 && byte != '\t') || byte == 0x7F)) {
       out += "\xEF\xBF\xBD";
     } else {
       out += static_cast<char>(byte);
@@ -39,6 +41,12 @@ std::string printable(std::string_view bytes) {
   }
   return out;
 }
+
+}  // namespace
+
+std::string printable(std::string_view bytes) { return converted(bytes, false); }
+
+std::string as_utf8(std::string_view bytes) { return converted(bytes, true); }
 
 std::string printable_text(std::string_view text) {
   std::string out;

@@ -21,7 +21,7 @@ def schema_of(name):
 
 
 def _valid(output, schema, problems):
-    text = text_of(output, problems)
+    text = text_of(output, problems, "\t\n\x7f")  # JSON need not escape DEL
     value = None if text is None else strict_json(text, problems)
     return value if value is not None and by_schema(schema_of(schema), value, problems) else None
 

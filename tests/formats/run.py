@@ -6,13 +6,21 @@ import os
 codecs.register_error("as-latin-1", lambda error: (chr(error.object[error.start]), error.start + 1))
 
 
+def as_utf8(data):
+    """Bytes as owlint writes them into JSON: what is not UTF-8 is taken for Latin-1."""
+    return data.decode("utf-8", "as-latin-1")
+
+
 def printable(data):
-    """Bytes as owlint shows them: what is not UTF-8 is taken for Latin-1, control characters for U+FFFD."""
-    text = data.decode("utf-8", "as-latin-1")
+    """Bytes as owlint shows them: control characters are U+FFFD besides."""
+    return visible(as_utf8(data))
+
+
+def visible(text):
     return "".join("\ufffd" if (c < " " and c != "\t") or c == "\x7f" else c for c in text)
 
 
-def text_of(output, problems):
+def text_of(output, problems, allowed="\t\n"):
     """The output as text; it must be UTF-8 without byte order mark, and without control characters."""
     try:
         text = output.decode("utf-8")
@@ -21,7 +29,7 @@ def text_of(output, problems):
         return None
     if text.startswith("\ufeff"):
         problems.append("begins with a byte order mark")
-    odd = sorted({c for c in text if (c < " " and c not in "\t\n") or c == "\x7f"})
+    odd = sorted({c for c in text if (c < " " or c == "\x7f") and c not in allowed})
     if odd:
         problems.append("control characters in it: %r" % odd)
     if text and not text.endswith("\n"):
@@ -77,15 +85,22 @@ class Run:
         self.catalogue = catalogue
         self.findings = [{**finding, "path": file["path"]} for file in report["files"] for finding in file["findings"]]
         self.paths = [file["path"] for file in report["files"]]
+        self.written = set()  # the paths in full, as JSON has them
         self._raw = {}
         for path in map(os.fsencode, paths):
             below = [os.path.join(at, name) for at, _, names in os.walk(os.path.join(self.folder, path)) for name in names]
             for raw in below or [os.path.join(self.folder, path)]:
                 self._raw[self.key(printable(raw))] = os.path.normpath(raw)
+                self.written.add(as_utf8(os.path.normpath(raw)))
 
     def key(self, shown):
         """One text for one file, whether its path is told from the root or from the folder of the run."""
-        return os.path.normpath(os.path.join(printable(self.folder), shown))
+        return visible(os.path.normpath(os.path.join(as_utf8(self.folder), shown)))
+
+    def lost_paths(self):
+        """What `--format json` calls a file and is not its path."""
+        whole = [os.path.normpath(os.path.join(as_utf8(self.folder), path)) for path in self.paths]
+        return [path for path in whole if self.stdin is None and path not in self.written and not os.path.exists(path)]
 
     def below(self, shown):
         """Whether a file lies in the folder of the run: CI services want such paths without the folder."""

@@ -101,6 +101,7 @@ TEST_CASE("reports are UTF-8 whatever the program is", "[text]") {
   CHECK(printable("\xC3\xA4") == "\xC3\xA4");
   CHECK(printable("\xE4") == "\xC3\xA4");
   CHECK(printable(std::string_view("\0\x1B\x7F", 3)) == "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
+  CHECK(as_utf8("\n\x1B\xE4") == "\n\x1B\xC3\xA4");
   CHECK(printable("\xC0\xAF") == "\xC3\x80\xC2\xAF");              // overlong
   CHECK(printable("\xED\xA0\x80") == "\xC3\xAD\xC2\xA0\xC2\x80");  // a surrogate
 }
