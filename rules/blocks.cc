@@ -121,12 +121,14 @@ bool may_end_at(const Program& p, const Block& block, StatementId line) {
   return std::ranges::none_of(p.parts[block.parent], [&](StatementId part) { return part > block.opener && part < line; });
 }
 
-/// Whether a block of the line's label is open around the sub in which the line is: to skip it leads into the sub.
-bool open_around(const Program& p, StatementId line) {
-  if (p.at(line).label == kNoName) return false;
-  return std::ranges::any_of(p.by_label[p.at(line).label], [&](StatementId at) {
+/// The opener of a block of the line's label that is open around the sub in which the line is: to skip that block leads into the sub.
+StatementId opened_around(const Program& p, StatementId line) {
+  if (p.at(line).label == kNoName) return kNoStatement;
+  const auto lines = p.by_label[p.at(line).label];
+  const auto found = std::ranges::find_if(lines, [&](StatementId at) {
     return at < line && opens_block(p.at(at).keyword) && p.region_of[at] != p.region_of[line] && (p.block_of[at] == kNoBlock || p.blocks[p.block_of[at]].end == kNoStatement);
   });
+  return found == lines.end() ? kNoStatement : *found;
 }
 
 /// Whether lines with the block's label follow, which would then be without it.
@@ -172,9 +174,14 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
       relate(f, p, block->opener, "`" + p.head_of(*block) + "` is open here");
       const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
       f.help = "write `" + right + "`";
+      if (const StatementId around = opened_around(p, s.statement); around != kNoStatement) {
+        relate(f, p, around, "where this is skipped, `" + head + "` ends it");
+        f.help = "close `" + p.head(around) + "` before the sub begins";
+        return &f;
+      }
       // Where its label was another block's before, the end would be that one's.
       const bool shared = std::ranges::any_of(in.index.shared_labels, [&](const auto& pair) { return pair.second == block->opener; });
-      if (shared || block->crossed != kNoBlock || !may_end_at(p, *block, s.statement) || open_around(p, s.statement)) return &f;
+      if (shared || block->crossed != kNoBlock || !may_end_at(p, *block, s.statement)) return &f;
       if (block->label != line.label) {
         f.fixes.push_back({"write `" + right + "`", !comes_again(p, *block, s.statement), {{line.head_span(), right}}, true});
       } else if (block->kind != Keyword::kDo) {
