@@ -19,7 +19,9 @@ void check(const Input& in, Reporter& out) {
              b.opener < p.blocks[p.block_of[h.statement]].end;
     };
     if (s.is(Keyword::kDo) && std::ranges::any_of(p.blocks, nested)) continue;
-    Finding& f = out.add(s.head_span(), "no run leaves the loop that begins with `" + p.head(h.statement) + "`");
+    const std::string who = h.not_always ? "a run may never leave" : "no run leaves";
+    Finding& f = out.add(s.head_span(), who + " the loop that begins with `" + p.head(h.statement) + "`");
+    f.unproven = h.not_always;
     const BlockId block = p.block_of[h.statement];
     if (block != kNoBlock && p.blocks[block].end != kNoStatement) relate(f, p, p.blocks[block].end, "it goes back from here");
     f.help = "change in the loop what its condition tests, or leave it with `break`";

@@ -190,7 +190,7 @@ ContextId Analysis::context_for(const Context& callee, const State& entry, bool*
   const auto key = std::make_tuple(callee.sub, callee.depth, callee.fanuc, callee.passed, key_state.hash());
   *merged = false;
   if (const auto found = contexts_.find(key); found != contexts_.end()) return found->second;
-  auto& [count, shared] = context_counts_.try_emplace({callee.sub, callee.depth, callee.fanuc}, 0, 0).first->second;
+  auto& [count, shared] = context_counts_.try_emplace({callee.sub, callee.depth, callee.fanuc, callee.passed}, 0, 0).first->second;
   if (count >= patience().contexts) {
     *merged = true;
     if (shared != 0) return shared;

@@ -155,6 +155,7 @@ class Analysis final : public Listener {
   bool recursion_comes_back(ContextId context) const;
   StopKind why_not_found(NameId sub, StatementId call) const;
   void endless_loops();
+  std::vector<uint32_t> passed_well() const;
   void idle_loops();
   Group& group_at(const State& state);
 
@@ -172,7 +173,7 @@ class Analysis final : public Listener {
   std::unordered_map<ContextId, std::vector<const Group*>> seeking_;  // groups that seek a sub, by call; made at the end
   std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
   std::pmr::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_{&memory_};
-  std::pmr::map<std::tuple<NameId, int, bool>, std::pair<size_t, ContextId>> context_counts_{&memory_};
+  std::pmr::map<std::tuple<NameId, int, bool, int>, std::pair<size_t, ContextId>> context_counts_{&memory_};
   std::priority_queue<Pending> queue_;
   std::vector<State> waiting_;
   std::vector<uint32_t> free_;

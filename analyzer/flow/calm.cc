@@ -74,6 +74,13 @@ class CalmBuilder {
   }
 
  private:
+  struct Branches {
+    size_t undo;    ///< size of `undo_` where the branch began
+    size_t in_all;  ///< size of `in_all_` where the block began
+    bool first = true;
+    bool has_else = false;
+  };
+
   void find_definitions() {
     std::vector<bool> defined(program_.syntax.names.size());
     defined_again_.resize(defined.size());
@@ -136,9 +143,26 @@ class CalmBuilder {
     out_.writes_.push_back({p, certain});
   }
 
-  /// What was assigned in a branch is not certain any more behind it.
+  /// What was assigned in a branch is not certain any more behind it, unless all of them assign it.
   void leave_branch() {
-    for (; undo_.size() > branches_.back(); undo_.pop_back()) assigned_[undo_.back()] = 0;
+    Branches& open = branches_.back();
+    if (open.first) {
+      in_all_.insert(in_all_.end(), undo_.begin() + static_cast<std::ptrdiff_t>(open.undo), undo_.end());
+    } else {
+      const auto kept = std::remove_if(in_all_.begin() + static_cast<std::ptrdiff_t>(open.in_all), in_all_.end(), [&](ParameterId p) { return assigned_[p] != stretch_; });
+      in_all_.erase(kept, in_all_.end());
+    }
+    open.first = false;
+    for (; undo_.size() > open.undo; undo_.pop_back()) assigned_[undo_.back()] = 0;
+  }
+
+  void leave_block() {
+    leave_branch();
+    const Branches left = branches_.back();
+    branches_.pop_back();
+    const auto first = in_all_.begin() + static_cast<std::ptrdiff_t>(left.in_all);
+    if (left.has_else) std::for_each(first, in_all_.end(), [&](ParameterId p) { note_write(p, branches_.empty()); });
+    in_all_.erase(first, in_all_.end());
   }
 
   void end_lists(CalmStretch& stretch) const {
@@ -161,6 +185,7 @@ class CalmBuilder {
     ++stretch_;
     undo_.clear();
     branches_.clear();
+    in_all_.clear();
     for (StatementId id = first; id < last; ++id) {
       const Statement& s = program_.at(id);
       if (s.kind == LineKind::kWords) {
@@ -194,14 +219,15 @@ class CalmBuilder {
   void note_block(StatementId id, CalmStretch* stretch) {
     const Statement& s = program_.at(id);
     const Block& block = program_.blocks[program_.block_of[id]];
+    if (block.kind == Keyword::kDo) return;  // it runs at least once, as if it were no block
     if (s.is(Keyword::kElse) || s.is(Keyword::kElseif)) leave_branch();
+    if (s.is(Keyword::kElse)) branches_.back().has_else = true;
     if (s.is(Keyword::kElseif)) note_reads(program_.syntax.values[s.first]);
     if (s.is(Keyword::kIf)) stretch->tests = true;
     if (block.opener == id) {
-      branches_.push_back(undo_.size());
+      branches_.push_back({undo_.size(), in_all_.size()});
     } else if (block.end == id) {
-      leave_branch();
-      branches_.pop_back();
+      leave_block();
     }
   }
 
@@ -306,7 +332,8 @@ class CalmBuilder {
   Marks read_, written_;            // by parameter: the last stretch that reads, writes it
   Marks assigned_;                  // the same: assigned on every way to the line that is looked at
   std::vector<ParameterId> undo_;   // in the order in which they were assigned
-  std::vector<size_t> branches_;    // size of `undo_` where each open branch began
+  std::vector<Branches> branches_;  // of the open blocks
+  std::vector<ParameterId> in_all_;  // by open block: what all its branches so far assign
   std::vector<bool> defined_again_;  // by name: there are several definitions
   std::vector<CalmSub> subs_;       // by region
   std::vector<ParameterId> sub_reads_;

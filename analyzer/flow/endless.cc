@@ -1,10 +1,22 @@
 // Loops without an end: those that no run leaves, and under FEATURE 0x20 ways round that an error which became a message makes.
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "analyzer/flow/analysis.h"
 
 namespace owlint::flow {
+
+/// By statement: how many before it some run passes, executing them, that comes to an end.
+std::vector<uint32_t> Analysis::passed_well() const {
+  std::vector<uint32_t> out(program_.size() + 1);
+  for (RecordId id = 0; id < trace_->size(); ++id) {
+    const Trace::Record& record = trace_->at(id);
+    if (record.statement != kNoStatement && record.executed && !trace_->hanging()[id]) out[record.statement + 1] = 1;
+  }
+  std::partial_sum(out.begin(), out.end(), out.begin());
+  return out;
+}
 
 /// Loops that no run leaves: nothing leads out of their way round, and no end is on it. A loop inside one of them that ends is
 /// left for the rest of the outer one: it shows when the way back to the beginning of the outer one is taken away.
@@ -13,6 +25,14 @@ void Analysis::endless_loops() {
   if (std::ranges::find(hanging, true) == hanging.end()) return;
   constexpr int kMaxNesting = 64;
   std::vector<bool> found(program_.size());  // by statement: the opener of such a loop
+  const std::vector<uint32_t> passed = passed_well();
+  const auto is_left = [&](StatementId loop) {
+    const BlockId block = program_.block_of[loop];
+    if (block == kNoBlock || program_.blocks[block].end == kNoStatement) return false;
+    // Of a `while` whose condition is false at once, the two ends are passed.
+    const StatementId last = program_.blocks[block].end + (program_.at(loop).is(Keyword::kDo) ? 1 : 0);
+    return last > loop + 1 && passed[last] != passed[loop + 1];
+  };
   const auto goes_back = [&](RecordId from, RecordId to) {
     const StatementId target = trace_->at(to).statement;
     const StatementId source = trace_->at(from).statement;
@@ -33,7 +53,7 @@ void Analysis::endless_loops() {
       if (loop == kNoStatement) continue;
       grew = found[loop] = true;
       hazards_.emplace(std::make_tuple(HazardKind::kEndlessLoop, loop, kNoStatement, 0U),
-                       Hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}});
+                       Hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}, is_left(loop)});
     }
     if (!grew) return;
   }

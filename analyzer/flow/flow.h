@@ -60,6 +60,7 @@ struct Hazard {
   std::string interpreter;
   Elsewhere other_elsewhere;             ///< instead of `other`, in another file
   std::string detail;                    ///< the number of passes that a `repeat` is given
+  bool not_always = false;               ///< other runs get through the same lines well
 };
 
 struct FlowStatistics {
