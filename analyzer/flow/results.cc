@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "analyzer/flow/analysis.h"
+#include "analyzer/flow/optional_arguments.h"
 
 namespace owlint::flow {
 
@@ -214,7 +215,10 @@ void Analysis::finish() {
   idle_loops();
   const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
   if (!hangs) endless_loops();  // one mistake, one finding
+  std::optional<OptionalArguments> optional;
   for (const auto& [context, number, read] : not_passed_) {
+    if (!optional) optional.emplace(program_);
+    if (optional->copies(read, number)) continue;
     for (const Caller& caller : frames_[context].callers) {
       const StatementId call = caller.state.position;
       if (program_.at(call).value_count >= number) continue;
