@@ -1,6 +1,7 @@
 #include <algorithm>
-#include <string>
 #include <map>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -86,9 +87,10 @@ void write_text(std::ostream& out, const FileReport& file, const ReportStyle& st
                        c.reset, tint, severity_text(f.severity), c.reset, c.bold, printable(f.message), c.reset, c.dim,
                        f.code, f.rule, c.reset);
     write_snippet(out, source, f.span, '^', "", tint, c);
+    const Source* shown = &source;
     for (const Related& related : f.related) {
       const Source& place = related.source == nullptr ? source : *related.source;
-      if (&place != &source) out << fmt::format("{}  in {}:{}\n", c.dim, shown_path(place, style), c.reset);
+      if (&place != std::exchange(shown, &place)) out << fmt::format("{}  in {}:{}\n", c.dim, shown_path(place, style), c.reset);
       write_snippet(out, place, related.span, '-', printable(related.message), c.blue, c);
     }
     const auto line = [&](std::string_view label, std::string_view words) {
