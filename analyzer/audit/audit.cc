@@ -58,8 +58,9 @@ class Run {
     cli::Walk found = cli::walk(roots, options);
     out_.problems = std::move(found.problems);
     for (const std::string& folder : found.empty) out_.notes.push_back("no programs in " + folder);
-    std::ranges::sort(found.files, {}, &cli::WalkedFile::path);
+    if (roots.size() > 1) std::ranges::stable_sort(found.files, {}, &cli::WalkedFile::path);
     cli::Configuration configuration(job_.line);
+    configuration.know_without_ini(found.without_ini);
     std::string last_error;
     std::set<const MachineSetup*> machines;
     std::shared_ptr<const cli::Settings> last;

@@ -80,6 +80,8 @@ class Check {
     for (const std::string& problem : found.problems) trouble(problem);
     for (const std::string& folder : found.empty) complain("no programs in " + folder + " (*.ngc *.nc *.tap *.cnc *.gcode)");
     for (WalkedFile& file : found.files) files_.push_back(std::move(file.path));
+    without_ini_ = std::move(found.without_ini);
+    configuration_.know_without_ini(without_ini_);
     if (const auto input = std::ranges::find(files_, "-"); input != files_.end()) {
       *input = line_.stdin_filename;
       stdin_ = Source::own(line_.stdin_filename, std::string{std::istreambuf_iterator<char>(std::cin), {}});
@@ -246,6 +248,7 @@ class Check {
   }
 
   const CommandLine& line_;
+  std::unordered_set<std::string> without_ini_;
   Configuration configuration_;
   Severity fail_on_{};
   int status_ = kClean;

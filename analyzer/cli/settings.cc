@@ -234,30 +234,37 @@ bool is_machine_ini(const fs::path& path) {
 
 }  // namespace
 
+/// The INIs of machines in a folder, sorted.
+std::vector<std::string> Configuration::machine_inis(const std::string& folder) const {
+  std::vector<std::string> out;
+  if (without_ini_ != nullptr && without_ini_->contains(folder)) return out;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
+    if (entry->path().extension() == ".ini" && is_machine_ini(entry->path())) out.push_back(entry->path().string());
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
 /// The one machine INI in the nearest folder above a program that has any.
 std::string Configuration::ini_above(const std::string& program) {
-  std::error_code ignored;
-  const fs::path start = fs::absolute(program, ignored).lexically_normal().parent_path();
   std::vector<std::string> passed;
   std::string found;
-  for (fs::path folder = start;; folder = folder.parent_path()) {
-    if (const auto known = inis_above_.find(folder.string()); known != inis_above_.end()) {
+  for (std::string folder(folder_of(file_key(program)));; folder = folder_of(folder)) {
+    if (const auto known = inis_above_.find(folder); known != inis_above_.end()) {
       found = known->second;
       break;
     }
-    passed.push_back(folder.string());
-    std::vector<std::string> candidates;
-    for (fs::directory_iterator entry(folder, ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
-      if (entry->path().extension() == ".ini" && is_machine_ini(entry->path())) candidates.push_back(entry->path().string());
-    }
-    std::ranges::sort(candidates);
+    passed.push_back(folder);
+    const std::vector<std::string> candidates = machine_inis(folder);
     if (candidates.size() == 1) {
       found = candidates[0];
+      std::error_code ignored;
       notes_.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", fs::proximate(found, ignored).string()));
     } else if (candidates.size() > 1) {
-      notes_.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", candidates.size(), folder.string()));
+      notes_.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", candidates.size(), folder));
     }
-    if (!candidates.empty() || folder == folder.parent_path()) break;
+    if (!candidates.empty() || folder == "/") break;
   }
   for (const std::string& folder : passed) inis_above_[folder] = found;
   return found;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "analyzer/cli/walk.h"
@@ -55,6 +56,8 @@ class Configuration {
  public:
   explicit Configuration(const CommandLine& line) : line_(line) {}
 
+  /// Folders that are known to have no *.ini, by their file_key: they are not read again. Must outlive this.
+  void know_without_ini(const std::unordered_set<std::string>& folders) { without_ini_ = &folders; }
   /// From now on, settings_for() tells where settings come from.
   void tell_origins() { tells_origins_ = true; }
   /// Reads one configuration file; false and a message where it is wrong.
@@ -74,11 +77,13 @@ class Configuration {
   const File* load(const std::string& path, std::string* error);
   const File* nearest(const std::string& program, std::string* error);
   bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
+  std::vector<std::string> machine_inis(const std::string& folder) const;
   std::string ini_above(const std::string& program);
 
   const CommandLine& line_;
   std::string told(const std::string& path) const;
 
+  const std::unordered_set<std::string>* without_ini_ = nullptr;
   bool tells_origins_ = false;
   std::string last_folder_;
   std::shared_ptr<const Settings> last_shared_;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace owlint::cli {
@@ -24,6 +25,7 @@ struct Walk {
   std::vector<WalkedFile> files;      ///< in the order in which they are reported; each once
   std::vector<std::string> problems;  ///< messages for people, about paths that cannot be read
   std::vector<std::string> empty;     ///< folders without programs
+  std::unordered_set<std::string> without_ini;  ///< folders that were read and have no *.ini, by their file_key
 };
 
 /// Files are taken whatever their name; folders are searched for *.ngc *.nc *.tap *.cnc *.gcode in any case, sorted,

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How long an audit takes: of LinuxCNC's programs and sample configurations, and of made-up ones.
+"""How long an audit takes: of LinuxCNC's programs and sample configurations, and of these with made-up ones beside them.
 
 usage: bench.py --owlint build/release/owlint [--files N]
 
@@ -52,9 +52,9 @@ def test(options, folder):
     shop, store = folder + "/shop", folder + "/shop.db"
     make_shop(shop, options.files, motion=100)
     time.sleep(2.1)
-    measure(options.owlint, store, "made up", shop)
+    measure(options.owlint, store, "with made-up ones", *there, shop)
     write("%s/subs/shared1.ngc" % shop, sub_text(1) + "(changed)\n")
-    third = timed(audit(options.owlint, store, shop))
+    third = timed(audit(options.owlint, store, *there, shop))
     analysed = last_run(store)["analysed"]
     check(analysed == callers(options.files, 1), "%d are analysed, not the callers" % analysed)
     print("after one of %d shared subs has changed: %d analysed, which are it and its callers, %.2f s" % (SUBS, analysed, third))
