@@ -1,6 +1,8 @@
 #include "rules/blocks.h"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_map>
 
 namespace owlint::rules {
 namespace {
@@ -121,14 +123,14 @@ bool may_end_at(const Program& p, const Block& block, StatementId line) {
   return std::ranges::none_of(p.parts[block.parent], [&](StatementId part) { return part > block.opener && part < line; });
 }
 
-/// The opener of a block of the line's label that is open around the sub in which the line is: to skip that block leads into the sub.
-StatementId opened_around(const Program& p, StatementId line) {
-  if (p.at(line).label == kNoName) return kNoStatement;
-  const auto lines = p.by_label[p.at(line).label];
-  const auto found = std::ranges::find_if(lines, [&](StatementId at) {
-    return at < line && opens_block(p.at(at).keyword) && p.region_of[at] != p.region_of[line] && (p.block_of[at] == kNoBlock || p.blocks[p.block_of[at]].end == kNoStatement);
-  });
-  return found == lines.end() ? kNoStatement : *found;
+/// By label: the first block outside all subs that nothing closes. To skip it can lead into a sub.
+std::unordered_map<NameId, StatementId> unclosed_in_main(const Program& p) {
+  std::unordered_map<NameId, StatementId> out;
+  for (const Block& block : p.blocks) {
+    if (block.region != kMainRegion) break;
+    if (block.end == kNoStatement && block.label != kNoName) out.try_emplace(block.label, block.opener);
+  }
+  return out;
 }
 
 /// Whether lines with the block's label follow, which would then be without it.
@@ -164,6 +166,7 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
 
 void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::string_view openers) {
   const Program& p = in.program;
+  std::optional<std::unordered_map<NameId, StatementId>> around;
   const auto report = [&](const FlowStop& s) -> Finding* {
     const Statement& line = p.at(s.statement);
     const std::string head = p.head(s.statement);
@@ -174,9 +177,11 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
       relate(f, p, block->opener, "`" + p.head_of(*block) + "` is open here");
       const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
       f.help = "write `" + right + "`";
-      if (const StatementId around = opened_around(p, s.statement); around != kNoStatement) {
-        relate(f, p, around, "where this is skipped, `" + head + "` ends it");
-        f.help = "close `" + p.head(around) + "` before the sub begins";
+      if (!around) around = unclosed_in_main(p);
+      const auto unclosed = around->find(line.label);
+      if (block->region != kMainRegion && unclosed != around->end() && unclosed->second < s.statement) {
+        relate(f, p, unclosed->second, "where this is skipped, `" + head + "` ends it");
+        f.help = "close `" + p.head(unclosed->second) + "` before the sub begins";
         return &f;
       }
       // Where its label was another block's before, the end would be that one's.

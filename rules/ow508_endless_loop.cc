@@ -41,7 +41,9 @@ extern const Rule kOw508{
     .page = {
         .what = R"(A `while` or `do` whose condition does not change in its body and that has no `break`, `return` or
 program end inside: the counter is never counted, another one is, or the condition is constant. A
-second `endwhile` or `endrepeat` for a loop that is already closed has the same effect.)",
+second `endwhile` or `endrepeat` for a loop that is already closed has the same effect.
+
+Where some runs leave the loop and others never do, it is a warning.)",
         .why = R"(LinuxCNC says nothing. If there are moves in the loop the machine repeats them until it is stopped
 by hand; if there are none the screen stands still, and the preview of the program does not finish
 loading.
