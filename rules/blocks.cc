@@ -133,10 +133,16 @@ std::unordered_map<NameId, StatementId> unclosed_in_main(const Program& p) {
   return out;
 }
 
-/// Whether lines with the block's label follow, which would then be without it.
+/// Whether lines with the block's label follow, which would then be without it; also where that takes long to find out.
 bool comes_again(const Program& p, const Block& block, StatementId line) {
+  constexpr size_t kHorizon = 4096;
+  const StatementId last = p.regions[block.region].last;
   const auto lines = p.by_label[block.label];
-  return std::ranges::any_of(std::ranges::upper_bound(lines, line), lines.end(), [&](StatementId at) { return p.region_of[at] == block.region; });
+  const auto from = std::ranges::upper_bound(lines, line);
+  for (auto at = from; at != lines.end() && *at < last; ++at) {
+    if (p.region_of[*at] == block.region || static_cast<size_t>(at - from) == kHorizon) return true;
+  }
+  return false;
 }
 
 /// A branch or a jump whose label no open block has: the innermost block around it that has such lines is probably meant.
