@@ -2,46 +2,37 @@
 // Rests on: a call sets #1 to #30, and those without a value are 0, although the documentation
 // says they keep the caller's value.
 #include <map>
-#include <vector>
 
+#include "rules/parameters.h"
 #include "rules/stops.h"
 
 namespace owlint::rules {
 namespace {
 
-/// `#4`, or `#4`, `#5` and `#6`.
-std::string listed(const std::vector<const Hazard*>& reads) {
-  std::string out;
-  for (size_t i = 0; i < reads.size(); ++i) out += (i == 0 ? "`#" : i + 1 == reads.size() ? " and `#" : ", `#") + std::to_string(reads[i]->number) + "`";
-  return out;
-}
+using Reads = std::map<uint32_t, const Hazard*>;  // the first read of each argument, by its number
 
-/// One finding for a call, however many arguments it lacks. `reads` has the first read of each, by number.
-void report(const Input& in, Reporter& out, const std::vector<const Hazard*>& reads) {
-  const Hazard& first = *reads.front();
-  const Statement& call = in.program.at(first.statement);
+/// One finding for a call, however many arguments it lacks.
+void report(const Input& in, Reporter& out, StatementId id, const Reads& reads) {
+  const auto& [number, first] = *reads.begin();
+  const Statement& call = in.program.at(id);
   const bool one = reads.size() == 1;
-  const std::string passes = "`" + in.program.head(first.statement) + "` passes " + std::to_string(call.value_count) + (call.value_count == 1 ? " argument" : " arguments");
-  const std::string where = line_words(in, place_of(in, first.other, first.other_elsewhere));
-  Finding& f = out.add(call.head_span(), passes + ", but the sub reads " + listed(reads) + (one ? " on " : ", first on ") + where + (one ? ": it is 0 there" : ": they are 0 there"));
-  for (const Hazard* read : reads) relate(in, f, place_of(in, read->other, read->other_elsewhere), "`#" + std::to_string(read->number) + "` is read here");
-  f.help = one ? "pass a " + ordinal(first.number) + " argument, or set `#" + std::to_string(first.number) + "` in the sub before it is read"
-               : "pass " + std::to_string(reads.back()->number) + " arguments, or set these in the sub before they are read";
-  f.reach = first.reach;
+  uint32_t bits = 0;
+  for (const auto& [n, read] : reads) bits |= 1U << n;
+  const std::string passes = "`" + in.program.head(id) + "` passes " + std::to_string(call.value_count) + (call.value_count == 1 ? " argument" : " arguments");
+  const std::string where = line_words(in, place_of(in, first->other, first->other_elsewhere));
+  Finding& f = out.add(call.head_span(), passes + ", but the sub reads " + argument_words(bits) + (one ? " on " : ", first on ") + where + (one ? ": it is 0 there" : ": they are 0 there"));
+  for (const auto& [n, read] : reads) relate(in, f, place_of(in, read->other, read->other_elsewhere), "`#" + std::to_string(n) + "` is read here");
+  f.help = one ? "pass a " + ordinal(number) + " argument, or set `#" + std::to_string(number) + "` in the sub before it is read"
+               : "pass " + std::to_string(reads.rbegin()->first) + " arguments, or set these in the sub before they are read";
+  f.reach = first->reach;
 }
 
 void check(const Input& in, Reporter& out) {
-  std::map<std::pair<StatementId, uint32_t>, const Hazard*> reads;  // by call and number
+  std::map<StatementId, Reads> calls;
   for (const Hazard& h : in.flow.hazards) {
-    if (h.kind == HazardKind::kArgumentNotPassed) reads.try_emplace({h.statement, h.number}, &h);
+    if (h.kind == HazardKind::kArgumentNotPassed) calls[h.statement].try_emplace(h.number, &h);
   }
-  std::vector<const Hazard*> of_call;
-  for (auto at = reads.begin(); at != reads.end(); ++at) {
-    of_call.push_back(at->second);
-    if (const auto next = std::next(at); next != reads.end() && next->first.first == at->first.first) continue;
-    report(in, out, of_call);
-    of_call.clear();
-  }
+  for (const auto& [call, reads] : calls) report(in, out, call, reads);
 }
 
 }  // namespace

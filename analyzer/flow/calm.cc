@@ -259,7 +259,7 @@ class CalmBuilder {
   }
 
   static bool is_local(const Program& program, ParameterId p) {
-    return p.named ? !program.name(p.id).starts_with("_") : p.id < static_cast<uint32_t>(kFirstGlobalNumber);
+    return p.named ? !is_global_name(program.name(p.id)) : p.id < static_cast<uint32_t>(kFirstGlobalNumber);
   }
 
   /// Whether passing over a definition does nothing but define the sub.

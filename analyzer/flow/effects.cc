@@ -18,7 +18,7 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = program.syntax.items[s.first + i];
     if (item.target_name != kNoName) {
-      if (program.name(item.target_name).starts_with("_")) effects.globals.insert(kGlobalNames + item.target_name);
+      if (is_global_name(program.name(item.target_name))) effects.globals.insert(kGlobalNames + item.target_name);
       continue;
     }
     if (item.target == kNoExpr) continue;

@@ -245,7 +245,7 @@ void Analysis::finish() {
       // But nobody assigns what looks like an entry of the INI or is LinuxCNC's own in another version.
       const NameId name = program_.syntax.names.find(key.detail);
       const bool never = name != kNoName && may_be_predefined(key.detail) && machine_.evaluator().kind(name) == NameKind::kGlobal && !machine_.evaluator().assigned(name);
-      const bool from_elsewhere = key.detail.starts_with("_") && !never;
+      const bool from_elsewhere = is_global_name(key.detail) && !never;
       if (!told || from_elsewhere) stop.unproven = true;
     }
     if (stop.path.size() > kToldDecisions) stop.path.erase(stop.path.begin(), stop.path.end() - kToldDecisions);
