@@ -126,8 +126,8 @@ TEST_CASE("very many subs and calls", "[hostile]") {
   CHECK(codes("many calls of nothing", repeat(n, [](int i) { return fmt::format("o{} call\n", i); }) + "M2\n") == "OW208");
   CHECK(codes("many nested subs", repeat(n, [](int i) { return fmt::format("o{} sub\n", i); }) + "M2\n").find("OW202") != std::string::npos);
   CHECK(codes("a chain of many calls", repeat(n, [](int i) { return fmt::format("o{} sub\no{} call\no{} endsub\n", i, i + 1, i); }) + "o1 call\nM2\n").find("OW210") != std::string::npos);
-  CHECK(codes("many wrong ends with the same labels", repeat(n, [](int i) { return fmt::format("o{0} sub\no1 if [#1]\no2 endif\no{0} endsub\n", i + 10); }) +
-                                                         repeat(n, [](int i) { return fmt::format("o{} call [1]\n", i + 10); }) + "M2\n") == "OW104 OW106");
+  CHECK(codes("many wrong ends with the same labels", repeat(n, [](int i) { return fmt::format("o{0} sub\no1 if [#5070]\no2 endif\no{0} endsub\n", i + 10); }) +
+                                                         repeat(n, [](int i) { return fmt::format("o{} call\n", i + 10); }) + "M2\n") == "OW104 OW106");
   CHECK(codes("many redefinitions", lines(n, "o1 sub\no1 endsub\n") + "M2\n") == "OW201");
 }
 
