@@ -134,7 +134,9 @@ TEST_CASE("a file given twice is checked once", "[cli]") {
 }
 
 TEST_CASE("a binary file is a program that stops", "[cli]") {
-  const Run r = run({"--isolated", "--format", "json", OWLINT_PROGRAM});
+  const Scratch s;
+  const std::string binary = s.write("binary.ngc", read_file(OWLINT_PROGRAM).substr(0, 1 << 20));
+  const Run r = run({"--isolated", "--format", "json", binary});
   CHECK(r.status == 1);
   CHECK(nlohmann::json::parse(r.out)["summary"]["errors"].get<int>() >= 1);
 }
