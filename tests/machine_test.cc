@@ -99,6 +99,32 @@ TEST_CASE("a finding in a called file is told once, with the calls that lead to 
   }
 }
 
+TEST_CASE("a file is named as it was given, whichever way a call found it first", "[machine]") {
+  const Scratch folder;
+  write_machine(folder);
+  const std::string absolute = folder.path() + "/";
+  for (const std::string& programs : {std::string(), absolute}) {
+    for (const std::string& subs : {std::string(), absolute}) {
+      // With one job the program comes first, and with it the call.
+      const std::string both = " --jobs 1 " + programs + "programs " + subs + "subs";
+      CHECK(contains(check(folder, "--isolated --format jsonl" + both).out, "\"path\":\"" + subs + "subs/bad.ngc\""));
+      CHECK(contains(check(folder, "--isolated --add-suppressions --reason known" + both).err, "silenced 1 finding\n"));
+      write_machine(folder);
+    }
+  }
+}
+
+TEST_CASE("called files and the INI of a program with an absolute path have absolute paths", "[machine]") {
+  const Scratch folder;
+  const Scratch elsewhere;
+  write_machine(folder);
+  const Run run = check(elsewhere, "--isolated --format gcc " + folder.path() + "/programs");
+  CHECK(run.status == 1);
+  CHECK(contains(run.out, folder.path() + "/subs/bad.ngc:2:"));
+  CHECK(contains(run.err, "using the machine INI " + folder.path() + "/machine.ini"));
+  CHECK_FALSE(contains(run.out + run.err, ".."));
+}
+
 TEST_CASE("files that others call are no programs", "[machine]") {
   const Scratch folder;
   folder.write("machine.ini", kIni + "REMAP = M410 modalgroup=10 ngc=remapped\n[HALUI]\nMDI_COMMAND = o<button> call [1]\n");

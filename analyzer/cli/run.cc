@@ -123,6 +123,7 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
                      Library& library, const std::set<std::string>& called_elsewhere,
                      const std::function<void(size_t done)>& checked) {
+  library.name_files(files);
   std::vector<std::string> errors(files.size());
   const std::set<std::string> by_machines = called_by_machines(settings);
   std::vector<Checked> all(files.size());

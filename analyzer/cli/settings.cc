@@ -259,8 +259,7 @@ std::string Configuration::ini_above(const std::string& program) {
     const std::vector<std::string> candidates = machine_inis(folder);
     if (candidates.size() == 1) {
       found = candidates[0];
-      std::error_code ignored;
-      notes_.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", fs::proximate(found, ignored).string()));
+      notes_.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", told(found, program)));
     } else if (candidates.size() > 1) {
       notes_.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", candidates.size(), folder));
     }
@@ -270,10 +269,9 @@ std::string Configuration::ini_above(const std::string& program) {
   return found;
 }
 
-/// A path for findings and messages.
-std::string Configuration::told(const std::string& path) const {
+std::string Configuration::told(const std::string& path, const std::string& program) const {
   std::error_code ignored;
-  return line_.absolute ? file_key(path) : fs::proximate(path, ignored).string();
+  return line_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
 }
 
 std::shared_ptr<const Settings> Configuration::shared_settings(const std::string& path, std::string* error) {
@@ -312,15 +310,14 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   };
   const auto line_of = [&](std::string_view key) { return fmt::format("{}:{}", file->path, file->lines.find(key)->second); };
   std::optional<std::string> ini = line_.ini;
-  if (ini && line_.absolute) ini = told(*ini);
+  if (ini && line_.absolute) ini = file_key(*ini);
   if (ini) note("ini", *ini, "command line");
   std::optional<std::string> version = line_.linuxcnc;
   Profile& profile = settings->profile;
   LintOptions& options = settings->options;
   if (file != nullptr) {
     if (!ini && file->ini) {
-      // Relative, so that the paths of called files are as short as those of the programs.
-      ini = told((fs::path(file->folder) / *file->ini).string());
+      ini = told((fs::path(file->folder) / *file->ini).string(), path);
       note("ini", *ini, line_of("ini"));
     }
     if (!version && file->linuxcnc) {
@@ -362,7 +359,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   }
   if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
     if (const std::string above = ini_above(path); !above.empty()) {
-      ini = told(above);
+      ini = told(above, path);
       note("ini", *ini, "found above the program");
     }
   }

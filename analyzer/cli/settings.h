@@ -79,10 +79,10 @@ class Configuration {
   bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
   std::vector<std::string> machine_inis(const std::string& folder) const;
   std::string ini_above(const std::string& program);
+  /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
+  std::string told(const std::string& path, const std::string& program) const;
 
   const CommandLine& line_;
-  std::string told(const std::string& path) const;
-
   const std::unordered_set<std::string>* without_ini_ = nullptr;
   bool tells_origins_ = false;
   std::string last_folder_;

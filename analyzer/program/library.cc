@@ -2,15 +2,25 @@
 
 namespace owlint {
 
+void Library::name_files(const std::vector<std::string>& paths) {
+  const std::lock_guard lock(mutex_);
+  for (const std::string& path : paths) names_.emplace(file_key(path), path);
+}
+
 void Library::forget(const std::string& path) {
   const std::lock_guard lock(mutex_);
   slots_.erase(file_key(path));
 }
 
 std::shared_ptr<Library::Slot> Library::slot(const std::string& path, bool for_call) {
+  const std::string key = file_key(path);
   const std::lock_guard lock(mutex_);
-  auto& entry = slots_[file_key(path)];
-  if (entry == nullptr) entry = std::make_shared<Slot>();
+  auto& entry = slots_[key];
+  if (entry == nullptr) {
+    entry = std::make_shared<Slot>();
+    const auto named = names_.find(key);
+    entry->path = named == names_.end() ? path : named->second;
+  }
   if (for_call) {
     ++uses_;
     if (!entry->called) ++called_;
@@ -24,8 +34,8 @@ std::shared_ptr<const Program> Library::load_called(const std::string& path) {
   std::call_once(entry->once, [&] {
     ++parsed_;
     std::string error;
-    auto source = open_(path, &error);
-    if (source == nullptr) source = Source::own(path, "");
+    auto source = open_(entry->path, &error);
+    if (source == nullptr) source = Source::own(entry->path, "");
     entry->program = build_program(std::move(source));
   });
   return entry->program;

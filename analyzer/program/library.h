@@ -7,6 +7,8 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <unordered_map>
+#include <vector>
 
 #include "analyzer/machine/search_path.h"
 #include "analyzer/program/program.h"
@@ -20,10 +22,12 @@ class Library {
   /// `open` reads files; an editor gives its unsaved buffers instead.
   explicit Library(Open open = Source::map) : open_(std::move(open)) {}
 
+  /// The files that a run checks. Whichever way a call finds one, it is named so in findings.
+  void name_files(const std::vector<std::string>& paths);
   /// A file has changed: it is read anew when it is asked for.
   void forget(const std::string& path);
 
-  /// The program in the file that a call found; an empty one, named `path`, where there is nothing that LinuxCNC could
+  /// The program in the file that a call found; an empty one where there is nothing that LinuxCNC could
   /// read (a folder, a device, a file that has vanished). Never null.
   std::shared_ptr<const Program> load_called(const std::string& path);
   /// The program in a file that is checked itself. It is kept if others may call it, which they can when it defines
@@ -41,12 +45,14 @@ class Library {
  private:
   struct Slot {
     std::once_flag once;
+    std::string path;
     std::shared_ptr<const Program> program;
     bool called = false;
   };
   std::shared_ptr<Slot> slot(const std::string& path, bool for_call);
   Open open_;
   std::mutex mutex_;
+  std::unordered_map<std::string, std::string> names_;  // of the files of name_files(), by file_key()
   std::map<std::string, std::shared_ptr<Slot>> slots_;
   std::map<std::string, std::shared_ptr<const SearchPath>> folders_;
   std::atomic<size_t> parsed_ = 0;
