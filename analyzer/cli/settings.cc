@@ -259,7 +259,9 @@ std::string Configuration::ini_above(const std::string& program) {
     const std::vector<std::string> candidates = machine_inis(folder);
     if (candidates.size() == 1) {
       found = candidates[0];
-      notes_.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", told(found, program)));
+      std::error_code ignored;
+      const std::string near = fs::proximate(found, ignored).string();
+      notes_.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", near.starts_with("../") ? found : near));
     } else if (candidates.size() > 1) {
       notes_.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", candidates.size(), folder));
     }
