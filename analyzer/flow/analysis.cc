@@ -94,6 +94,17 @@ Analysis::Group& Analysis::group_at(const State& state) {
   return groups_.back();
 }
 
+/// Whether one more state is joined with others where there are `there` already. What will make an operation fail is kept
+/// apart longer: among other values the stop would not be seen.
+bool Analysis::joins(const State& state, size_t there, size_t most) {
+  if (there < most) return false;
+  if (level_ >= kCoarse || there >= 2 * most) return true;
+  const Parameters& p = state.parameters;
+  const auto [known, is_new] = failing_.try_emplace(mix(mix(p.locals.hash(), p.globals.hash()), static_cast<uint64_t>(p.outside)));
+  if (is_new) known->second = machine_.evaluator().will_fail(p);
+  return !known->second;
+}
+
 /// Takes in a state that arrives at its line. New ones are executed at once; where there are many already they are
 /// joined, and the join waits until all that arrive together are in it.
 void Analysis::arrive(State state) {
@@ -103,7 +114,8 @@ void Analysis::arrive(State state) {
     if (state.record != kNoRecord) trace_->link(state.record, known, state.branch);
     return;
   }
-  if (group.seen.size() < patience().states) return execute(std::move(state), group, hash);
+  if (group.seen.size() >= patience().states) disturb(state.context);  // which are joined depends on the whole program
+  if (!joins(state, group.seen.size(), patience().states)) return execute(std::move(state), group, hash);
   ++result_.statistics.merges;
   if (state.record != kNoRecord) group.parents.emplace_back(state.record, state.branch);
   if (group.joined == nullptr) {
@@ -191,7 +203,7 @@ ContextId Analysis::context_for(const Context& callee, const State& entry, bool*
   *merged = false;
   if (const auto found = contexts_.find(key); found != contexts_.end()) return found->second;
   auto& [count, shared] = context_counts_.try_emplace({callee.sub, callee.depth, callee.fanuc, callee.passed}, 0, 0).first->second;
-  if (count >= patience().contexts) {
+  if (joins(entry, count, patience().contexts)) {
     *merged = true;
     if (shared != 0) return shared;
   }
@@ -272,7 +284,7 @@ void Analysis::leave(const State& at) {
   State exit = at;
   exit.position = 0;
   exit.context = 0;
-  if (frame.exits.size() >= patience().states) {
+  if (joins(exit, frame.exits.size(), patience().states)) {
     ++result_.statistics.merges;
     if (frame.joined_exit == nullptr) {
       frame.joined_exit = std::make_unique<State>(exit);

@@ -1,4 +1,5 @@
 // Which parameters matter: those on which a condition, label, count, argument or value can depend. Only they are tracked.
+#include <algorithm>
 #include <utility>
 
 #include "analyzer/flow/values.h"
@@ -7,6 +8,8 @@
 
 namespace owlint::flow {
 namespace {
+
+constexpr size_t kMaxFragile = 16;  // they are all computed where states are many
 
 // Above this many tracked numbers a write to a computed number would cost too much to model.
 constexpr size_t kMaxTracked = 512;
@@ -66,13 +69,32 @@ void Evaluator::mark_what_can_fail(ExprId id) {
   if (expr.right() != kNoExpr) mark_what_can_fail(expr.right());
 }
 
+/// Keeps an operation that fails for some values of its operand.
+void Evaluator::note_fragile(ExprId id) {
+  const Expr& expr = syntax_.exprs[id];
+  double number = 0;
+  switch (expr.op) {
+    case Operator::kDivide:
+      if (literal_value(syntax_.exprs, expr.right(), &number)) return;
+      break;
+    case Operator::kParameter: case Operator::kSqrt: case Operator::kLn: case Operator::kAcos: case Operator::kAsin:
+      if (literal_value(syntax_.exprs, expr.left(), &number)) return;
+      break;
+    case Operator::kPower: break;
+    default: return;
+  }
+  if (fragile_.size() < kMaxFragile) fragile_.push_back(id);
+}
+
 void Evaluator::find_relevant() {
-  for (const Expr& expr : syntax_.exprs) {
+  for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
+    const Expr& expr = syntax_.exprs[id];
     if (expr.op == Operator::kExistsNamed) asked_for_[expr.name()] = true;
     if (expr.op == Operator::kNamed && expr.target && !kept_[expr.name()]) {
       kept_[expr.name()] = true;
       if (global_name(expr.name())) globals_.push_back(expr.name());
     }
+    note_fragile(id);
     double number = 0;
     if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) continue;
     if (number >= 1 && number < kFirstGlobalNumber) read_argument_[static_cast<size_t>(number)] = true;
@@ -110,6 +132,13 @@ void Evaluator::find_relevant() {
     tracked_numbers_.clear();
     computed_reads_ = false;
   }
+}
+
+bool Evaluator::will_fail(const Parameters& p) const {
+  return std::ranges::any_of(fragile_, [&](ExprId id) {
+    const StopKind stop = evaluate(id, p, false, false, nullptr).fails;
+    return stop == StopKind::kValueFails || stop == StopKind::kParameterRange;
+  });
 }
 
 }  // namespace owlint::flow
