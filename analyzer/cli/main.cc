@@ -1,4 +1,6 @@
 // The command line of owlint.
+#include <sys/auxv.h>
+
 #include <algorithm>
 #include <array>
 #include <exception>
@@ -150,7 +152,8 @@ std::string version_text() {
 #else
   constexpr std::string_view kCompiler = "g++ " __VERSION__;
 #endif
-  return fmt::format("owlint {}\nbuilt with {}, {}, {}; fast path: {}", owlint::kToolVersion, kCompiler, OWLINT_BUILD_TYPE, OWLINT_LINKED, owlint::bulk_variants().front().name);
+  const bool is_static = ::getauxval(AT_BASE) == 0;  // no dynamic linker was loaded
+  return fmt::format("owlint {}\nbuilt with {}, {}, linked {}; fast path: {}", owlint::kToolVersion, kCompiler, OWLINT_BUILD_TYPE, is_static ? "statically" : "dynamically", owlint::bulk_variants().front().name);
 }
 
 /// What is wrong with an option that there is not, or "". It is said first: PATH is missing only because such an option took its place.
