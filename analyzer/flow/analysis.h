@@ -29,8 +29,8 @@ struct Patience {
   size_t states;
   size_t contexts;
 };
-inline constexpr Patience kPatience[] = {{40'000, 64, 32}, {100'000, 8, 4}, {UINT64_MAX, 1, 1}};
-inline constexpr size_t kCoarse = 2;  // from this level on, constants are not told apart either
+inline constexpr Patience kPatience[] = {{10'000, 128, 256}, {40'000, 64, 32}, {100'000, 8, 4}, {UINT64_MAX, 1, 1}};
+inline constexpr size_t kCoarse = 3;  // from this level on, constants are not told apart either
 // Programs with more statements are analysed like that from the start: most of their lines would be so anyway, and what
 // has been told apart by then would have to be carried through all of them.
 inline constexpr size_t kTooLarge = 250'000;
