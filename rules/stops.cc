@@ -228,6 +228,16 @@ std::string file_name(const Source& source) {
   return path.substr(path.rfind('/') + 1);
 }
 
+/// The call in which it stops, where that is worth telling: others of the same sub may pass values for which it does not.
+StatementId telling_call(const Program& program, const FlowStop& stop) {
+  if (stop.call == kNoStatement || stop.statement == kNoStatement) return kNoStatement;
+  if (stop.kind < StopKind::kNameUndefined && program.at(stop.statement).label_expr == kNoExpr) return kNoStatement;
+  const NameId sub = program.regions[program.region_of[stop.statement]].name;
+  if (sub == kNoName) return kNoStatement;
+  const auto calls = std::ranges::count_if(program.by_label[sub], [&](StatementId id) { return program.at(id).is(Keyword::kCall); });
+  return calls > 1 ? stop.call : kNoStatement;
+}
+
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.stops = true;
   finding.reach = stop.reach;
@@ -243,6 +253,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
                             decision.program == nullptr ? nullptr : decision.program->source});
   }
   relate(in, finding, stop.call_elsewhere, "called from here");
+  relate(finding, in.program, telling_call(in.program, stop), "called from here");
   add_consequences(in, stop.statement, finding);
 }
 

@@ -63,6 +63,7 @@ TEST_CASE("other texts are as in their snapshots", "[snapshots]") {
   for (const char* format : {"grouped", "gcc", "github", "gitlab", "checkstyle", "junit", "rdjson"}) {
     snapshot(std::string("check-") + format, std::string("--isolated --quiet --format ") + format + " OW104/label-if-twice.ngc OW207/call-before-define-by-name.ngc OW104/label-if-in-loop.ngc");
   }
+  snapshot("check-call", "--isolated OW303/zero-in-one-of-many-calls.ngc");
   snapshot("check-nothing", "--isolated OW104/label-if-in-loop.ngc");
   snapshot("explain", "explain OW104");
   snapshot("explain-unknown", "explain if-label-resued");

@@ -120,13 +120,15 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
   hazards_.emplace(std::make_tuple(kind, hazard.statement, hazard.other, static_cast<uint32_t>(warned)), std::move(hazard));
 }
 
-/// The call that led to a line: into its file if it stands in a called one, else into its sub.
+/// The call that led to a line: into its file if it stands in a called one, else into its sub. None where many calls of that
+/// have been joined: it may not be the first one's.
 StatementId Analysis::call_of(ContextId context, StatementId at) const {
   StatementId call = kNoStatement;
   const uint32_t file = linked_.file_of(at);
   for (int depth = 0; depth <= kMaxCallDepth && !frames_[context].callers.empty(); ++depth) {
     const State& caller = frames_[context].callers.front().state;
     call = caller.position;
+    if (file == 0 && frames_[context].joined_entry != nullptr) return kNoStatement;
     if (file == 0 || linked_.file_of(call) != file) break;
     context = caller.context;
   }
