@@ -1,10 +1,12 @@
 #include "analyzer/program/library.h"
 
+#include <utility>
+
 namespace owlint {
 
-void Library::name_files(const std::vector<std::string>& paths) {
+void Library::name_files(std::vector<std::string> paths) {
   const std::lock_guard lock(mutex_);
-  for (const std::string& path : paths) names_.emplace(file_key(path), path);
+  unnamed_ = std::move(paths);
 }
 
 void Library::forget(const std::string& path) {
@@ -16,15 +18,16 @@ std::shared_ptr<Library::Slot> Library::slot(const std::string& path, bool for_c
   const std::string key = file_key(path);
   const std::lock_guard lock(mutex_);
   auto& entry = slots_[key];
-  if (entry == nullptr) {
-    entry = std::make_shared<Slot>();
-    const auto named = names_.find(key);
-    entry->path = named == names_.end() ? path : named->second;
-  }
+  if (entry == nullptr) entry = std::make_shared<Slot>();
   if (for_call) {
     ++uses_;
-    if (!entry->called) ++called_;
-    entry->called = true;
+    if (!entry->called) {
+      ++called_;
+      entry->called = true;
+      for (std::string& name : std::exchange(unnamed_, {})) names_[file_key(name)] = std::move(name);
+      const auto named = names_.find(key);
+      entry->path = named == names_.end() ? path : named->second;
+    }
   }
   return entry;
 }

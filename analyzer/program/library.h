@@ -23,7 +23,7 @@ class Library {
   explicit Library(Open open = Source::map) : open_(std::move(open)) {}
 
   /// The files that a run checks. Whichever way a call finds one, it is named so in findings.
-  void name_files(const std::vector<std::string>& paths);
+  void name_files(std::vector<std::string> paths);
   /// A file has changed: it is read anew when it is asked for.
   void forget(const std::string& path);
 
@@ -45,14 +45,15 @@ class Library {
  private:
   struct Slot {
     std::once_flag once;
-    std::string path;
+    std::string path;  ///< by which it is read if it is called
     std::shared_ptr<const Program> program;
     bool called = false;
   };
   std::shared_ptr<Slot> slot(const std::string& path, bool for_call);
   Open open_;
   std::mutex mutex_;
-  std::unordered_map<std::string, std::string> names_;  // of the files of name_files(), by file_key()
+  std::vector<std::string> unnamed_;  // of name_files(), as long as nothing has been called: most runs need no names
+  std::unordered_map<std::string, std::string> names_;  // then, by file_key()
   std::map<std::string, std::shared_ptr<Slot>> slots_;
   std::map<std::string, std::shared_ptr<const SearchPath>> folders_;
   std::atomic<size_t> parsed_ = 0;
