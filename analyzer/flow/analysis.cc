@@ -94,14 +94,31 @@ Analysis::Group& Analysis::group_at(const State& state) {
   return groups_.back();
 }
 
-/// Whether one more state is joined with others where there are `there` already. What will make an operation fail is kept
-/// apart longer: among other values the stop would not be seen.
-bool Analysis::joins(const State& state, size_t there, size_t most) {
+RegionId Analysis::region_at(StatementId position) const { return position < program_.size() ? program_.region_of[position] : kMainRegion; }
+
+/// The operations of a sub, or of the main program, that can fail: the first ones, for they are computed often.
+const std::vector<ExprId>& Analysis::fragile_in(RegionId region) {
+  constexpr size_t kMost = 16;
+  const auto [known, is_new] = fragile_.try_emplace(region);
+  if (is_new) {
+    const bool is_main = region == kMainRegion;
+    const StatementId first = is_main ? 0 : program_.regions[region].opener;
+    const StatementId last = is_main ? static_cast<StatementId>(program_.size()) : program_.regions[region].last;
+    for (StatementId id = first; id < last && known->second.size() < kMost; ++id) {
+      if (program_.region_of[id] == region) machine_.evaluator().note_fragile(program_.at(id), known->second);
+    }
+  }
+  return known->second;
+}
+
+/// Whether one more state is joined with others where there are `there` already. What will make an operation of `region`
+/// fail is kept apart longer: among other values the stop would not be seen.
+bool Analysis::joins(const State& state, RegionId region, size_t there, size_t most) {
   if (there < most) return false;
   if (level_ >= kCoarse || there >= 2 * most) return true;
   const Parameters& p = state.parameters;
-  const auto [known, is_new] = failing_.try_emplace(mix(mix(p.locals.hash(), p.globals.hash()), static_cast<uint64_t>(p.outside)));
-  if (is_new) known->second = machine_.evaluator().will_fail(p);
+  const auto [known, is_new] = failing_.try_emplace(mix(mix(p.locals.hash(), p.globals.hash()), static_cast<uint64_t>(region) << 1 | static_cast<uint64_t>(p.outside)));
+  if (is_new) known->second = machine_.evaluator().will_fail(fragile_in(region), p);
   return !known->second;
 }
 
@@ -114,8 +131,7 @@ void Analysis::arrive(State state) {
     if (state.record != kNoRecord) trace_->link(state.record, known, state.branch);
     return;
   }
-  if (group.seen.size() >= patience().states) disturb(state.context);  // which are joined depends on the whole program
-  if (!joins(state, group.seen.size(), patience().states)) return execute(std::move(state), group, hash);
+  if (!joins(state, region_at(state.position), group.seen.size(), patience().states)) return execute(std::move(state), group, hash);
   ++result_.statistics.merges;
   if (state.record != kNoRecord) group.parents.emplace_back(state.record, state.branch);
   if (group.joined == nullptr) {
@@ -203,7 +219,7 @@ ContextId Analysis::context_for(const Context& callee, const State& entry, bool*
   *merged = false;
   if (const auto found = contexts_.find(key); found != contexts_.end()) return found->second;
   auto& [count, shared] = context_counts_.try_emplace({callee.sub, callee.depth, callee.fanuc, callee.passed}, 0, 0).first->second;
-  if (joins(entry, count, patience().contexts)) {
+  if (joins(entry, region_at(entry.position), count, patience().contexts)) {
     *merged = true;
     if (shared != 0) return shared;
   }
@@ -284,7 +300,7 @@ void Analysis::leave(const State& at) {
   State exit = at;
   exit.position = 0;
   exit.context = 0;
-  if (joins(exit, frame.exits.size(), patience().states)) {
+  if (joins(exit, region_at(frame.callers.front().state.position), frame.exits.size(), patience().states)) {
     ++result_.statistics.merges;
     if (frame.joined_exit == nullptr) {
       frame.joined_exit = std::make_unique<State>(exit);

@@ -157,7 +157,9 @@ class Analysis final : public Listener {
   void endless_loops();
   std::vector<uint32_t> passed_well() const;
   void idle_loops();
-  bool joins(const State& state, size_t there, size_t most);
+  RegionId region_at(StatementId position) const;
+  const std::vector<ExprId>& fragile_in(RegionId region);
+  bool joins(const State& state, RegionId region, size_t there, size_t most);
   Group& group_at(const State& state);
 
   const Linked& linked_;
@@ -171,7 +173,8 @@ class Analysis final : public Listener {
   std::vector<uint32_t> heads_;
   std::deque<Group> groups_;  // a deque: growing moves nothing
   std::unordered_multimap<uint64_t, uint32_t> crowds_;  // groups by mode, at places where there are many
-  std::unordered_map<uint64_t, bool> failing_;  // by hash of parameters: what Evaluator::will_fail() said
+  std::unordered_map<RegionId, std::vector<ExprId>> fragile_;
+  std::unordered_map<uint64_t, bool> failing_;  // by hash of region and parameters: what Evaluator::will_fail() said
   std::unordered_map<ContextId, std::vector<const Group*>> seeking_;  // groups that seek a sub, by call; made at the end
   std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
   std::pmr::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_{&memory_};

@@ -1,5 +1,6 @@
 // Which parameters matter: those on which a condition, label, count, argument or value can depend. Only they are tracked.
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "analyzer/flow/values.h"
@@ -8,8 +9,6 @@
 
 namespace owlint::flow {
 namespace {
-
-constexpr size_t kMaxFragile = 16;  // they are all computed where states are many
 
 // Above this many tracked numbers a write to a computed number would cost too much to model.
 constexpr size_t kMaxTracked = 512;
@@ -69,32 +68,37 @@ void Evaluator::mark_what_can_fail(ExprId id) {
   if (expr.right() != kNoExpr) mark_what_can_fail(expr.right());
 }
 
-/// Keeps an operation that fails for some values of its operand.
-void Evaluator::note_fragile(ExprId id) {
+void Evaluator::note_fragile(ExprId id, std::vector<ExprId>& out) const {
   const Expr& expr = syntax_.exprs[id];
   double number = 0;
   switch (expr.op) {
-    case Operator::kDivide:
-      if (literal_value(syntax_.exprs, expr.right(), &number)) return;
-      break;
+    case Operator::kNumber: case Operator::kNamed: case Operator::kExistsNamed: return;
     case Operator::kParameter: case Operator::kSqrt: case Operator::kLn: case Operator::kAcos: case Operator::kAsin:
       if (literal_value(syntax_.exprs, expr.left(), &number)) return;
+      out.push_back(id);
       break;
-    case Operator::kPower: break;
-    default: return;
+    case Operator::kDivide:
+      if (!literal_value(syntax_.exprs, expr.right(), &number)) out.push_back(id);
+      break;
+    case Operator::kPower: out.push_back(id); break;
+    default: break;
   }
-  if (fragile_.size() < kMaxFragile) fragile_.push_back(id);
+  note_fragile(expr.left(), out);
+  if (expr.right() != kNoExpr) note_fragile(expr.right(), out);
+}
+
+void Evaluator::note_fragile(const Statement& s, std::vector<ExprId>& out) const {
+  for (uint32_t i = 0; i < s.value_count; ++i) note_fragile(syntax_.values[s.first + i], out);
+  for (uint32_t i = 0; i < s.item_count; ++i) note_fragile(syntax_.items[s.first + i].value, out);
 }
 
 void Evaluator::find_relevant() {
-  for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
-    const Expr& expr = syntax_.exprs[id];
+  for (const Expr& expr : syntax_.exprs) {
     if (expr.op == Operator::kExistsNamed) asked_for_[expr.name()] = true;
     if (expr.op == Operator::kNamed && expr.target && !kept_[expr.name()]) {
       kept_[expr.name()] = true;
       if (global_name(expr.name())) globals_.push_back(expr.name());
     }
-    note_fragile(id);
     double number = 0;
     if (expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number)) continue;
     if (number >= 1 && number < kFirstGlobalNumber) read_argument_[static_cast<size_t>(number)] = true;
@@ -134,8 +138,8 @@ void Evaluator::find_relevant() {
   }
 }
 
-bool Evaluator::will_fail(const Parameters& p) const {
-  return std::ranges::any_of(fragile_, [&](ExprId id) {
+bool Evaluator::will_fail(std::span<const ExprId> operations, const Parameters& p) const {
+  return std::ranges::any_of(operations, [&](ExprId id) {
     const StopKind stop = evaluate(id, p, false, false, nullptr).fails;
     return stop == StopKind::kValueFails || stop == StopKind::kParameterRange;
   });

@@ -126,8 +126,10 @@ class Evaluator {
   Fact fact(ExprId condition) const;
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
-  /// Whether one of the program's first operations that can fail (`10/[#5-1]`, `SQRT[#5]`, `#[#5]`) does for these values.
-  bool will_fail(const Parameters& p) const;
+  /// Adds the operations of a line that can fail: `10/[#5-1]`, `SQRT[#5]`, `#[#5]`.
+  void note_fragile(const Statement& s, std::vector<ExprId>& out) const;
+  /// Whether one of them does for these values.
+  bool will_fail(std::span<const ExprId> operations, const Parameters& p) const;
   /// Adds the parameters that a condition reads, by their keys. Whether its outcomes are followed
   /// exactly: what it compares are parameters with numbers, and they keep their values.
   bool followed(ExprId condition, std::vector<ParameterKey>& reads) const;
@@ -181,7 +183,7 @@ class Evaluator {
   bool mark(ExprId id);
   bool mark_number(long number);
   void mark_operand(ExprId id);
-  void note_fragile(ExprId id);
+  void note_fragile(ExprId id, std::vector<ExprId>& out) const;
   void mark_what_can_fail(ExprId id);
   void begin_name(NameId name, Parameters& p) const;
   void note_number(long number, Dependence& out) const;
@@ -210,7 +212,6 @@ class Evaluator {
   /// no plain number, so that it may count, or that an operation can fail for its value.
   enum Comparison : uint8_t { kOnce = 1, kMoreThanOnce = 2, kByLoop = 4, kComputed = 8, kCanFail = 16 };
   std::vector<std::pair<ParameterKey, uint8_t>> compared_;  // sorted, each parameter once
-  std::vector<ExprId> fragile_;  // see will_fail()
   NameId value_name_;           // `#<_value>`; kNoName where nothing reads it
   NameId value_returned_name_;
   std::vector<Fact> facts_;                                          // by condition, as far as there are any
