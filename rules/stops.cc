@@ -234,8 +234,9 @@ StatementId telling_call(const Program& program, const FlowStop& stop) {
   if (stop.kind < StopKind::kNameUndefined && program.at(stop.statement).label_expr == kNoExpr) return kNoStatement;
   const NameId sub = program.regions[program.region_of[stop.statement]].name;
   if (sub == kNoName) return kNoStatement;
-  const auto calls = std::ranges::count_if(program.by_label[sub], [&](StatementId id) { return program.at(id).is(Keyword::kCall); });
-  return calls > 1 ? stop.call : kNoStatement;
+  int calls = 0;
+  const bool several = std::ranges::any_of(program.by_label[sub], [&](StatementId id) { return program.at(id).is(Keyword::kCall) && ++calls > 1; });
+  return several ? stop.call : kNoStatement;
 }
 
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {

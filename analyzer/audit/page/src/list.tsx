@@ -1,5 +1,6 @@
 // A list of any length: only the rows that are in view exist. One row takes the focus; arrows, Page, Home and End move it.
-import { Virtualizer, elementScroll, observeElementOffset, observeElementRect } from "@tanstack/virtual-core";
+import { Virtualizer, defaultRangeExtractor, elementScroll, observeElementOffset, observeElementRect } from "@tanstack/virtual-core";
+import type { Range } from "@tanstack/virtual-core";
 import type { ComponentChildren } from "preact";
 import { useEffect, useLayoutEffect, useMemo, useReducer, useRef, useState } from "preact/hooks";
 
@@ -15,12 +16,14 @@ export function List({ label, count, rowHeight, href, row }: Props) {
   const scroller = useRef<HTMLDivElement>(null);
   const [, redraw] = useReducer((n: number) => n + 1, 0);
   const [active, setActive] = useState(0);
-  const wantsFocus = useRef(false);
+  const wanted = useRef(-1);  // the row that takes the focus as soon as it exists
   const options = {
     count,
     getScrollElement: () => scroller.current,
     estimateSize: () => rowHeight,
     overscan: 8,
+    // The row with the focus exists wherever the list is scrolled to: without it the focus would be lost.
+    rangeExtractor: (range: Range) => [...new Set([...defaultRangeExtractor(range), ...(active < count ? [active] : [])])].sort((a, b) => a - b),
     scrollToFn: elementScroll,
     observeElementRect,
     observeElementOffset,
@@ -31,11 +34,11 @@ export function List({ label, count, rowHeight, href, row }: Props) {
   useLayoutEffect(() => virtual._didMount(), [virtual]);
   useLayoutEffect(() => virtual._willUpdate());
   useEffect(() => { virtual.measure(); }, [rowHeight]);
-  useEffect(() => { setActive(0); scroller.current?.scrollTo(0, 0); }, [count]);
+  useEffect(() => { setActive(0); wanted.current = -1; scroller.current?.scrollTo(0, 0); }, [count]);
   useEffect(() => {
-    if (!wantsFocus.current) return;
-    const link = scroller.current?.querySelector<HTMLAnchorElement>(`[data-index="${active}"] a`);
-    if (link) { wantsFocus.current = false; link.focus({ preventScroll: true }); }
+    if (wanted.current < 0) return;
+    const link = scroller.current?.querySelector<HTMLAnchorElement>(`[data-index="${wanted.current}"] a`);
+    if (link) { wanted.current = -1; link.focus({ preventScroll: true }); }
   });
 
   const move = (event: KeyboardEvent) => {
@@ -45,7 +48,7 @@ export function List({ label, count, rowHeight, href, row }: Props) {
     if (step === undefined) return;
     event.preventDefault();
     const next = Math.min(count - 1, Math.max(0, active + step));
-    wantsFocus.current = true;
+    wanted.current = next;
     setActive(next);
     virtual.scrollToIndex(next);
     redraw(0);
