@@ -30,7 +30,7 @@ typedef struct owlint_finding {
   int stops;               /* LinuxCNC stops here with this error, on some run at least */
   const char* message;     /* what was seen */
   const char* interpreter; /* what LinuxCNC prints; may be empty */
-  const char* help;        /* how to mend it; may be empty */
+  const char* help;        /* how to fix it; may be empty */
   unsigned line, column, end_line, end_column;
   size_t offset, end_offset;
 } owlint_finding;

@@ -35,7 +35,7 @@ struct Finding {
   bool stops = false;       ///< LinuxCNC stops here with this error, on some run at least
   std::string message;      ///< what was seen
   std::string interpreter;  ///< what LinuxCNC prints; may be empty
-  std::string help;         ///< how to mend it; may be empty
+  std::string help;         ///< how to fix it; may be empty
   Place begin, end;
 };
 

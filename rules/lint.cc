@@ -129,7 +129,7 @@ class Check {
     const SeverityPolicy policy = policy_of(profile_, options_);
     run_rules({*program, flow, profile_, linked, suppressions, index, data, false}, options_, policy, report.findings);
     if (!own) {
-      // Of a called file only what this program's calls lead to; the rest is told when the file itself is checked.
+      // Of a called file only what this program's calls lead to; the rest is reported when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
         return !f.stops && !f.never_ends && find_rule(f.code)->group != Group::kHazards;
       });
@@ -174,7 +174,7 @@ class Check {
   Library& library_;
 };
 
-/// Puts together what the versions say of one file: a finding is told once, with those in which it is worst.
+/// Puts together what the versions say of one file: a finding is reported once, with the versions in which it is worst.
 void join_versions(std::vector<Finding>& findings, std::vector<std::pair<Version, std::vector<Finding>>> by_version) {
   std::vector<std::vector<Version>> versions;
   std::map<Place, size_t> known;

@@ -54,7 +54,7 @@ extern const Rule kOw002{
     .page = {
         .what = R"(A comment such as `(owlint: ignore OW301)` in front of a line, on a line or for a file in which
 there is no finding with that code.)",
-        .why = R"(It is left over from a mistake that has been mended since, or it stands at the wrong line. Left in
+        .why = R"(It is left over from a mistake that has been fixed since, or it stands at the wrong line. Left in
 place it would hide the next mistake of that kind made there.
 
 LinuxCNC reads the line as a comment and does nothing.)",

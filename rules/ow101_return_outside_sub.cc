@@ -1,6 +1,6 @@
 // OW101 return-outside-sub: a `return` or `endsub` that is executed while no sub is running or being defined.
 // Rests on: at call level 0 with no definition being passed over, both are refused, until a first
-// call has come back; from then on `return` is passed over in silence and `endsub` stops with
+// call has come back; from then on `return` is passed over silently and `endsub` stops with
 // another message.
 #include "rules/stops.h"
 

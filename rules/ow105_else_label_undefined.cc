@@ -1,6 +1,6 @@
 // OW105 else-label-undefined: an `else` or `elseif` whose label no block has defined on the way to it.
 // Rests on: an `else` that is not the target of a skip looks its label up; unknown labels are
-// refused. While another label is being skipped to, the line is passed over in silence.
+// refused. While another label is being skipped to, the line is passed over silently.
 #include "rules/blocks.h"
 
 namespace owlint::rules {

@@ -38,10 +38,10 @@ void check(const Input& in, Reporter& out) {
     if (known.size() < kMaxCandidates) known.push_back(p.name(region.name));
   }
   size_t suggestions = 0;
-  std::unordered_set<std::string> told;  // names that may be in a file elsewhere, each said once
+  std::unordered_set<std::string> reported;  // names that may be in a file elsewhere, each reported once
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const Statement& s = p.at(stop.statement);
-    if (stop.unproven && !told.insert(stop.detail).second) return nullptr;
+    if (stop.unproven && !reported.insert(stop.detail).second) return nullptr;
     if (stop.kind == StopKind::kM98NoTarget) {
       Finding& f = out.add(s.keyword_span(), "`M98` has no `P` with the number of the sub");
       f.help = "write `M98 P100`";

@@ -19,12 +19,12 @@ void check(const Input& in, Reporter& out) {
   std::ranges::sort(openers);
   for (size_t i = 0; i < openers.size();) {
     const auto [label, first] = openers[i++];
-    bool told = false;
+    bool reported = false;
     for (; i < openers.size() && openers[i].first == label; ++i) {
       const StatementId id = openers[i].second;
       const bool subs = p.at(first).opens_sub() || p.at(id).opens_sub();
-      if (told || (!subs && p.region_of[first] == p.region_of[id])) continue;
-      told = true;
+      if (reported || (!subs && p.region_of[first] == p.region_of[id])) continue;
+      reported = true;
       Finding& f = out.add(p.at(id).label_span(), "`" + p.label_text(label) + "` is also used by `" + p.head(first) + "` on line " + std::to_string(p.at(first).line));
       relate(f, p, first, "first used here");
       f.help = "labels are local to a sub, so this runs; different numbers are easier to read";

@@ -28,7 +28,7 @@ extern const Rule kOw311{
     .level = Severity::kInfo,
     .page = {
         .what = R"(An O-word written with a capital `O`: `O100 sub`.)",
-        .why = R"(LinuxCNC does not care. On a screen `O100` and `0100` can hardly be told apart, and the second stops
+        .why = R"(LinuxCNC does not care. On a screen `O100` and `0100` look the same, and the second stops
 the program or, in a skipped branch, is passed over (OW307).)",
         .bad = R"(G21 G90
 G0 X0 Y0 Z5

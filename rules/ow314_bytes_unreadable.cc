@@ -43,13 +43,13 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
-  bool nul_told = false;
+  bool nul_reported = false;
   for (const StatementId id : in.index.odd_lines) {
     const Statement& s = p.at(id);
     const LineError* error = p.syntax.error(s);
     const bool refused = error != nullptr && error->kind == StopKind::kBadCharacter;
-    if (s.nul && !nul_told) {
-      nul_told = true;  // a damaged file has thousands
+    if (s.nul && !nul_reported) {
+      nul_reported = true;  // a damaged file has thousands
       if (has_stop(in, id)) continue;
       const size_t at = p.source->bytes().find('\0', s.offset);
       Finding& f = out.add({at, at + 1}, "a NUL byte stands here: LinuxCNC drops the rest of the line without a word");

@@ -19,10 +19,10 @@ StatementId opener_of_target(const Program& p, const Call& call) { return p.regi
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   const Answers& search = in.linked.search_path();
-  std::unordered_set<NameId> told;
+  std::unordered_set<NameId> reported;
   const auto is_own = [&](const FoundFile& file) { return file_key(file.path) == file_key(p.source->path()); };
   for (const Call& call : p.calls) {
-    if (call.callee == kNoName || !told.insert(call.callee).second || !in.flow.executed[call.statement]) continue;
+    if (call.callee == kNoName || !reported.insert(call.callee).second || !in.flow.executed[call.statement]) continue;
     const std::string& name = p.name(call.callee);
     std::vector<FoundFile> files = search.find_all(name);
     if (call.target != UINT32_MAX) {
@@ -62,7 +62,7 @@ extern const Rule kOw405{
 contents.)",
         .why = R"(LinuxCNC takes a sub that it knows before it looks for a file, and the first file that it finds before all others: the
 current folder, `PROGRAM_PREFIX`, then `SUBROUTINE_PATH` from left to right. An old copy in the program's folder hides the
-shop's mended one without a word.)",
+shop's corrected one without a word.)",
         .bad = R"(G21 G90
 o<face> call
 M2

@@ -46,7 +46,7 @@ extern const Rule kOw507{
     .page = {
         .what = R"(A `call` with fewer values than the sub uses: the sub reads `#3`, the call passes two.
 
-What the sub tests is left out on purpose and not told of: `if [#3 EQ 0]`, or `#<depth> = #3` and then
+An argument that the sub tests may be left out, and is not reported: `if [#3 EQ 0]`, or `#<depth> = #3` and then
 `if [#<depth> EQ 0]`.)",
         .why = R"(LinuxCNC sets what was not passed to **0**. The documentation says that the caller's values stay,
 but the interpreter does not do that, so a `#3` set before the call does not arrive either. A depth,

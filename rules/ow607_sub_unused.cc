@@ -128,7 +128,7 @@ o100 call [10]
 o200 call
 M2
 )",
-        .fix = R"(Call the sub, or remove it. A sub that is kept for later can be silenced with a reason.)",
+        .fix = R"(Call the sub, or remove it. A sub that is kept for later can be suppressed with a reason.)",
         .interpreter = "",
         .options = "",
         .moves = "X10",

@@ -75,8 +75,8 @@ struct Page {
   std::string_view what;         ///< what it finds, in a machinist's words
   std::string_view why;          ///< what LinuxCNC does, also under FEATURE 0x20
   std::string_view bad;          ///< a program
-  std::string_view good;         ///< the same program mended
-  std::string_view fix;          ///< how to mend it, when to ignore it
+  std::string_view good;         ///< the same program fixed
+  std::string_view fix;          ///< how to fix it, when to ignore it
   std::string_view interpreter;  ///< the message LinuxCNC prints for `bad`; N stands for a line number
   std::string_view options;      ///< command line options that `bad` needs
   std::string_view moves = {};   ///< where the last rapid move of `bad` goes, as `X5`, if that is the surprise

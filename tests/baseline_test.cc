@@ -58,7 +58,7 @@ TEST_CASE("a second finding of the same kind is new; one in another sub is", "[c
   CHECK(check(s, {path}).status == 1);
 }
 
-TEST_CASE("findings that are gone are told of, for the files that were checked", "[cli][baseline]") {
+TEST_CASE("findings that are gone are reported, for the files that were checked", "[cli][baseline]") {
   const Scratch s;
   const std::string bad = s.write("bad.ngc", kBad);
   const std::string good = s.write("good.ngc", "G0 X1\nM2\n");
@@ -119,7 +119,7 @@ TEST_CASE("from two hundred old findings to a check that fails on the next new o
     for (size_t at = 0; (at = text.find("probe", at)) != std::string::npos; at += 5) text.replace(at, 5, "p" + std::to_string(1000 + i));
     s.write("parts/part" + std::to_string(i) + ".ngc", text);
   }
-  // The commands of docs/guide.md; none of these mistakes can be mended safely, for the subs may be called from elsewhere.
+  // The commands of docs/guide.md; none of these mistakes can be fixed safely, for the subs may be called from elsewhere.
   const auto owlint = [&](std::vector<std::string> arguments) { return owlint::test::owlint(arguments, {}, s.path()); };
   CHECK(owlint({"--no-find-ini", "--format", "gcc", "parts"}).status == 1);
   CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "--update-baseline", "parts"}).err.starts_with("200 known findings in known.json"));

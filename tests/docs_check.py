@@ -169,7 +169,7 @@ class Document:
                 lines = f.read().split("\n")
         self.lines = lines
         self.problems = []
-        self.other_outputs = 0    # how many of the problems are mended by --update
+        self.other_outputs = 0    # how many of the problems are fixed by --update
         self.commands = self.configurations = 0
         self.unmarked = []        # lines of blocks that look as if they were meant to be run
 
@@ -254,7 +254,7 @@ def main(argv):
     options = parser.parse_args(argv)
     problems = ["docs_check.py itself: " + fault for fault in own_faults(options.owlint)]
     paths = options.documents or [os.path.join(ROOT, "README.md"), *sorted(glob.glob(os.path.join(ROOT, "docs", "*.md")))]
-    commands = configurations = updated = mended = 0
+    commands = configurations = updated = fixed = 0
     for path in map(os.path.abspath, paths):
         document = Document(path)
         lines = document.check(options.owlint)
@@ -266,12 +266,12 @@ def main(argv):
             with open(path, "w", encoding="utf-8") as f:
                 f.write("\n".join(lines))
             updated += 1
-            mended += document.other_outputs
+            fixed += document.other_outputs
         problems += document.problems
     print("\n\n".join(problems) if problems else "owlint prints what the documents show")
     print("%d documents, %d commands, %d configurations, %d problems%s" %
           (len(paths), commands, configurations, len(problems), ", %d updated" % updated if options.update else ""))
-    return 1 if len(problems) > mended else 0
+    return 1 if len(problems) > fixed else 0
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ using namespace owlint::test;
 namespace {
 
 const std::string kTwice = "G21 G90\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no100 if [#5070 EQ 1]\n  G0 X3\no100 endif\nM2\n";
-const std::string kMended = "G21 G90\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no101 if [#5070 EQ 1]\n  G0 X3\no101 endif\nM2\n";
+const std::string kFixed = "G21 G90\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no101 if [#5070 EQ 1]\n  G0 X3\no101 endif\nM2\n";
 const std::string kInLoop = "o100 while [#5070 EQ 0]\n  o200 sub\n    G0 X#1\n  o200 endsub\n  o200 call [1]\no100 endwhile\nM2\n";
 
 Run check(std::vector<std::string> arguments, const std::string& input = {}) {
@@ -31,19 +31,19 @@ std::string crlf(std::string text) {
 
 }  // namespace
 
-TEST_CASE("option --fix mends files in their place and keeps their mode, line ends and bytes", "[cli][fix]") {
+TEST_CASE("option --fix fixes files in their place and keeps their mode, line ends and bytes", "[cli][fix]") {
   const Scratch s;
   const std::string path = s.write("twice.ngc", crlf("(B\xFCgel)\n" + kTwice));
   ::chmod(path.c_str(), 0640);
   const Run run = check({"--fix", path});
   CHECK(run.status == 0);
-  CHECK(run.err == "mended 1 finding in 1 file\nnothing found in 1 file\n");
-  CHECK(read_file(path) == crlf("(B\xFCgel)\n" + kMended));
+  CHECK(run.err == "fixed 1 finding in 1 file\nnothing found in 1 file\n");
+  CHECK(read_file(path) == crlf("(B\xFCgel)\n" + kFixed));
   struct stat info {};
   REQUIRE(::stat(path.c_str(), &info) == 0);
   CHECK((info.st_mode & 07777) == 0640);
   const auto written = std::filesystem::last_write_time(path);
-  CHECK(check({"--fix", path}).err == "mended 0 findings in 0 files\nnothing found in 1 file\n");
+  CHECK(check({"--fix", path}).err == "fixed 0 findings in 0 files\nnothing found in 1 file\n");
   CHECK(std::filesystem::last_write_time(path) == written);
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("option --fix leaves what is not safe, and says how to get it", "[cli]
   const std::string path = s.write("loop.ngc", kInLoop);
   const Run safe = check({"--fix", path});
   CHECK(safe.status == 1);
-  CHECK(safe.err.find("1 can be mended with --fix --unsafe") != std::string::npos);
+  CHECK(safe.err.find("1 can be fixed with --fix --unsafe") != std::string::npos);
   CHECK(read_file(path) == kInLoop);
   CHECK(check({"--fix", "--unsafe", path}).status == 0);
   CHECK(read_file(path) == "  o200 sub\n    G0 X#1\n  o200 endsub\no100 while [#5070 EQ 0]\n  o200 call [1]\no100 endwhile\nM2\n");
@@ -80,14 +80,14 @@ TEST_CASE("option --fix-only reports nothing, whatever is left", "[cli][fix]") {
 TEST_CASE("option --fix of standard input writes the program to standard output, findings beside it", "[cli][fix]") {
   const Run run = check({"--fix", "-"}, kTwice);
   CHECK(run.status == 0);
-  CHECK(run.out == kMended);
+  CHECK(run.out == kFixed);
   const Run left = check({"--fix", "-"}, kInLoop);
   CHECK(left.status == 1);
   CHECK(left.out == kInLoop);
   CHECK(left.err.find("OW203") != std::string::npos);
 }
 
-TEST_CASE("a mended sub file counts for the programs that call it", "[cli][fix]") {
+TEST_CASE("a fixed sub file counts for the programs that call it", "[cli][fix]") {
   const Scratch s;
   s.write("main.ngc", "o<face> call [1]\nM2\n");
   s.write("face.ngc", "o<face> sub\n  o100 if [#1 EQ 1]\n    G0 X1\n  o100 endif\n  o100 if [#1 EQ 1]\n    G0 X2\n  o100 endif\no<face> endsub\n");
@@ -96,7 +96,7 @@ TEST_CASE("a mended sub file counts for the programs that call it", "[cli][fix]"
   CHECK(check({s.path()}).status == 0);
 }
 
-TEST_CASE("only files that were named are mended", "[cli][fix]") {
+TEST_CASE("only files that were named are fixed", "[cli][fix]") {
   const Scratch s;
   const std::string face = "o<face> sub\n  o100 if [#1 EQ 1]\n    G0 X1\n  o100 endif\n  o100 if [#1 EQ 1]\n    G0 X2\n  o100 endif\no<face> endsub\n";
   s.write("face.ngc", face);
@@ -108,14 +108,14 @@ TEST_CASE("a file that has changed meanwhile is left alone", "[cli][fix]") {
   const Scratch s;
   const std::string path = s.write("a.ngc", "new\n");
   std::string error;
-  CHECK(!owlint::cli::replace_unchanged(path, "old\n", "mended\n", &error));
+  CHECK(!owlint::cli::replace_unchanged(path, "old\n", "fixed\n", &error));
   CHECK(error == "it has changed meanwhile, and is left as it is");
   CHECK(read_file(path) == "new\n");
-  CHECK(owlint::cli::replace_unchanged(path, "new\n", "mended\n", &error));
-  CHECK(read_file(path) == "mended\n");
+  CHECK(owlint::cli::replace_unchanged(path, "new\n", "fixed\n", &error));
+  CHECK(read_file(path) == "fixed\n");
 }
 
-TEST_CASE("options of mending that do not go together", "[cli][fix]") {
+TEST_CASE("options of fixing that do not go together", "[cli][fix]") {
   CHECK(check({"--unsafe", "x.ngc"}).status == 2);
   CHECK(check({"--add-suppressions", "x.ngc"}).status == 2);
   CHECK(check({"--update-baseline", "x.ngc"}).status == 2);
@@ -125,7 +125,7 @@ TEST_CASE("fixes that touch each other are made in different rounds", "[fix]") {
   using owlint::Finding;
   const auto finding = [](uint64_t begin, uint64_t end, bool safe) {
     Finding f;
-    f.fixes = {{"mend", safe, {{{begin, end}, "x"}}}};
+    f.fixes = {{"fix", safe, {{{begin, end}, "x"}}}};
     return f;
   };
   const owlint::Round safe = owlint::round_of_fixes({finding(0, 2, true), finding(2, 3, true), finding(4, 5, false), finding(6, 7, true)}, false);
@@ -134,7 +134,7 @@ TEST_CASE("fixes that touch each other are made in different rounds", "[fix]") {
   CHECK(owlint::round_of_fixes({finding(4, 5, false), finding(4, 4, true)}, true).made == 1);
 }
 
-TEST_CASE("mending comes to an end, and a second time there is nothing to mend", "[fix]") {
+TEST_CASE("fixing comes to an end, and a second time there is nothing to fix", "[fix]") {
   std::mt19937 random(20261124);
   const auto all = all_programs();
   const Scratch s;
@@ -150,16 +150,16 @@ TEST_CASE("mending comes to an end, and a second time there is nothing to mend",
     const Run first = check(arguments);
     INFO(first.err);
     CHECK(first.status == 0);
-    CHECK(check(arguments).err == "mended 0 findings in 0 files\n");
+    CHECK(check(arguments).err == "fixed 0 findings in 0 files\n");
   }
 }
 
-TEST_CASE("option --add-suppressions silences what is found, and changes nothing else", "[cli][suppression]") {
+TEST_CASE("option --add-suppressions suppresses what is found, and changes nothing else", "[cli][suppression]") {
   const Scratch s;
   const std::string path = s.write("twice.ngc", kTwice);
   const Run run = check({"--add-suppressions", "--reason", "runs on the old mill", path});
   CHECK(run.status == 0);
-  CHECK(run.err == "silenced 1 finding\n");
+  CHECK(run.err == "suppressed 1 finding\n");
   std::string expected = kTwice;
   expected.insert(expected.find("o100 if [#5070 EQ 1]"), "(owlint: ignore OW104 -- runs on the old mill)\n");
   CHECK(read_file(path) == expected);

@@ -1,4 +1,4 @@
-// Fixes mend: with any one of them made, the finding that it belongs to is gone; made twice, nothing changes any more.
+// Fixes work: with any one of them made, the finding that it belongs to is gone; made twice, nothing changes any more.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -51,10 +51,10 @@ TEST_CASE("a fix takes its finding away", "[fixes]") {
     for (const Finding& f : before.findings) {
       for (const Fix& fix : f.fixes) {
         ++fixes[std::string(f.code)];
-        const std::string mended = made(text, fix);
-        INFO(path << ": " << f.code << " " << fix.title << "\n" << mended);
-        CHECK(mended != text);
-        CHECK(count(check(mended), f.code) < count(before, f.code));
+        const std::string fixed = made(text, fix);
+        INFO(path << ": " << f.code << " " << fix.title << "\n" << fixed);
+        CHECK(fixed != text);
+        CHECK(count(check(fixed), f.code) < count(before, f.code));
       }
     }
   }

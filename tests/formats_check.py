@@ -22,7 +22,7 @@ TESTS = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(TESTS)
 SKIPPED = 77
 ALL = ["tests/programs", "corpus"]
-FEW = 3  # problems of one report that are told
+FEW = 3  # problems of one report that are printed
 LONGEST = 700
 MOST = 40  # problems that are printed
 

@@ -1,4 +1,4 @@
-// Programs on their machine, as users check them: which INI is taken, what is told of called files, and how often.
+// Programs on their machine, as users check them: which INI is taken, what is reported of called files, and how often.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -75,7 +75,7 @@ TEST_CASE("an INI that cannot be read is a usage error, an include that cannot i
   CHECK(contains(note.err, "line 5: cannot read the file of `#INCLUDE more.inc`"));
 }
 
-TEST_CASE("a finding in a called file is told once, with the calls that lead to it", "[machine]") {
+TEST_CASE("a finding in a called file is reported once, with the calls that lead to it", "[machine]") {
   const Scratch folder;
   write_machine(folder);
   for (const char* name : {"b", "c"}) folder.write(std::string("programs/") + name + ".ngc", "o<bad> call\nM2\n");
@@ -108,7 +108,7 @@ TEST_CASE("a file is named as it was given, whichever way a call found it first"
       // With one job the program comes first, and with it the call.
       const std::string both = " --jobs 1 " + programs + "programs " + subs + "subs";
       CHECK(contains(check(folder, "--isolated --format jsonl" + both).out, "\"path\":\"" + subs + "subs/bad.ngc\""));
-      CHECK(contains(check(folder, "--isolated --add-suppressions --reason known" + both).err, "silenced 1 finding\n"));
+      CHECK(contains(check(folder, "--isolated --add-suppressions --reason known" + both).err, "suppressed 1 finding\n"));
       write_machine(folder);
     }
   }

@@ -25,7 +25,7 @@ struct Shard {
 struct Job {
   const cli::CommandLine& line;
   Shard shard;
-  /// Told how many of the programs that have to be analysed are done; `total` does not change.
+  /// Called with the number of programs that are done, of `total` to analyse; `total` does not change.
   std::function<void(size_t done, size_t total)> progress;
   /// Set from outside to end early: what is done is kept.
   const std::atomic<bool>* stop = nullptr;

@@ -52,9 +52,9 @@ void Progress::tell(size_t done, size_t total) {
     if (::isatty(STDERR_FILENO) != 0) start_bar(total);
   }
   if (bar_ >= 0) {
-    const std::string lines(done - told_, '\n');
-    if (done - told_ < 16 && done < total) return;
-    if (::write(bar_, lines.data(), lines.size()) > 0) told_ = done;
+    const std::string lines(done - reported_, '\n');
+    if (done - reported_ < 16 && done < total) return;
+    if (::write(bar_, lines.data(), lines.size()) > 0) reported_ = done;
     return;
   }
   const auto now = std::chrono::steady_clock::now();

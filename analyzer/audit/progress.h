@@ -24,7 +24,7 @@ class Progress {
   bool started_ = false;
   int bar_ = -1;      // where pv counts lines
   int process_ = -1;  // pv
-  size_t told_ = 0;
+  size_t reported_ = 0;
   std::chrono::steady_clock::time_point last_;
 };
 

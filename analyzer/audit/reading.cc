@@ -98,10 +98,10 @@ std::vector<FileReport> reports_of(Store& store, int64_t run, bool all) {
   while (query.executeStep()) records.add(blob_of(query.getColumn(0)));
   std::vector<FileReport> reports = joined(records);
   if (!all) return reports;
-  std::map<std::string, bool> told;
-  for (const FileReport& report : reports) told.emplace(report.source->path(), true);
+  std::map<std::string, bool> reported;
+  for (const FileReport& report : reports) reported.emplace(report.source->path(), true);
   for (const ProgramRow& program : programs_of(store, run)) {
-    if (program.problem.empty() && !told.contains(program.path)) reports.push_back({Source::excerpt(program.path, {}, program.lines), {}, {}});
+    if (program.problem.empty() && !reported.contains(program.path)) reports.push_back({Source::excerpt(program.path, {}, program.lines), {}, {}});
   }
   std::ranges::stable_sort(reports, {}, [](const FileReport& report) -> const std::string& { return report.source->path(); });
   return reports;

@@ -233,13 +233,13 @@ class AuditRun {
   audit::Shard shard_;
 };
 
-/// A run as it is told on the command line: `3`, `last-1`, or `STORE` or `STORE:3` for one of another store.
-struct ToldRun {
+/// A run as the command line names it: `3`, `last-1`, or `STORE` or `STORE:3` for one of another store.
+struct NamedRun {
   Store store;
   int64_t run;
 };
 
-ToldRun open_run(const std::string& text, const std::string& store) {
+NamedRun open_run(const std::string& text, const std::string& store) {
   std::string path = store;
   std::string run = text;
   std::error_code ignored;
@@ -278,9 +278,9 @@ int audit_list_command(const AuditLine& line) {
 
 int audit_show_command(const AuditLine& line) {
   return guarded(line.store, [&] {
-    ToldRun told = open_run(line.run, line.store);
+    NamedRun named = open_run(line.run, line.store);
     const Format& format = *find_format(line.check.format);
-    const std::vector<FileReport> reports = audit::reports_of(told.store, told.run, !format.for_people);
+    const std::vector<FileReport> reports = audit::reports_of(named.store, named.run, !format.for_people);
     std::ofstream file;
     if (!line.check.output.empty()) {
       file.open(line.check.output, std::ios::binary | std::ios::trunc);
@@ -298,7 +298,7 @@ int audit_show_command(const AuditLine& line) {
     }
     if (format.for_people && !line.check.quiet) {
       const Summary summary = summarize(reports);
-      std::cerr << fmt::format("run {}: {} in {}\n", told.run, counts(summary.errors, summary.warnings, summary.infos), plural(summary.files, "program"));
+      std::cerr << fmt::format("run {}: {} in {}\n", named.run, counts(summary.errors, summary.warnings, summary.infos), plural(summary.files, "program"));
     }
     return kClean;
   });
@@ -306,8 +306,8 @@ int audit_show_command(const AuditLine& line) {
 
 int audit_diff_command(const AuditLine& line) {
   return guarded(line.store, [&] {
-    ToldRun a = open_run(line.from, line.store);
-    ToldRun b = open_run(line.to, line.store);
+    NamedRun a = open_run(line.from, line.store);
+    NamedRun b = open_run(line.to, line.store);
     const audit::Difference difference = audit::difference(a.store, a.run, b.store, b.run);
     const std::vector<FileReport> fresh = audit::reports_of(b.store, ids_of(difference.fresh));
     const std::vector<FileReport> gone = audit::reports_of(a.store, ids_of(difference.gone));

@@ -1,4 +1,4 @@
-// `owlint check`: reads, lints in parallel, mends if asked to, reports in the order of the paths.
+// `owlint check`: reads, lints in parallel, fixes if asked to, reports in the order of the paths.
 #include <unistd.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Check {
     if (fixes) {
       FixResult result = run_and_fix(files_, wanted_, read_, line_.unsafe);
       result_ = std::move(result.run);
-      for (const std::string& path : result.unfinished) trouble(fmt::format("{} is left as it is: mending it does not come to an end", path));
+      for (const std::string& path : result.unfinished) trouble(fmt::format("{} is left as it is: fixing it does not come to an end", path));
       if (line_.diff) return print_diffs(result.fixed);
       write_fixed(result.fixed);
     } else {
@@ -47,7 +47,7 @@ class Check {
       if (!result_.errors[i].empty()) trouble(fmt::format("cannot read {}: {}", files_[i], result_.errors[i]));
     }
     if (line_.fix_only) return status_;
-    if (line_.add_suppressions) return silence_all();
+    if (line_.add_suppressions) return suppress_all();
     if (!take_baseline()) return kUsage;
     if (!line_.quiet) tell_notes();
     if (!write_report()) return kUsage;
@@ -118,7 +118,7 @@ class Check {
     return status_ != kClean ? status_ : fixed.empty() ? kClean : kFindings;
   }
 
-  /// The mended programs; one from standard input goes to standard output.
+  /// The fixed programs; one from standard input goes to standard output.
   void write_fixed(const std::vector<FixedFile>& fixed) {
     size_t made = 0;
     size_t files = 0;
@@ -137,15 +137,15 @@ class Check {
       const auto own = std::ranges::find(fixed, line_.stdin_filename, &FixedFile::path);
       std::cout << (own == fixed.end() ? std::string(stdin_->bytes()) : own->text);
     }
-    if (!line_.quiet) std::cerr << fmt::format("mended {} in {}\n", plural(made, "finding"), plural(files, "file"));
+    if (!line_.quiet) std::cerr << fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file"));
   }
 
-  int silence_all() {
-    size_t silenced = 0;
+  int suppress_all() {
+    size_t suppressed = 0;
     for (const FileReport& report : result_.reports) {
       // What is found in other files than those that were named is not written into them.
       if (report.findings.empty() || std::ranges::find(files_, report.source->path()) == files_.end()) continue;
-      const std::vector<Edit> edits = silencing_comments(*report.source, report.findings, line_.reason);
+      const std::vector<Edit> edits = suppression_comments(*report.source, report.findings, line_.reason);
       std::string error;
       const std::string text = apply_edits(report.source->bytes(), edits);
       if (stdin_ != nullptr && report.source->path() == line_.stdin_filename) {
@@ -154,9 +154,9 @@ class Check {
         trouble(fmt::format("cannot write {}: {}", report.source->path(), error));
         continue;
       }
-      silenced += report.findings.size();
+      suppressed += report.findings.size();
     }
-    if (!line_.quiet) std::cerr << "silenced " << plural(silenced, "finding") << '\n';
+    if (!line_.quiet) std::cerr << "suppressed " << plural(suppressed, "finding") << '\n';
     return status_;
   }
 
@@ -216,7 +216,7 @@ class Check {
         return false;
       }
     }
-    // Where the mended program goes to standard output, what is left goes beside it.
+    // Where the fixed program goes to standard output, what is left goes beside it.
     const bool program_is_out = stdin_ != nullptr && line_.fix;
     std::ostream& out = !line_.output.empty() ? file : program_is_out ? std::cerr : std::cout;
     std::error_code ignored;
@@ -236,8 +236,8 @@ class Check {
       fixable.safe += one.safe;
       fixable.unsafe += one.unsafe;
     }
-    if (fixable.safe > 0) std::cerr << fmt::format("{} can be mended with --fix\n", fixable.safe);
-    if (fixable.unsafe > 0) std::cerr << fmt::format("{} can be mended with --fix --unsafe, which may change what the program does\n", fixable.unsafe);
+    if (fixable.safe > 0) std::cerr << fmt::format("{} can be fixed with --fix\n", fixable.safe);
+    if (fixable.unsafe > 0) std::cerr << fmt::format("{} can be fixed with --fix --unsafe, which may change what the program does\n", fixable.unsafe);
     return true;
   }
 

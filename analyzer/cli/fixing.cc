@@ -8,7 +8,7 @@
 namespace owlint::cli {
 namespace {
 
-// One finding mended can make another one possible; a chain longer than this goes round in a circle.
+// One finding fixed can make another one possible; a chain longer than this goes round in a circle.
 constexpr int kMaxRounds = 50;
 
 class Fixer {
@@ -27,8 +27,8 @@ class Fixer {
     for (const auto& calls : calls_) {
       for (const std::string& path : calls) called_.insert(file_key(path));
     }
-    std::set<size_t> changed = mend(result.run);
-    for (int round = 1; !changed.empty() && round < kMaxRounds; ++round) changed = mend(check(with_callers(changed)));
+    std::set<size_t> changed = fix(result.run);
+    for (int round = 1; !changed.empty() && round < kMaxRounds; ++round) changed = fix(check(with_callers(changed)));
     for (const size_t i : changed) {
       result.unfinished.push_back(files_[i]);
       fixed_.erase(i);
@@ -59,7 +59,7 @@ class Fixer {
   }
 
   /// Makes a round of fixes in each file; which ones changed.
-  std::set<size_t> mend(const RunResult& run) {
+  std::set<size_t> fix(const RunResult& run) {
     std::set<size_t> changed;
     for (const FileReport& report : run.reports) {
       const auto known = place_.find(file_key(report.source->path()));

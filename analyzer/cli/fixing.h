@@ -1,4 +1,4 @@
-// `--fix`: mends programs in rounds until nothing is left to mend, in memory; files are written by the caller.
+// `--fix`: fixes programs in rounds until nothing is left to fix, in memory; files are written by the caller.
 #pragma once
 
 #include <map>
@@ -9,21 +9,21 @@ namespace owlint::cli {
 
 using Read = std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>;
 
-/// One file that was mended.
+/// One file that was fixed.
 struct FixedFile {
   std::string path;
   std::shared_ptr<const Source> before;
   std::string text;
-  size_t made = 0;  ///< findings that were mended
+  size_t made = 0;  ///< findings that were fixed
 };
 
 struct FixResult {
-  RunResult run;  ///< what is found in the mended texts
+  RunResult run;  ///< what is found in the fixed texts
   std::vector<FixedFile> fixed;
-  std::vector<std::string> unfinished;  ///< files in which mending did not come to an end; they are left as they are
+  std::vector<std::string> unfinished;  ///< files in which fixing did not come to an end; they are left as they are
 };
 
-/// As run_checks(), with the fixes of all findings made: the safe ones, or with `unsafe` all. A mended file that others
+/// As run_checks(), with the fixes of all findings made: the safe ones, or with `unsafe` all. A fixed file that others
 /// call counts for them as it will be.
 FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe);
 

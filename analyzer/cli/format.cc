@@ -50,7 +50,7 @@ int format_command(const CommandLine& line, bool check, bool diff) {
 }
 
 int lsp_command() {
-  std::signal(SIGPIPE, SIG_IGN);  // that the client has gone is told by writing
+  std::signal(SIGPIPE, SIG_IGN);  // a failed write tells that the client has gone
   return lsp::Server(stdin, stdout).run();
 }
 

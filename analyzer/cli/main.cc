@@ -59,11 +59,11 @@ void add_check_options(CLI::App& app, CommandLine& line) {
   app.add_option("PATH", line.paths, "programs, folders (searched for *.ngc *.nc *.tap *.cnc *.gcode), or - for standard input")->required();
   add_settings_options(app, line);
   add_walk_options(app, line.walk);
-  app.add_flag("--fix", line.fix, "mend what can be mended safely: a program that ran does the same afterwards")->group("Mend");
-  app.add_flag("--unsafe", line.unsafe, "mend the rest as well, where it is known how; look at what comes out")->group("Mend");
-  app.add_flag("--fix-only", line.fix_only, "mend, and report nothing")->group("Mend");
-  app.add_flag("--diff", line.diff, "change nothing; print what --fix would change")->group("Mend");
-  app.add_flag("--add-suppressions", line.add_suppressions, "write a comment before each line with a finding that silences it")->group("Old findings");
+  app.add_flag("--fix", line.fix, "fix what can be fixed safely: a program that ran does the same afterwards")->group("Fix");
+  app.add_flag("--unsafe", line.unsafe, "fix the rest as well, where it is known how; look at what comes out")->group("Fix");
+  app.add_flag("--fix-only", line.fix_only, "fix, and report nothing")->group("Fix");
+  app.add_flag("--diff", line.diff, "change nothing; print what --fix would change")->group("Fix");
+  app.add_flag("--add-suppressions", line.add_suppressions, "write a comment before each line with a finding, which suppresses it")->group("Old findings");
   app.add_option("--reason", line.reason, "why, for --add-suppressions")->type_name("TEXT")->group("Old findings");
   app.add_option("--baseline", line.baseline, "findings that are in this file are known and not reported")->type_name("FILE")->group("Old findings");
   app.add_flag("--update-baseline", line.update_baseline, "write all findings of this run into the baseline")->group("Old findings");
@@ -182,7 +182,7 @@ int run(std::vector<std::string> arguments) {
   CommandLine line;
   CLI::App* check = app.add_subcommand("check", "lint programs");
   add_check_options(*check, line);
-  check->footer("Silence a finding with a comment on the line before it: (owlint: ignore OW304 -- reason)");
+  check->footer("Suppress a finding with a comment on the line before it: (owlint: ignore OW304 -- reason)");
 
   AuditLine audit_line;
   CLI::App* audit = nullptr;
@@ -226,7 +226,7 @@ int run(std::vector<std::string> arguments) {
   generate->add_option("FOLDER", generated)->required();
 
   std::string code;
-  CLI::App* explain = app.add_subcommand("explain", "what a rule finds, why, an example, and how to mend it");
+  CLI::App* explain = app.add_subcommand("explain", "what a rule finds, why, an example, and how to fix it");
   explain->add_option("CODE", code, "code or name of a rule, as OW104 or if-label-reused")->required();
 
   std::string rules_format = "text";

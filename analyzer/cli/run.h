@@ -1,5 +1,5 @@
 // Checks many files in one run: in parallel, with the files that they call parsed once, and what several programs say
-// of one called file told once.
+// of one called file reported once.
 #pragma once
 
 #include <functional>
@@ -30,13 +30,13 @@ struct Checked {
 /// Keys of the files that machines call without any program: remaps, ngcgui, buttons, the start.
 std::set<std::string> called_by_machines(const std::vector<const Settings*>& settings);
 Checked check_file(const std::shared_ptr<const Source>& source, const Settings& settings, Library& library, bool by_machine);
-/// What is wrong with the machines' INIs, each told once.
+/// What is wrong with the machines' INIs, each reported once.
 std::vector<FileReport> check_machines(const std::vector<const Settings*>& settings, Library& library);
 RunResult put_together(const std::vector<std::string>& files, std::vector<Checked> checked, std::vector<FileReport> machines,
                        std::set<std::string> called_elsewhere);
 
 /// `settings` has one entry for each of `files`; null where the file is not to be checked. `called_elsewhere`: keys of
-/// files that programs outside of this run call. `checked` is told how many of the files are done, one call at a time.
+/// files that programs outside of this run call. `checked` is called with the number of files that are done, one call at a time.
 RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
                      const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
                      Library& library, const std::set<std::string>& called_elsewhere = {},

@@ -271,7 +271,7 @@ std::string Configuration::ini_above(const std::string& program) {
   return found;
 }
 
-std::string Configuration::told(const std::string& path, const std::string& program) const {
+std::string Configuration::shown_ini(const std::string& path, const std::string& program) const {
   std::error_code ignored;
   return line_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
 }
@@ -319,7 +319,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   LintOptions& options = settings->options;
   if (file != nullptr) {
     if (!ini && file->ini) {
-      ini = told((fs::path(file->folder) / *file->ini).string(), path);
+      ini = shown_ini((fs::path(file->folder) / *file->ini).string(), path);
       note("ini", *ini, line_of("ini"));
     }
     if (!version && file->linuxcnc) {
@@ -361,7 +361,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   }
   if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
     if (const std::string above = ini_above(path); !above.empty()) {
-      ini = told(above, path);
+      ini = shown_ini(above, path);
       note("ini", *ini, "found above the program");
     }
   }

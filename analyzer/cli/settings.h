@@ -69,7 +69,7 @@ class Configuration {
   /// The same, shared by the files of a folder where no override tells them apart; null and a message for an error.
   std::shared_ptr<const Settings> shared_settings(const std::string& path, std::string* error);
 
-  /// What users should know of the settings that were found, each told once.
+  /// What users should know of the settings that were found, each reported once.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -80,7 +80,7 @@ class Configuration {
   std::vector<std::string> machine_inis(const std::string& folder) const;
   std::string ini_above(const std::string& program);
   /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
-  std::string told(const std::string& path, const std::string& program) const;
+  std::string shown_ini(const std::string& path, const std::string& program) const;
 
   const CommandLine& line_;
   const std::unordered_set<std::string>* without_ini_ = nullptr;

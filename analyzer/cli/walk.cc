@@ -87,7 +87,7 @@ class Walker {
   void tree(const std::string& root) {
     const size_t before = out_.files.size();
     walk_tree(root);
-    // Links come after everything that is no link, so that a program is told by its own path.
+    // Links come after everything that is no link, so that a program is known by its own path.
     for (size_t next = 0; next < links_.size(); ++next) {
       const std::string link = links_[next];
       struct stat info {};

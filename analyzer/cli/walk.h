@@ -32,7 +32,7 @@ struct Walk {
 /// without hidden folders.
 Walk walk(const std::vector<std::string>& paths, const WalkOptions& options);
 
-/// The stamp of a file now; 0 where there is none, or it is too young to be told by its times.
+/// The stamp of a file now; 0 where there is none, or it is too young for its times to tell a change.
 uint64_t stamp_of(const std::string& path);
 
 }  // namespace owlint::cli

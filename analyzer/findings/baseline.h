@@ -1,4 +1,4 @@
-// Findings that are known and accepted for now: a shop with old programs begins with these and is told of new ones only.
+// Findings that are known and accepted for now: a shop with old programs begins with these, and only new ones are reported.
 // The file is JSON, sorted, a finding an entry, so that people can read what changes in it (share/owlint-baseline-1.schema.json).
 #pragma once
 

@@ -1,4 +1,4 @@
-// The findings room: one finding, and what decides its severity, whether it is silenced, how it is mended.
+// The findings room: one finding, and what decides its severity, whether it is suppressed, how it is fixed.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Edit {
   std::string text;
 };
 
-/// A change that mends a finding. Safe: a program that ran still runs, with the same output.
+/// A change that fixes a finding. Safe: a program that ran still runs, with the same output.
 struct Fix {
   std::string title;
   bool safe = false;
@@ -56,7 +56,7 @@ struct Finding {
   std::shared_ptr<const Source> source;  ///< the file, where it is another one than the report's
   std::string scope;         ///< the sub and the block that its line belongs to, `o<probe> o100`; empty in the main program
   std::string message;       ///< what was seen; lower case, no full stop
-  std::string help;          ///< how to mend it; may be empty
+  std::string help;          ///< how to fix it; may be empty
   std::string interpreter;   ///< the message that LinuxCNC prints; may be empty
   Reach reach = Reach::kMaybe;
   bool stops = false;        ///< the interpreter stops here with this error on some path

@@ -12,7 +12,7 @@ namespace owlint {
 /// Edits of one round of fixing, in the order of their places; no two of them touch.
 struct Round {
   std::vector<Edit> edits;
-  size_t made = 0;  ///< findings that they mend
+  size_t made = 0;  ///< findings that they fix
 };
 
 /// The first fix of each finding, front to back; only the safe ones unless `unsafe`. One that touches another is left for

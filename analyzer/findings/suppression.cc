@@ -65,21 +65,21 @@ void apply_suppressions(const Source& source, std::vector<Suppression>& suppress
     if (!s.malformed) by_line[s.line].push_back(&s);
   }
   std::erase_if(findings, [&](const Finding& finding) {
-    bool silenced = false;
+    bool suppressed = false;
     for (const uint32_t line : {0U, source.position(finding.span.begin).line}) {
       const auto found = by_line.find(line);
       if (found == by_line.end()) continue;
       for (Suppression* s : found->second) {
         if (!finding.code.starts_with(s->code)) continue;
         s->used = true;
-        silenced = true;
+        suppressed = true;
       }
     }
-    return silenced;
+    return suppressed;
   });
 }
 
-std::vector<Edit> silencing_comments(const Source& source, const std::vector<Finding>& findings, const std::string& reason) {
+std::vector<Edit> suppression_comments(const Source& source, const std::vector<Finding>& findings, const std::string& reason) {
   std::map<uint32_t, std::set<std::string_view>> codes;  // by line
   for (const Finding& f : findings) {
     if (f.source == nullptr) codes[source.position(f.span.begin).line].insert(f.code);
@@ -91,7 +91,7 @@ std::vector<Edit> silencing_comments(const Source& source, const std::vector<Fin
     const Span line = source.line(number);
     const std::string_view text = source.slice(line);
     const std::string_view before = source.bytes().substr(0, line.begin);
-    // With anything above it, the `%` that begins a program begins none any more: then it is told of the whole file, below.
+    // With anything above it, the `%` that begins a program begins none any more: then a comment below is for the whole file.
     const bool below = text.starts_with('%') && before.find_first_not_of(" \t\r\n") == std::string_view::npos && line.end < source.bytes().size();
     const uint64_t at = below ? line.end + 1 : line.begin;
     const std::string_view indent = text.substr(0, std::min(text.find_first_not_of(" \t"), text.size()));

@@ -165,12 +165,12 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
     if (std::ranges::none_of(accesses.writes(line + 1), [&](const auto& other) { return other.key == write.key; })) return false;
     return std::ranges::count(accesses.reads(line + 1), write.key) == 0 && !printed(write.key);
   };
-  std::unordered_set<ParameterKey> told;
+  std::unordered_set<ParameterKey> reported;
   for (size_t line = 0; line < accesses.size(); ++line) {
     for (const auto& write : accesses.writes(line)) {
       if (!interesting(write.key)) continue;
       if (!std::ranges::binary_search(read, write.key)) {
-        if (never_read(line, write) && flow_of(region).known() && told.insert(write.key).second) out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement});
+        if (never_read(line, write) && flow_of(region).known() && reported.insert(write.key).second) out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement});
       } else if (overwritten(line, write) && flow_of(region).known() && flow_of(region).nodes()[line].next[0] == line + 1) {
         out.push_back({statement(line), write.item, parameter_of(write.key), statement(line + 1)});
       }

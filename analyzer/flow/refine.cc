@@ -205,8 +205,8 @@ void Evaluator::come_back(Parameters& p, const ValueId* value, bool never) const
   const uint32_t key = kGlobalNames + value_name_;
   ValueId after = kNotReturned;
   if (value != nullptr) {
-    const bool told = *value >= kFirstConstant && relevant_name_[value_name_];
-    after = told ? *value : kUnknown;
+    const bool tracked = *value >= kFirstConstant && relevant_name_[value_name_];
+    after = tracked ? *value : kUnknown;
   } else if (const ValueId before = p.globals.get(key); never && before != kUnassigned && before != kNotReturned) {
     after = kCleared;
   }

@@ -36,7 +36,7 @@ void Analysis::end_of_file(const State& state) {
 }
 
 void Analysis::add_stop(RecordId record, FlowStop stop) {
-  // A stop without a line to blame is told at the end of its file.
+  // A stop without a line to blame is reported at the end of its file.
   const uint32_t file = stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
   const StopKey key{stop.statement, stop.kind, stop.detail, file};
   const bool unsure = stop.unproven;
@@ -235,7 +235,7 @@ void Analysis::finish() {
     }
   }
   constexpr size_t kMaxPaths = 64;
-  constexpr size_t kToldDecisions = 8;  // the last ones: a longer list helps nobody
+  constexpr size_t kShownDecisions = 8;  // the last ones: a longer list helps nobody
   size_t paths = 0;
   for (auto& [key, info] : stops_) {
     FlowStop stop = std::move(info.stop);
@@ -243,14 +243,14 @@ void Analysis::finish() {
     if (stop.reach == Reach::kMaybe && paths++ < kMaxPaths) stop.path = trace_->path(info.record, info.key);
     // A global name may come from another program; a branch that is not followed exactly may go as one before it.
     if (key.kind == StopKind::kNameUndefined) {
-      const bool told = stop.reach == Reach::kAlways || (level_ < kCoarse && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
+      const bool proven = stop.reach == Reach::kAlways || (level_ < kCoarse && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
       // But nobody assigns what looks like an entry of the INI or is LinuxCNC's own in another version.
       const NameId name = program_.syntax.names.find(key.detail);
       const bool never = name != kNoName && may_be_predefined(key.detail) && machine_.evaluator().kind(name) == NameKind::kGlobal && !machine_.evaluator().assigned(name);
       const bool from_elsewhere = is_global_name(key.detail) && !never;
-      if (!told || from_elsewhere) stop.unproven = true;
+      if (!proven || from_elsewhere) stop.unproven = true;
     }
-    if (stop.path.size() > kToldDecisions) stop.path.erase(stop.path.begin(), stop.path.end() - kToldDecisions);
+    if (stop.path.size() > kShownDecisions) stop.path.erase(stop.path.begin(), stop.path.end() - kShownDecisions);
     result_.stops.push_back(std::move(stop));
   }
   result_.trace = trace_;
@@ -261,7 +261,7 @@ void Analysis::finish() {
   }
 }
 
-/// Collects the calls whose outcome can be kept: one exit, and nothing on the way that is told of the sub's lines.
+/// Collects the calls whose outcome can be kept: one exit, and nothing on the way that is reported at the sub's lines.
 void Analysis::learn_calls() {
   const std::vector<bool>& hanging = trace_->hanging();
   const auto leaves_nothing = [](const State& entry, const State& exit) {
@@ -271,7 +271,7 @@ void Analysis::learn_calls() {
            entry.breaking == exit.breaking && entry.continuing == exit.continuing && entry.parameters.outside == exit.parameters.outside;
   };
   for (Frame& frame : frames_) {
-    // In a program that never ends, where it does not is told of all loops on the way.
+    // In a program that never ends, all loops on the way are reported.
     if (frame.known && hanging[frame.exits.front().record]) trace_->miss_left_out();
     if (frame.watch == nullptr) continue;
     Watch& watch = *frame.watch;
@@ -353,7 +353,7 @@ bool remember(const FlowResult& result, flow::KnownCalls& known) {
   }
   if (result.learned == nullptr) return true;
   for (flow::LearnedCall& call : *result.learned) {
-    // A call that something is told of must be gone through the next time, too.
+    // A call with a finding must be followed the next time, too.
     const auto end = call.opener + static_cast<StatementId>(call.outcome.lines.size());
     if (!result.trace->asked(call.opener + 1, end)) known.learn(std::move(call));
   }

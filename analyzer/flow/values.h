@@ -91,7 +91,7 @@ struct Dependence {
   std::vector<uint32_t> locals, globals;  ///< parameters that they read or assign, by their keys in Parameters
   std::string circumstances;  ///< what the evaluator tracks of these, because of other lines
   bool global_facts = false;  ///< a condition on globals whose outcome is remembered
-  bool known = true;          ///< false: there is more that cannot be told
+  bool known = true;          ///< false: there are more values, and they are not known
 };
 
 class Evaluator {

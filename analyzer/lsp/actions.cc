@@ -1,4 +1,4 @@
-// Quick fixes, `source.fixAll.owlint` with the safe ones, and for every finding: explain it, silence it here.
+// Quick fixes, `source.fixAll.owlint` with the safe ones, and for every finding: explain it, suppress it here.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -63,13 +63,13 @@ Json code_action(Workspace& workspace, const Json& params) {
       add({{"title", printable(fix.title)}, {"isPreferred", first && fix.safe}, {"edit", workspace_edit(document, text_edits(document, fix.edits))}});
       first = false;
     }
-    add({{"title", fmt::format("silence {} here", f.code)}, {"edit", workspace_edit(document, text_edits(document, silencing_comments(*document.source(), {f}, "reason")))}});
+    add({{"title", fmt::format("suppress {} here", f.code)}, {"edit", workspace_edit(document, text_edits(document, suppression_comments(*document.source(), {f}, "reason")))}});
     add({{"title", fmt::format("explain {} {}", f.code, f.rule)},
          {"command", {{"title", fmt::format("explain {}", f.code)}, {"command", "owlint.explain"}, {"arguments", {f.code}}}}});
   }
   if (wanted(context, "source.fixAll.owlint")) {
     const std::vector<Edit> edits = round_of_fixes(checked.findings, false).edits;
-    if (!edits.empty()) out.push_back({{"title", "mend all that owlint can mend safely"}, {"kind", "source.fixAll.owlint"}, {"edit", workspace_edit(document, text_edits(document, edits))}});
+    if (!edits.empty()) out.push_back({{"title", "fix all that owlint can fix safely"}, {"kind", "source.fixAll.owlint"}, {"edit", workspace_edit(document, text_edits(document, edits))}});
   }
   return out;
 }

@@ -32,7 +32,7 @@ Json related_json(const Document& document, const Finding& f) {
   return out;
 }
 
-/// What the editor shows: what was seen, what LinuxCNC says, how to mend it.
+/// What the editor shows: what was seen, what LinuxCNC says, how to fix it.
 std::string words(const Finding& f) {
   std::string text = printable(f.message);
   if (!f.interpreter.empty() && f.stops) text += "\nLinuxCNC says: " + printable(f.interpreter);

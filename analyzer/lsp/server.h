@@ -56,7 +56,7 @@ class Server {
   bool pulls_ = false;          // the client asks for diagnostics itself
   bool refreshes_ = false;      // and can be told to ask again
   bool progress_ = false;
-  std::set<std::string> in_progress_;  // work that the client has been told of
+  std::set<std::string> in_progress_;  // work that the client knows of
   bool watches_ = false;
   int64_t asked_ = 0;           // our own requests
   std::set<std::string> published_;

@@ -53,7 +53,7 @@ class Workspace {
 
   /// Files have changed on disk: nothing that was read is true any more.
   void forget_files();
-  /// Is told how far long work is: reading the programs of a workspace, and checking them.
+  /// Called with the progress of long work: reading the programs of a workspace, and checking them.
   std::function<void(const char* work, size_t done, size_t of)> progress = [](const char*, size_t, size_t) {};
   /// Reads all programs of the workspace, which is done anyway when it is first needed.
   void read_all();

@@ -1,4 +1,4 @@
-// What one program asks of the search path, and what it is told: a later run asks the same questions, and where all
+// What one program asks of the search path, and the answers: a later run asks the same questions, and where all
 // answers are the same the program's findings are, too.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace owlint {
 
-/// One question and its answer, as text. Files are told by file_key().
+/// One question and its answer, as text. Files are named by file_key().
 struct Answer {
   enum class Question : uint8_t { kFind, kFindAll, kOtherCase, kNames };
   Question question = Question::kFind;

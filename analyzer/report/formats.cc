@@ -24,7 +24,7 @@ std::string_view seen_from_root(const Source& source, const ReportStyle& style) 
 
 const std::vector<Format>& formats() {
   static const std::vector<Format> all = {
-      {"text", "for people: the line, the other places, what LinuxCNC says, how to mend it", true, write_text_report},
+      {"text", "for people: the line, the other places, what LinuxCNC says, how to fix it", true, write_text_report},
       {"grouped", "for people: a line a finding, below its file", true, write_grouped},
       {"gcc", "a line a finding, as compilers write it", false, write_gcc},
       {"json", "one object, see owlint-report-1.schema.json", false, json},
@@ -56,7 +56,7 @@ std::string json_path(const Source& source, const ReportStyle& style) { return a
 std::string whole_message(const Finding& finding, std::string_view separator) {
   std::string text = printable(finding.message);
   if (finding.stops && !finding.interpreter.empty()) text += fmt::format("{}LinuxCNC says: {}", separator, printable(finding.interpreter));
-  if (!finding.help.empty()) text += fmt::format("{}mend: {}", separator, printable(finding.help));
+  if (!finding.help.empty()) text += fmt::format("{}fix: {}", separator, printable(finding.help));
   return text;
 }
 

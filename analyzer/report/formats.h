@@ -14,7 +14,7 @@ namespace owlint {
 /// How a report is to look.
 struct ReportStyle {
   bool color = false;
-  std::string root;  ///< the folder that is worked in: paths below it are told without it
+  std::string root;  ///< the folder that is worked in: paths below it are shown without it
 };
 
 using Reports = std::vector<FileReport>;
@@ -30,7 +30,7 @@ struct Format {
 const std::vector<Format>& formats();
 const Format* find_format(std::string_view name);
 
-/// One file for people: place, message, the line with carets, related places, what LinuxCNC says, how to mend it.
+/// One file for people: place, message, the line with carets, related places, what LinuxCNC says, how to fix it.
 void write_text(std::ostream& out, const FileReport& file, const ReportStyle& style);
 void write_text_report(std::ostream& out, const Reports& files, const ReportStyle& style);
 void write_grouped(std::ostream& out, const Reports& files, const ReportStyle& style);
@@ -49,7 +49,7 @@ void write_rdjson(std::ostream& out, const Reports& files, const ReportStyle& st
 std::string shown_path(const Source& source, const ReportStyle& style);
 /// The same for JSON, which can hold any name: nothing of it is replaced.
 std::string json_path(const Source& source, const ReportStyle& style);
-/// The message with what LinuxCNC says and how to mend it, each on a line of its own or behind `separator`.
+/// The message with what LinuxCNC says and how to fix it, each on a line of its own or behind `separator`.
 std::string whole_message(const Finding& finding, std::string_view separator = "\n");
 /// The file that a finding is in.
 const Source& source_of(const FileReport& file, const Finding& finding);

@@ -146,7 +146,7 @@ void mark(Drawing& drawing, const Program& p, const std::vector<Finding>& findin
   }
 }
 
-/// The attributes of a node. What is found is told by a sign as well as by colour.
+/// The attributes of a node. Findings are marked by a sign as well as by colour.
 std::string dot_attributes(const Node& node, size_t file, std::string_view shape) {
   static constexpr std::string_view kColors[] = {"", "#2f6fb0", "#b26a00", "#c62828"};
   static constexpr std::string_view kSigns[] = {"", "(i) ", "(!) ", "(X) "};

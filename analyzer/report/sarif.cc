@@ -68,7 +68,7 @@ class Writer {
 
   static bool has_mark(const Source& source) { return source.slice({0, kMark.size()}) == kMark; }
 
-  /// What a fix replaces; the mark can only be told in bytes.
+  /// What a fix replaces; the byte order mark can only be given in bytes.
   static Json deleted(const Source& source, Span span) {
     const bool mark = has_mark(source) && span.begin < kMark.size() && span.end > span.begin;
     return mark ? Json{{"byteOffset", span.begin}, {"byteLength", span.end - span.begin}} : region(source, span);

@@ -45,7 +45,7 @@ void write_snippet(std::ostream& out, const Source& source, Span span, char mark
                      words.empty() ? "" : " " + std::string(words));
 }
 
-/// `when ... is true, and ... is false`: the branches that lead to a finding.
+/// `... is true and ... is false`: the branches that lead to a finding.
 std::string path_text(const Finding& f) {
   constexpr size_t kShown = 4;
   std::string text;
@@ -53,7 +53,7 @@ std::string path_text(const Finding& f) {
   const size_t first = f.path.size() > kShown ? f.path.size() - kShown : 0;
   for (size_t i = first; i < f.path.size(); ++i) {
     std::string_view words = f.path[i].message;
-    if (i > first) words.remove_prefix(std::min<size_t>(words.size(), 5));  // "when "
+    if (words.starts_with("when ")) words.remove_prefix(5);  // the label says it
     text += (i == first ? "" : i + 1 == f.path.size() ? " and " : ", ") + std::string(words);
   }
   if (first > 0) text += fmt::format(" (and {} more)", first);
@@ -96,14 +96,14 @@ void write_text(std::ostream& out, const FileReport& file, const ReportStyle& st
     const auto line = [&](std::string_view label, std::string_view words) {
       if (!words.empty()) out << fmt::format("      {}= {}:{} {}\n", c.cyan, label, c.reset, printable(words));
     };
-    line("happens", path_text(f));
+    line("when", path_text(f));
     line("LinuxCNC says", f.interpreter);
-    if (!f.versions.empty()) line("versions", fmt::format("in LinuxCNC {} only", fmt::join(f.versions, ", ")));
+    if (!f.versions.empty()) line("versions", fmt::format("only in LinuxCNC {}", fmt::join(f.versions, ", ")));
     for (const Consequence& consequence : f.consequences) {
-      line("on other runs", fmt::format("it stops on account of line {} instead: {}", source.position(consequence.span.begin).line, consequence.interpreter));
+      line("other runs", fmt::format("the program stops because of line {} instead: {}", source.position(consequence.span.begin).line, consequence.interpreter));
     }
-    if (f.reach == Reach::kNever && f.severity != Severity::kInfo && f.code != "OW316") line("reach", "no run gets here as the program stands");
-    line("mend", f.help);
+    if (f.reach == Reach::kNever && f.severity != Severity::kInfo && f.code != "OW316") line("not reached", "no run gets here");
+    line("fix", f.help);
     out << '\n';
   }
 }

@@ -44,7 +44,7 @@ class Source {
   /// Takes bytes that are already in memory (standard input, an editor's buffer); `path` is how reports name them.
   static std::shared_ptr<const Source> own(std::string path, std::string bytes);
 
-  /// What is left of a file when only some of its lines were kept, in their order: places in these are told as in the
+  /// What is left of a file when only some of its lines were kept, in their order: places in these are given as in the
   /// whole file; others are taken for the nearest one before. bytes() are the kept lines.
   static std::shared_ptr<const Source> excerpt(std::string path, const std::vector<KeptLine>& lines, uint32_t line_count);
 

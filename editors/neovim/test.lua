@@ -19,7 +19,7 @@ local function findings(code)
   return vim.tbl_filter(function(finding) return finding.code == code end, vim.diagnostic.get(buffer))
 end
 
--- The offered mends of the lines' findings, and the client that offers them.
+-- The offered fixes of the lines' findings, and the client that offers them.
 local function quick_fixes(first, last)
   local answers, problem = vim.lsp.buf_request_sync(buffer, 'textDocument/codeAction', {
     textDocument = vim.lsp.util.make_text_document_params(buffer),
@@ -40,9 +40,9 @@ end
 
 local function test_quick_fix()
   local actions, client = quick_fixes(32, 33)
-  local mend = vim.tbl_filter(function(action) return action.isPreferred end, actions)[1]
-  expect(mend, 'no preferred quick fix: ' .. vim.inspect(actions))
-  vim.lsp.util.apply_workspace_edit(mend.edit, client.offset_encoding)
+  local fix = vim.tbl_filter(function(action) return action.isPreferred end, actions)[1]
+  expect(fix, 'no preferred quick fix: ' .. vim.inspect(actions))
+  vim.lsp.util.apply_workspace_edit(fix.edit, client.offset_encoding)
   expect(count('o130') == 3, 'the second block should have another label:\n' .. table.concat(lines(), '\n'))
   wait_for('OW104 to go', function() return #findings('OW104') == 0 end)
 end

@@ -34,7 +34,7 @@ def audit(owlint, store, *paths):
 def measure(owlint, store, what, *paths):
     first = timed(audit(owlint, store, *paths))
     files = last_run(store)["files"]
-    time.sleep(2.1)  # files younger than two seconds are told by their bytes
+    time.sleep(2.1)  # files younger than two seconds are compared by their bytes
     run(owlint, "audit", *paths, "--store", store, "-q")
     second = median(audit(owlint, store, *paths))
     check(last_run(store)["analysed"] == 0, "%d programs are analysed again" % last_run(store)["analysed"])

@@ -47,7 +47,7 @@ def test(options, folder):
     shop.change_sub(2, sub_text(2).replace("endif", "endiff"))
     shop.audit("a shared sub becomes faulty", callers(options.files, 2), new=1)
     shop.change_sub(2, sub_text(2))
-    shop.audit("it is mended", callers(options.files, 2), gone=1)
+    shop.audit("it is fixed", callers(options.files, 2), gone=1)
     # The folder `more` comes behind `subs`: what is added there hides nothing, but is one answer more to who asks for all.
     write(shop.root + "/f0000/shared3.ngc", sub_text(3))
     shop.audit("a file of that name, not on the search path", 1)
@@ -71,7 +71,7 @@ def test(options, folder):
     check(last_run(shop.store)["gone"] > 0, "programs that cannot be checked keep their findings")
     os.remove(shop.root + "/f0001/owlint.toml" if options.files > 100 else shop.root + "/owlint.toml")
     run(shop.owlint, "audit", shop.root, "--store", shop.store, "--ini", shop.root + "/machine.ini", "-q")
-    shop.audit("a wrong configuration, and it is mended", 0)
+    shop.audit("a wrong configuration, and it is fixed", 0)
     shop.audit("another option", all_files, ("--ignore", "OW104"), gone=faulty)
     shop.audit("and back", all_files, new=faulty)
     with open(shop.root + "/machine.ini", "a", encoding="utf-8") as ini:

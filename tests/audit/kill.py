@@ -87,7 +87,7 @@ def at_once(options, folder, shop):
             os.kill(first.pid, signal.SIGCONT)
             check(first.wait() == 1 and second.wait() == 1, "one of two audits did not come to its end")
     check([row[0] for row in query(store, "SELECT state FROM run")] == ["complete", "complete"], "two runs are not complete")
-    print("two audits at once: the second one is told, or waits")
+    print("two audits at once: the second one gets a message, or waits")
 
 
 def no_stores(options, folder, shop):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Does --watch tell of a mistake when it is saved, and when it is mended?
+"""Does --watch tell of a mistake when it is saved, and when it is fixed?
 
 usage: watch.py --owlint build/release/owlint
 """
@@ -22,15 +22,15 @@ def test(options, folder):
     audit = subprocess.Popen([options.owlint, "audit", shop, "--store", store, "--watch", "--color", "never"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     lines = queue.Queue()
     threading.Thread(target=lambda: [lines.put(line) for line in audit.stdout], daemon=True).start()
-    told = []
+    seen = []
 
     def until(words):
         while True:
             try:
-                told.append(lines.get(timeout=PATIENCE))
+                seen.append(lines.get(timeout=PATIENCE))
             except queue.Empty:
-                check(False, "`%s` is not said: %s" % (words, "".join(told)))
-            if words in told[-1]:
+                check(False, "`%s` is not said: %s" % (words, "".join(seen)))
+            if words in seen[-1]:
                 return
 
     try:

@@ -1,4 +1,4 @@
-// A shop of 100,000 programs with 50,000 findings. How long it takes is told; the bounds only keep it from hanging.
+// A shop of 100,000 programs with 50,000 findings. The time is printed; the bounds only keep it from hanging.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { eventually, open, start, stop } from "./browser.mjs";

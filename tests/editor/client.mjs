@@ -47,7 +47,7 @@ export class Client {
   published = [];
   shown = []; // what the server wanted to be shown
   asked = []; // methods of the server's own requests
-  progress = []; // what was told of long work
+  progress = []; // reports of long work
   #versions = new Map();
   #waiting = new Set();
 
@@ -68,7 +68,7 @@ export class Client {
       return { success: true };
     });
     this.connection.onNotification('window/showMessage', (params) => this.shown.push(params.message));
-    this.connection.onUnhandledProgress((told) => this.progress.push(told));
+    this.connection.onUnhandledProgress((report) => this.progress.push(report));
     this.connection.onRequest((method) => {
       this.asked.push(method);
       return null;

@@ -65,8 +65,8 @@ session('every version is answered, a sound program with nothing', push, async (
   client.open('a.ngc', sound);
   assert.deepEqual((await client.waitDiagnostics('a.ngc', 1)).diagnostics, []);
   assert.deepEqual(codes((await client.waitDiagnostics('a.ngc', client.replaceAll('a.ngc', twice))).diagnostics), ['OW104']);
-  const mended = client.replace('a.ngc', [['o100 if', 1], 'o300 if'], [['o100 endif', 1], 'o300 endif']);
-  assert.deepEqual((await client.waitDiagnostics('a.ngc', mended)).diagnostics, []);
+  const fixed = client.replace('a.ngc', [['o100 if', 1], 'o300 if'], [['o100 endif', 1], 'o300 endif']);
+  assert.deepEqual((await client.waitDiagnostics('a.ngc', fixed)).diagnostics, []);
 });
 
 session('closing a document clears what was pushed', push, async (client) => {
@@ -254,10 +254,10 @@ session('long work is shown: reading a large folder, and checking it', { files: 
   assert.equal(report.items.length, 450);
   assert.equal(report.items.filter((item) => item.items.length > 0).length, 5);
   for (const work of ['owlint reads programs', 'owlint checks programs']) {
-    const told = client.progress.filter(({ token }) => token === work).map(({ value }) => value);
-    assert.deepEqual(told.map(({ kind }) => kind), ['begin', 'report', 'report', 'report', 'end'], work);
-    assert.deepEqual(told.slice(1, 4).map(({ message }) => message), ['0 of 450', '200 of 450', '400 of 450']);
-    assert.ok(told.slice(1, 4).every(({ percentage }, i, all) => percentage <= 100 && (i === 0 || percentage > all[i - 1].percentage)));
+    const reports = client.progress.filter(({ token }) => token === work).map(({ value }) => value);
+    assert.deepEqual(reports.map(({ kind }) => kind), ['begin', 'report', 'report', 'report', 'end'], work);
+    assert.deepEqual(reports.slice(1, 4).map(({ message }) => message), ['0 of 450', '200 of 450', '400 of 450']);
+    assert.ok(reports.slice(1, 4).every(({ percentage }, i, all) => percentage <= 100 && (i === 0 || percentage > all[i - 1].percentage)));
   }
   assert.equal(client.asked.filter((method) => method === 'window/workDoneProgress/create').length, 2);
 });

@@ -179,7 +179,7 @@ session('files that are not UTF-8', { files: latin1 }, async (client) => {
   }
   const { items } = await client.request('workspace/diagnostic', { previousResultIds: [] });
   const found = items.find((item) => client.name(item.uri) === 'face.ngc').items;
-  assert.ok(found.some((one) => one.severity <= 2), 'what is wrong in it is told');
+  assert.ok(found.some((one) => one.severity <= 2), 'what is wrong in it is reported');
 });
 
 session('other schemes than files', {}, async (client) => {

@@ -54,7 +54,7 @@ def check_rdjson(output, run):
     def span(path, start, end):
         return run.byte_place(path, start), run.byte_place(path, end)
 
-    def told(spot):
+    def span_of(spot):
         return tuple((spot[at]["line"], spot[at]["column"]) for at in ("start", "end"))
 
     diagnostics = report["diagnostics"]
@@ -66,15 +66,15 @@ def check_rdjson(output, run):
             problems.append("%r does not say %r" % (diagnostic["message"], finding["message"]))
         location = diagnostic["location"]
         shown = check_path(run, location["path"], problems)
-        found.append((shown, diagnostic["code"]["value"], diagnostic["severity"], told(location["range"])))
+        found.append((shown, diagnostic["code"]["value"], diagnostic["severity"], span_of(location["range"])))
         expected.append((run.key(path), finding["code"], finding["severity"].upper(), span(path, finding["start"], finding["end"])))
-        # A suggestion is one replacement, and several are alternatives: a fix that takes several edits cannot be told.
+        # A suggestion is one replacement, and several are alternatives: a fix of several edits has no place there.
         fixes = [fix["edits"][0] for fix in finding["fixes"] if len(fix["edits"]) == 1]
-        same([(told(s["range"]), s["text"]) for s in diagnostic.get("suggestions", [])],
+        same([(span_of(s["range"]), s["text"]) for s in diagnostic.get("suggestions", [])],
              [(span(path, edit["start"], edit["end"]), edit["text"]) for edit in fixes], "suggestion", problems)
         related = [(run.key(r["path"]), r["message"], span(r["path"], r["start"], r["end"]))
                    for r in finding["related"] if not r["message"].startswith(BRANCH)]
-        same([(check_path(run, r["location"]["path"], problems), r["message"], told(r["location"]["range"]))
+        same([(check_path(run, r["location"]["path"], problems), r["message"], span_of(r["location"]["range"]))
               for r in diagnostic.get("relatedLocations", [])], related, "related location", problems)
     if len(diagnostics) != len(run.findings):
         problems.append("%d diagnostics for %d findings" % (len(diagnostics), len(run.findings)))

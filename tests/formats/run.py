@@ -94,7 +94,7 @@ class Run:
                 self.written.add(as_utf8(os.path.normpath(raw)))
 
     def key(self, shown):
-        """One text for one file, whether its path is told from the root or from the folder of the run."""
+        """One text for one file, whether its path is given from the root or from the folder of the run."""
         return visible(os.path.normpath(os.path.join(as_utf8(self.folder), shown)))
 
     def lost_paths(self):
@@ -128,12 +128,12 @@ class Run:
 
 
 def check_path(run, shown, problems):
-    """A path below the folder of the run is told without that folder."""
+    """A path below the folder of the run is shown without that folder."""
     if run.below(shown) and shown.startswith(("/", "./")):
         problems.append("a path below the folder of the run is not relative to it: %r" % shown)
     return run.key(shown)
 
 
 def says(text, message):
-    """Whether a text begins with the finding's message; what LinuxCNC says and how to mend it may come after it."""
+    """Whether a text begins with the finding's message; what LinuxCNC says and how to fix it may come after it."""
     return text == message or (text.startswith(message) and text[len(message)] in "\n;")

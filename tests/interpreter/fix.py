@@ -12,7 +12,7 @@ count as one program.  Checked is that
 3. the rounds come to an end, and made again they change nothing: of the safe fixes, and of all.
 
 Runs have all their conditions false, all true, or at random.  Four things are counted and no violation: another finding of
-the same rule that the mended one hid (LinuxCNC reports the first error only); other comments that only a reader sees; other output of a run that never ended; another end where nothing was mended (one stop may stand
+the same rule that the fixed one hid (LinuxCNC reports the first error only); other comments that only a reader sees; other output of a run that never ended; another end where nothing was fixed (one stop may stand
 before another).  By default the edits of the JSON report are made here; with --through-program `owlint check --fix` makes
 the rounds.  Violations are shrunk and printed.
 
@@ -38,7 +38,7 @@ except (ImportError, SystemExit):
 
 from generate import generate
 from linter import Linter, LinterFailed
-from mend import JsonMender, ProgramMender, apply, first_fix
+from fixer import JsonFixer, ProgramFixer, apply, first_fix
 from messages import EOF, EOF_CODES, codes_of
 from roughen import roughen
 
@@ -54,7 +54,7 @@ LINES_SHOWN = 60
 STAYS, UNCOVERS, OVERLAP = "the finding stays", "as many findings of its code", "edits overlap"
 STOPS, OUTPUT, BEFORE = "a run that ended stops", "another output", "another output before the stop"
 ENDLESS, AGAIN = "no end of fixes", "fixes made again change something"
-COMMENTS, NEVER_ENDED, OTHER_END = "other comments", "other output of an endless run", "another end where nothing was mended"
+COMMENTS, NEVER_ENDED, OTHER_END = "other comments", "other output of an endless run", "another end where nothing was fixed"
 COUNTED = (COMMENTS, NEVER_ENDED, OTHER_END, UNCOVERS)  # what one stop hid may be the same mistake again
 SAFE, ALL = "all safe fixes", "all fixes"
 
@@ -66,8 +66,8 @@ _ACTIVE = re.compile(r"comment ['\"]\s*(PROBE|RPY|LOG|AXIS)", re.IGNORECASE)
 class Violation:
     kind: str
     what: str               # the code and the title of the fix, or SAFE, ALL
-    codes: str = ""         # of the findings mended together; of a single one also its reach
-    after: str = ""         # the mended program
+    codes: str = ""         # of the findings fixed together; of a single one also its reach
+    after: str = ""         # the fixed program
     detail: tuple = ()
 
     @property
@@ -98,14 +98,14 @@ def stops_of(findings):
     return {stop["start"]["line"] for stop in stops} | ({0} if at_end else set())
 
 
-def told(run):
+def put_out(run):
     """What a run tells the machine, and not only readers."""
     return tuple(call for call in run.calls if not call.startswith("comment ") or _ACTIVE.match(call))
 
 
 def compare(before, after, stops):
-    """What the second run does that the first did not, if anything; `stops`: the lines of stops that were mended."""
-    ours, theirs = told(before), told(after)
+    """What the second run does that the first did not, if anything; `stops`: the lines of stops that were fixed."""
+    ours, theirs = put_out(before), put_out(after)
     same = ours[:len(theirs)] == theirs[:len(ours)]
     if before.outcome == "ok":
         if after.outcome != "ok":
@@ -145,8 +145,8 @@ class Examiner:
         self.options = options
         self.folder = tempfile.mkdtemp(dir=folder)
         self.linter = Linter(options.owlint, arguments=["--no-find-ini", "--extend-select", "OW", "--jobs", "1"])
-        mender = ProgramMender if options.through_program else JsonMender
-        self.mender = mender(self.linter, os.path.join(self.folder, "mended"))
+        fixer = ProgramFixer if options.through_program else JsonFixer
+        self.fixer = fixer(self.linter, os.path.join(self.folder, "fixed"))
         self.interpreter = Interpreter(False, folder, record=True, cpu_limit=CPU_LIMIT_S)
         self.counts = Counter()
 
@@ -155,12 +155,12 @@ class Examiner:
         findings = self._check(programs)
         found = self._alone(programs, findings)
         for unsafe, what in ((False, SAFE), (True, ALL)):
-            mended = self.mender.mend(programs, unsafe)
-            again = self.mender.mend({name: one.text for name, one in mended.items() if one.ended}, unsafe)
-            for name, one in mended.items():
+            fixed = self.fixer.fix(programs, unsafe)
+            again = self.fixer.fix({name: one.text for name, one in fixed.items() if one.ended}, unsafe)
+            for name, one in fixed.items():
                 fixed = [f for f in findings[name] if first_fix(f, unsafe)]
                 codes = "|".join(sorted({f["code"] for f in fixed}))
-                self.counts["mended programs, " + what] += one.text != programs[name]
+                self.counts["fixed programs, " + what] += one.text != programs[name]
                 self.counts["longest rounds"] = max(self.counts["longest rounds"], one.rounds)
                 if not one.ended:
                     found.append((name, Violation(ENDLESS, what, codes, one.text)))
@@ -168,7 +168,7 @@ class Examiner:
                     found.append((name, Violation(AGAIN, what, codes, again[name].text)))
                 elif not unsafe and one.text != programs[name]:
                     violation = self._runs(name, programs[name], one.text, stops_of(fixed), what, codes)
-                    # Told already, of the fix that does it.
+                    # Reported already, of the fix that does it.
                     alone = any(n == name and v.kind not in (STAYS, UNCOVERS) for n, v in found)
                     found += [(name, violation)] if violation and not alone else []
         return found
@@ -193,7 +193,7 @@ class Examiner:
             code, title = finding["code"], title_of(finding, fix)
             sort = "%s %s%s" % (code, finding["reach"], " stops" if finding["stops"] else "")
             said = tuple("%s: line %d %s%s: %s" % (when, f["start"]["line"], f["reach"], " stops" if f["stops"] else "", f["message"])
-                         for when, some in (("mended", [finding]), ("then", left[single])) for f in some if f["code"] == code)
+                         for when, some in (("fixed", [finding]), ("then", left[single])) for f in some if f["code"] == code)
             place = moved(finding["start"]["offset"], fix["edits"])
             if any((f["code"], f["start"]["offset"]) == (code, place) for f in left[single]):
                 found.append((name, Violation(STAYS, title, sort, after, said)))
@@ -252,7 +252,7 @@ class Examiner:
 def difference(before, after, choices):
     """The first difference of two runs, in words."""
     ends = ["%s: %s, line %d, %s" % (when, run.outcome, run.line, run.message) for when, run in (("before", before), ("after", after))]
-    ours, theirs = told(before), told(after)
+    ours, theirs = put_out(before), put_out(after)
     at = next((i for i, (a, b) in enumerate(zip(ours, theirs)) if a != b), min(len(ours), len(theirs)))
     calls = ["call %d %s: %s" % (at, when, run[at] if at < len(run) else "none")
              for when, run in (("before", ours), ("after", theirs))] if ours != theirs else []
@@ -367,10 +367,10 @@ def main(argv):
     print("\nsafe fixes, by code and reach, and those of them that change a run:")
     for key in sorted(key for key in counts if key.startswith("safe OW")):
         print("  %-24s%5d%5d" % (key[5:], counts[key], counts["changing " + key]))
-    print("seed %d: %d programs, %d fixes (%d safe), %d programs mended safely and %d wholly in up to %d rounds, %d pairs of runs compared "
+    print("seed %d: %d programs, %d fixes (%d safe), %d programs fixed safely and %d wholly in up to %d rounds, %d pairs of runs compared "
           "(%s), %d violations, %.0f s" % (
-              options.seed, len(programs), counts["fixes"], counts["safe fixes"], counts["mended programs, " + SAFE],
-              counts["mended programs, " + ALL], counts["longest rounds"], counts["runs"],
+              options.seed, len(programs), counts["fixes"], counts["safe fixes"], counts["fixed programs, " + SAFE],
+              counts["fixed programs, " + ALL], counts["longest rounds"], counts["runs"],
               ", ".join("%s: %d" % (kind, counts[kind]) for kind in COUNTED), len(found), seconds))
     return 1 if found or not counts["safe fixes"] else 0
 

@@ -48,12 +48,12 @@ def main():
             if first[0] != 0:
                 continue
             ran += 1
-            with open(copy, "wb") as mended:
-                mended.write(text)
+            with open(copy, "wb") as fixed:
+                fixed.write(text)
             if rs274.canonical(copy) != first:
                 different += 1
                 print("different: %s" % path)
-    print("%d programs, %d of them mended, %d of these ran, %d differ" % (len(paths), changed, ran, different))
+    print("%d programs, %d of them fixed, %d of these ran, %d differ" % (len(paths), changed, ran, different))
     return 1 if different or not ran else 0
 
 

@@ -171,11 +171,11 @@ class Shop:
 
 # ---- with all three ----
 
-def bad_then_mended(shop):
+def bad_then_fixed(shop):
     shop.stage({"slot.ngc": BAD, "notes.txt": BAD})
     shop.commit(False, ["slot.ngc:3:1: error", "OW106", "write `o100 endif`"], ["notes.txt"])
     shop.stage({"slot.ngc": GOOD})
-    shop.commit(True, hidden=["OW106"], what="mended")
+    shop.commit(True, hidden=["OW106"], what="fixed")
     shop.git("rm", "-q", "slot.ngc")
     shop.commit(True, what="deleted")
 
@@ -225,7 +225,7 @@ def names(shop):
     shop.stage(dict.fromkeys(odd, BAD))
     shop.commit(False, ["%s:3:1: error" % name for name in odd])
     shop.stage(dict.fromkeys(odd, GOOD))
-    shop.commit(True, hidden=["OW106"], what="mended")
+    shop.commit(True, hidden=["OW106"], what="fixed")
 
 
 # ---- with those of pre-commit ----
@@ -299,7 +299,7 @@ def ways_to_commit(shop):
     put(os.path.join(tree, "a.ngc"), BAD)
     shop.commit(False, ["a.ngc:3:1: error"], argv=("-a", "-m", "there"), folder=tree, what="in a linked worktree")
     put(os.path.join(tree, "a.ngc"), GOOD + "; a\n")
-    shop.commit(True, argv=("-a", "-m", "there"), folder=tree, what="in a linked worktree, mended")
+    shop.commit(True, argv=("-a", "-m", "there"), folder=tree, what="in a linked worktree, fixed")
 
 
 def without_owlint(shop):
@@ -315,7 +315,7 @@ def run_case(bench, case, kind, args=()):
 
 
 def all_cases(bench):
-    everywhere = (bad_then_mended, bad_beside, staged_counts, called_beside, called_through_ini, names)
+    everywhere = (bad_then_fixed, bad_beside, staged_counts, called_beside, called_through_ini, names)
     for kind in ("owlint-system", "owlint"):
         for case in (*everywhere, untracked_file_is_called):
             run_case(bench, case, kind)

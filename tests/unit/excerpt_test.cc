@@ -6,7 +6,7 @@ using owlint::KeptLine;
 using owlint::Source;
 using owlint::Span;
 
-TEST_CASE("places in an excerpt are told as in the whole file", "[source]") {
+TEST_CASE("places in an excerpt are given as in the whole file", "[source]") {
   const std::string text = "G21\n(é) o100 if [1]\nG0 X1\n\nM2";
   const auto whole = Source::own("a.ngc", text);
   std::vector<KeptLine> kept;

@@ -52,7 +52,7 @@ std::string text(const Range& r) { return (r.above_low ? "(" : "[") + std::to_st
 
 TEST_CASE("a range holds the results of its members", "[ranges]") {
   Random random;
-  size_t told = 0;
+  size_t narrowed = 0;
   size_t failing = 0;
   for (int i = 0; i < 200'000; ++i) {
     const Operator op = random.op();
@@ -60,7 +60,7 @@ TEST_CASE("a range holds the results of its members", "[ranges]") {
     const Range right = random.range();
     const Range out = flow::apply(op, left, right);
     const char* fails = flow::always_fails(op, left, right);
-    told += out.is_all() ? 0 : 1;
+    narrowed += out.is_all() ? 0 : 1;
     failing += fails != nullptr ? 1 : 0;
     for (int k = 0; k < 4; ++k) {
       const double a = random.member(left);
@@ -78,7 +78,7 @@ TEST_CASE("a range holds the results of its members", "[ranges]") {
       }
     }
   }
-  CHECK(told > 100'000);
+  CHECK(narrowed > 100'000);
   CHECK(failing > 1'000);
 }
 

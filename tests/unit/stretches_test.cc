@@ -54,7 +54,7 @@ TEST_CASE("a large file is read alike by one core and by several", "[scanner]") 
   }
 }
 
-TEST_CASE("after a problem nothing more is begun, and the problem is told") {
+TEST_CASE("after a problem nothing more is begun, and the problem is reported") {
   const AllCores all;
   use_cores(1);
   std::vector<size_t> begun;

@@ -1,4 +1,4 @@
-// Comments that silence findings.
+// Comments that suppress findings.
 #include <catch2/catch.hpp>
 
 #include "analyzer/findings/suppression.h"
@@ -42,7 +42,7 @@ TEST_CASE("words of a suppression", "[suppression]") {
   CHECK(parse(" -- why")[0].malformed);
 }
 
-TEST_CASE("a suppression on its own line silences the next one", "[suppression]") {
+TEST_CASE("a suppression on its own line suppresses the next one", "[suppression]") {
   CHECK(found("o1 if [0]\no1 endif done\nM2\n") == Found{"2 OW304"});
   CHECK(found("o1 if [0]\n(owlint: ignore OW304 -- old post)\no1 endif done\nM2\n").empty());
   CHECK(found("o1 if [0]\n; owlint: ignore OW3\no1 endif done\nM2\n").empty());
@@ -55,12 +55,12 @@ TEST_CASE("a suppression for the file may stand anywhere", "[suppression]") {
   CHECK(found("; owlint: ignore-file\no1 if [0]\no1 endif done\nM2\n").empty());
 }
 
-TEST_CASE("a suppression that silences nothing is a finding", "[suppression]") {
+TEST_CASE("a suppression that suppresses nothing is a finding", "[suppression]") {
   CHECK(found("(owlint: ignore OW104)\nG0 X1\nM2\n") == Found{"1 OW002"});
   CHECK(found("(owlint: ignore OW999)\nG0 X1\nM2\n") == Found{"1 OW001"});
   CHECK(found("(owlint: silence OW104)\nG0 X1\nM2\n") == Found{"1 OW001"});
 }
 
-TEST_CASE("one comment may silence several rules on its line", "[suppression]") {
+TEST_CASE("one comment may suppress several rules on its line", "[suppression]") {
   CHECK(found("(owlint: ignore OW104 OW304)\no1 if [0]\no1 endif\nM2\n") == Found{"1 OW002", "1 OW002"});
 }

@@ -38,7 +38,7 @@ function Told({ model, file, finding, open }: { model: Model; file: number; find
         return <p key={i} class="more">{target === undefined ? place : <a href={link("program", target, { line: String(r.start.line) })}>{place}</a>}: <Message text={r.message} /></p>;
       })}
       {finding.interpreter && <p class="more"><b>LinuxCNC says</b> {visible(finding.interpreter)}</p>}
-      {finding.help && <p class="more"><b>Mend</b> <Message text={finding.help} /></p>}
+      {finding.help && <p class="more"><b>Fix</b> <Message text={finding.help} /></p>}
       {finding.reach === "never" && <p class="more">No run gets here as the program stands.</p>}
     </div>
   );

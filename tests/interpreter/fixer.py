@@ -15,7 +15,7 @@ TIME_LIMIT_S = 300
 
 
 @dataclass
-class Mended:
+class Fixed:
     """A program after its fixes; `ended` is false where there was always one more to make."""
     text: str
     rounds: int = 0
@@ -57,16 +57,16 @@ def _touches(taken, span):
     return at > 0 and taken[at - 1][1] >= span[0]
 
 
-class JsonMender:
+class JsonFixer:
     """Makes the edits of the JSON report."""
 
     def __init__(self, linter, folder):
         self.linter = linter
         self.folder = folder
 
-    def mend(self, programs, unsafe):
-        """name -> text: name -> Mended"""
-        done = {name: Mended(text) for name, text in programs.items()}
+    def fix(self, programs, unsafe):
+        """name -> text: name -> Fixed"""
+        done = {name: Fixed(text) for name, text in programs.items()}
         left = list(programs)
         for _ in range(MAX_ROUNDS):
             findings = self.linter.check(self.folder, {name: done[name].text for name in left})
@@ -82,7 +82,7 @@ class JsonMender:
         return done
 
 
-class ProgramMender:
+class ProgramFixer:
     """Lets `owlint check --fix` do it, in place."""
 
     def __init__(self, linter, folder):
@@ -90,7 +90,7 @@ class ProgramMender:
         self.folder = folder
         self.command = linter.command + ["--fix"]
 
-    def mend(self, programs, unsafe):
+    def fix(self, programs, unsafe):
         shutil.rmtree(self.folder, ignore_errors=True)
         os.makedirs(self.folder)
         for name, text in programs.items():
@@ -105,14 +105,14 @@ class ProgramMender:
         # 2 is also what it ends with where a file is left as it is because there was always one more fix to make.
         if done.returncode not in (0, 1) and not (done.returncode == 2 and "does not come to an end" in said):
             raise LinterFailed("exit status %d of %s\n%s" % (done.returncode, " ".join(command), said[-2000:]))
-        mended = {}
+        fixed = {}
         for name, text in programs.items():
             with open(os.path.join(self.folder, name), encoding="latin-1", newline="") as f:
-                mended[name] = Mended(f.read())
-            mended[name].rounds = int(mended[name].text != text)
+                fixed[name] = Fixed(f.read())
+            fixed[name].rounds = int(fixed[name].text != text)
         shutil.rmtree(self.folder)
         # Where a fix is left, it did not come to an end, whatever was said.
-        findings = self.linter.check(self.folder, {name: one.text for name, one in mended.items()})
-        for name, one in mended.items():
+        findings = self.linter.check(self.folder, {name: one.text for name, one in fixed.items()})
+        for name, one in fixed.items():
             one.ended = not round_of(findings[name], unsafe)
-        return mended
+        return fixed

@@ -168,12 +168,12 @@ session('explain a finding', {}, async (client) => {
 });
 
 for (const name of ['keyslots-copied-label.ngc', 'o-ring-groove-else-mistyped-crlf.ngc']) {
-  session(`silence a finding: ${name}`, {}, async (client) => {
+  session(`suppress a finding: ${name}`, {}, async (client) => {
     client.open(name, corpus(name));
     const [{ code, range }] = await client.pulled(name);
-    const silence = (await actions(client, name, code)).find((one) => one.title === `silence ${code} here`);
-    assert.equal(silence.kind, 'quickfix');
-    const after = (await edited(client, silence))[name];
+    const suppress = (await actions(client, name, code)).find((one) => one.title === `suppress ${code} here`);
+    assert.equal(suppress.kind, 'quickfix');
+    const after = (await edited(client, suppress))[name];
     const added = after.split(/\r?\n/)[range.start.line];
     assert.match(added, new RegExp(`^\\s*[(;]\\s*owlint: ignore ${code}\\b`));
     const ends = (text) => new Set(text.match(/\r?\n/g));
