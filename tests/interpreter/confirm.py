@@ -21,6 +21,7 @@ from dataclasses import dataclass
 
 import bundle
 import rs274
+from claims import Claims, judge, plain
 from linter import Linter
 from rs274 import Outcome
 
@@ -28,8 +29,6 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 RECORDED = os.path.join(HERE, "recorded.tsv")
 MESSAGE_KEPT = 400          # characters of many warnings
-CRASHES = frozenset({"OW503", "OW505"})
-ENDLESS = frozenset({"OW504", "OW508", "OW510"})
 
 
 @dataclass(frozen=True)
@@ -61,55 +60,6 @@ class Program:
         """What the interpreter's outcome depends on: not the words of expectations, which are comments."""
         text = re.sub(r"(?m)^; (asks|expect|options): .*?(?=\r?$)", ";", self.text)
         return hashlib.sha256(text.encode("latin-1")).hexdigest()[:12]
-
-
-def plain(message):
-    """A message without what depends on where the program lies and how blanks are written."""
-    message = re.sub(r"(?i)(file:)\s*\S+?(?=\s|$)", r"\1PROGRAM", message)
-    return re.sub(r"\s+", "", re.sub(r"^\d+: ", "", message)).lower()
-
-
-class Claims:
-    """What owlint's findings say about how a program ends."""
-
-    def __init__(self, findings):
-        met = [f for f in findings if f["reach"] != "never"]
-        self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
-        self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
-        self.endless = [f for f in met if f["code"] in ENDLESS]
-        self.always = [f for f in self.stops + self.crashes if f["reach"] == "always" and f["severity"] == "error"]
-
-    def stop_at(self, outcome):
-        """The finding that claims this error, or None."""
-        for f in self.stops:
-            for claim in [f] + f.get("consequences", []):
-                said = claim.get("interpreter", "")
-                line = claim["start"]["line"]
-                # under OWORD_WARNONLY warnings may stand before the error
-                if said and plain(outcome.message).endswith(plain(said)) and (not outcome.line or _fits(outcome, line)):
-                    return f
-        return None
-
-
-def _fits(outcome, line):
-    """Whether the finding is on the line of the message. Where the message names its file, the finding may be at the
-    cause, as the call from which one runs into a definition."""
-    return line == outcome.line or outcome.message.startswith("File:") or "levels" in outcome.message
-
-
-def judge(outcome, claims, page=""):
-    """What owlint says wrongly about this outcome."""
-    quoted = [f.get("interpreter", "") for f in claims.stops]
-    if outcome.kind == "error" and not claims.stop_at(outcome):
-        at = " on line %d" % outcome.line if outcome.line else ""
-        yield "the interpreter stops%s (%s), owlint claims %s" % (at, outcome.message, quoted or "no stop")
-    if outcome.kind == "crash" and not any(f["start"]["line"] == outcome.line or not outcome.line for f in claims.crashes):
-        yield "the interpreter crashes on line %d (%s), without OW503 there" % (outcome.line, outcome.message)
-    if outcome.kind == "hang" and not claims.endless:
-        yield "the interpreter never ends, without OW504, OW508 or OW510"
-    if outcome.kind == "ok":
-        for f in claims.always:
-            yield "%s on line %d is claimed for every run, but the program ends" % (f["code"], f["start"]["line"])
 
 
 # -- what there is to confirm

@@ -1,11 +1,9 @@
 """LinuxCNC's stand-alone interpreter, one program at a time.
 
 Slower than oracle.py, but it is the program that a machinist can run, and it obeys an INI on its own.  The parameter
-file is always one in a scratch folder: rs274 renames over whatever it is given.  Only one may run at a time: two that
-start together share memory that one of them shortens, and the other dies of a bus error.
+file is always one in a scratch folder: rs274 renames over whatever it is given.  So is the home folder: the tool table
+lies there in memory that runs share, and one that starts shortens it under another, which then dies of a bus error.
 """
-import contextlib
-import fcntl
 import os
 import re
 import resource
@@ -13,7 +11,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 CPU_LIMIT_S = 1             # of processor time: a busy machine makes no hang
 WALL_LIMIT_S = 60
@@ -21,9 +19,6 @@ STDERR_READ = 20_000
 HANG_SAYS = 120             # characters kept of the warnings of an endless loop
 MODES = {"default": None, "warnonly": "OWORD_WARNONLY = 1\n", "mask": "FEATURES = 0x20\nFEATURE = 0x20\n"}
 AT_FILE_END = re.compile(r"File ended|EOF in file|Failed to find sub")
-
-BUS_ERRORS = 20             # tries; other users of the machine may run theirs
-LOCK = os.path.join(tempfile.gettempdir(), "owlint-rs274-%d.lock" % os.getuid())
 
 available = shutil.which("rs274") is not None
 
@@ -35,35 +30,22 @@ class Outcome:
     line: int = 0           # 0 where the interpreter does not say
     message: str = ""       # its error, or its warnings in one line
     x: str = ""             # the X of its last rapid move
-
-
-@contextlib.contextmanager
-def _alone():
-    with open(LOCK, "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        yield
+    # The line that was read last, as it is printed behind an error.
+    text: str = field(default="", compare=False)
 
 
 def run(path, mode="default"):
     """Run the program at `path` -> its Outcome."""
     path = os.path.abspath(path)
-    for _ in range(BUS_ERRORS):
-        with _alone():
-            status, text, x = _run(path, mode)
-        if status != -signal.SIGBUS:
-            break
-    return _outcome(path, status, text, x)
+    return _outcome(path, *_run(path, mode))
 
 
 def canonical(path):
     """Run the program at `path` -> (exit status, all that it tells the machine)."""
     with tempfile.TemporaryDirectory(prefix="owlint-rs274-") as folder:
-        for _ in range(BUS_ERRORS):
-            with _alone():
-                done = subprocess.run(["rs274", "-g", os.path.abspath(path)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=folder,
-                                      preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT_S, CPU_LIMIT_S + 1)), check=False)
-            if done.returncode != -signal.SIGBUS:
-                break
+        done = subprocess.run(["rs274", "-g", os.path.abspath(path)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=folder,
+                              env={**os.environ, "HOME": folder},
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (CPU_LIMIT_S, CPU_LIMIT_S + 1)), check=False)
     return done.returncode, done.stdout
 
 
@@ -83,7 +65,8 @@ def _run(path, mode):
                 f.write("[RS274NGC]\nPARAMETER_FILE = %s\n%s" % (parameters, MODES[mode]))
             argv += ["-i", ini]
         with open(os.path.join(folder, "out"), "w+b") as out, open(os.path.join(folder, "err"), "w+b") as err:
-            process = subprocess.Popen(argv + [path], stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=where)
+            process = subprocess.Popen(argv + [path], stdin=subprocess.DEVNULL, stdout=out, stderr=err, cwd=where,
+                                       env={**os.environ, "HOME": folder})
             resource.prlimit(process.pid, resource.RLIMIT_CPU, (CPU_LIMIT_S, CPU_LIMIT_S + 1))
             resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
             try:
@@ -111,7 +94,7 @@ def _outcome(path, status, text, x):
     line = int(said.group(1)) if said else 0
     if not line and len(lines) > 1 and not AT_FILE_END.search(message):
         line = _line_of(path, lines[1])
-    return Outcome("error", line, message, x)
+    return Outcome("error", line, message, x, lines[1].strip() if len(lines) > 1 else "")
 
 
 def _last_line(message):

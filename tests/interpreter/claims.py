@@ -1,0 +1,59 @@
+"""What owlint's findings say about how a program ends, held against how it ended in rs274."""
+import re
+
+CRASHES = frozenset({"OW503", "OW505"})
+ENDLESS = frozenset({"OW504", "OW508", "OW510"})
+
+
+def plain(message):
+    """A message without what depends on where the program lies and how blanks are written."""
+    message = re.sub(r"(?i)(file:)\s*\S+?(?=\s|$)", r"\1PROGRAM", message)
+    return re.sub(r"\s+", "", re.sub(r"^\d+: ", "", message)).lower()
+
+
+def same_words(message, quote):
+    """Whether this is the message that owlint quotes. Under OWORD_WARNONLY warnings may stand before it."""
+    return bool(quote) and plain(message).endswith(plain(quote.encode().decode("latin-1")))
+
+
+class Claims:
+    """What owlint's findings say about how a program ends."""
+
+    def __init__(self, findings):
+        met = [f for f in findings if f["reach"] != "never"]
+        self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
+        self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
+        self.endless = [f for f in met if f["code"] in ENDLESS]
+        self.always = [f for f in self.stops + self.crashes if f["reach"] == "always" and f["severity"] == "error"]
+
+    @property
+    def quoted(self):
+        return [f.get("interpreter", "") for f in self.stops]
+
+    def stop_at(self, outcome):
+        """The finding that claims this error, or None."""
+        for f in self.stops:
+            for claim in [f] + f.get("consequences", []):
+                if same_words(outcome.message, claim.get("interpreter", "")) and (not outcome.line or _fits(outcome, claim["start"]["line"])):
+                    return f
+        return None
+
+
+def _fits(outcome, line):
+    """Whether the finding is on the line of the message. Where the message names its file, the finding may be at the
+    cause, as the call from which one runs into a definition."""
+    return line == outcome.line or outcome.message.startswith("File:") or "levels" in outcome.message
+
+
+def judge(outcome, claims):
+    """What owlint says wrongly about this outcome."""
+    if outcome.kind == "error" and not claims.stop_at(outcome):
+        at = " on line %d" % outcome.line if outcome.line else ""
+        yield "the interpreter stops%s (%s), owlint claims %s" % (at, outcome.message, claims.quoted or "no stop")
+    if outcome.kind == "crash" and not any(f["start"]["line"] == outcome.line or not outcome.line for f in claims.crashes):
+        yield "the interpreter crashes on line %d (%s), without OW503 there" % (outcome.line, outcome.message)
+    if outcome.kind == "hang" and not claims.endless:
+        yield "the interpreter never ends, without OW504, OW508 or OW510"
+    if outcome.kind == "ok":
+        for f in claims.always:
+            yield "%s on line %d is claimed for every run, but the program ends" % (f["code"], f["start"]["line"])
