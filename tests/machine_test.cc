@@ -1,4 +1,6 @@
 // Programs on their machine, as users check them: which INI is taken, what is reported of called files, and how often.
+#include <filesystem>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -185,4 +187,62 @@ TEST_CASE("graphs show the called files", "[machine]") {
   CHECK(svg.status == 0);
   CHECK(contains(svg.out, "<svg"));
   CHECK(contains(svg.out, "subs/two.ngc"));
+}
+
+TEST_CASE("folders of --sub-path are searched for called files, behind those of the INI", "[machine]") {
+  const Scratch folder;
+  folder.write("programs/p.ngc", "o<bad> call\nM2\n");
+  folder.write("macros/bad.ngc", "o<bad> sub\no10 iff [1]\no<bad> endsub\n");
+  folder.write("good/bad.ngc", "o<bad> sub\no<bad> endsub\n");
+  CHECK(contains(check(folder, "--isolated programs").out, "OW208"));
+  const Run found = check(folder, "--isolated --sub-path macros programs");
+  CHECK(found.status == 1);
+  CHECK(contains(found.out, "macros/bad.ngc:2:"));
+  CHECK(check(folder, "--isolated --sub-path good --sub-path macros programs").status == 0);  // the first one is read
+  CHECK(contains(check(folder, "--isolated --sub-path good --sub-path macros programs").out, "OW405"));
+  folder.write("programs/bad.ngc", "o<bad> sub\no<bad> endsub\n");
+  CHECK(check(folder, "--isolated --sub-path macros programs").status == 0);  // the program's own folder comes first
+  std::filesystem::remove(folder.path() + "/programs/bad.ngc");
+  folder.write("machine.ini", kIni + "[WIZARD]\nWIZARD_ROOT = wizards\n");
+  CHECK(contains(check(folder, "--isolated --ini machine.ini --sub-path macros programs").out, "macros/bad.ngc:2:"));
+  folder.write("wizards/deep/bad.ngc", "o<bad> sub\no<bad> endsub\n");
+  CHECK(check(folder, "--isolated --ini machine.ini --sub-path macros programs").status == 0);
+  const Run missing = check(folder, "--isolated --sub-path none programs");
+  CHECK(missing.status == 2);
+  CHECK(missing.err == "owlint: --sub-path: there is no folder none\n");
+}
+
+TEST_CASE("sub-path in owlint.toml is seen from its folder, and adds to --sub-path", "[machine]") {
+  const Scratch folder;
+  folder.write("owlint.toml", "sub-path = [\"macros\", \"more\"]\n");
+  folder.write("programs/p.ngc", "o<bad> call\no<fine> call\nM2\n");
+  folder.write("macros/bad.ngc", "o<bad> sub\no10 iff [1]\no<bad> endsub\n");
+  folder.write("more/fine.ngc", "o<fine> sub\no<fine> endsub\n");
+  folder.write("good/bad.ngc", "o<bad> sub\no<bad> endsub\n");
+  const Run found = check(folder, "programs");
+  CHECK(contains(found.out, "macros/bad.ngc:2:"));
+  CHECK_FALSE(contains(found.out, "OW208"));
+  const Scratch elsewhere;
+  CHECK(contains(check(elsewhere, folder.path() + "/programs").out, folder.path() + "/macros/bad.ngc:2:"));
+  const Run both = check(folder, "--sub-path good programs");  // in front of the file's
+  CHECK(both.status == 0);
+  CHECK_FALSE(contains(both.out, "OW208"));
+  const std::string listed = owlint::test::owlint({"config", "--sub-path", "good", "programs"}, "", folder.path()).out;
+  CHECK(contains(listed, "sub-path         good                     # --sub-path\n"));
+  CHECK(contains(listed, "sub-path         macros                   # owlint.toml:1\n"));
+  const Run graph = owlint::test::owlint({"graph", "--format", "json", "programs/p.ngc"}, "", folder.path());
+  CHECK(contains(graph.out, "macros/bad.ngc"));
+  folder.write("owlint.toml", "\nsub-path = [\"none\"]\n");
+  const Run missing = check(folder, "programs");
+  CHECK(missing.status == 2);
+  CHECK(missing.err == "owlint: owlint.toml:2: there is no folder none\n");
+}
+
+TEST_CASE("subs that the INI calls are looked for in the folders of --sub-path as well", "[machine]") {
+  const Scratch folder;
+  folder.write("machine.ini", "[EMC]\nVERSION = 1.1\n[HALUI]\nMDI_COMMAND = o<button> call\n");
+  folder.write("macros/button.ngc", "o<button> sub\no<button> endsub\n");
+  folder.write("p.ngc", "M2\n");
+  CHECK(contains(check(folder, "--isolated --ini machine.ini p.ngc").out, "OW208"));
+  CHECK(check(folder, "--isolated --ini machine.ini --sub-path macros p.ngc").out.empty());
 }

@@ -43,10 +43,10 @@ def wrong_reports(validator):
 
 
 CONFIGURATIONS = (
-    (True, ""), (True, 'ini = "a.ini"'), (True, 'linuxcnc = "all"'), (True, "feature = 32"), (True, 'feature = "0x20"'), (True, "find-ini = false"),
+    (True, ""), (True, 'ini = "a.ini"'), (True, 'linuxcnc = "all"'), (True, "feature = 32"), (True, 'feature = "0x20"'), (True, "find-ini = false"), (True, 'sub-path = ["."]'),
     (True, 'select = ["OW1", "OW304"]\nignore = []\nextend-select = ["OW311"]'), (True, '[severity]\nOW315 = "off"'),
     (True, '[[overrides]]\nfiles = ["old/*"]\nignore = ["OW3"]\n[overrides.severity]\nOW2 = "info"'),
-    (False, "ini = 5"), (False, 'linuxcnc = "3.0"'), (False, "feature = -1"), (False, 'feature = "x"'), (False, 'find-ini = "no"'), (False, 'selekt = ["OW1"]'),
+    (False, "ini = 5"), (False, 'sub-path = "."'), (False, 'sub-path = [""]'), (False, 'linuxcnc = "3.0"'), (False, "feature = -1"), (False, 'feature = "x"'), (False, 'find-ini = "no"'), (False, 'selekt = ["OW1"]'),
     (False, 'select = "OW1"'), (False, 'select = ["X1"]'), (False, 'select = ["ow1"]'), (False, '[severity]\nOW315 = "fatal"'), (False, '[[overrides]]\nignore = ["OW3"]'),
     (False, '[[overrides]]\nfiles = []'), (False, '[[overrides]]\nfiles = ["a"]\nini = "a.ini"'), (False, "[overrides]"),
 )

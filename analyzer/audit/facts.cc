@@ -14,21 +14,20 @@ namespace {
 
 std::string subject_of(const SearchPath& path) {
   std::string text;
-  for (const std::string& folder : path.folders()) text += file_key(folder) + "\n";
-  if (!path.tree_root().empty()) text += "//" + file_key(path.tree_root());
+  for (const SearchFolder& folder : path.folders()) text += (folder.tree ? "//" : "") + file_key(folder.path) + "\n";
   return text;
 }
 
 std::unique_ptr<SearchPath> search_path_of(const std::string& subject) {
-  std::vector<std::string> folders;
-  std::string tree;
+  std::vector<SearchFolder> folders;
   for (size_t at = 0; at < subject.size();) {
     const size_t feed = std::min(subject.find('\n', at), subject.size());
-    std::string folder = subject.substr(at, feed - at);
-    folder.starts_with("//") ? tree = folder.substr(2) : folders.emplace_back(std::move(folder));
+    const std::string folder = subject.substr(at, feed - at);
+    const bool tree = folder.starts_with("//");
+    folders.push_back({folder.substr(tree ? 2 : 0), tree});
     at = feed + 1;
   }
-  return std::make_unique<SearchPath>(std::move(folders), std::move(tree));
+  return std::make_unique<SearchPath>(std::move(folders));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ std::string options_text(const cli::CommandLine& line) {
   text("feature", line.feature);
   text("linuxcnc", line.linuxcnc);
   text("config", line.config);
+  list("sub-path", line.sub_path);
   list("select", line.select);
   list("extend-select", line.extend_select);
   list("ignore", line.ignore);

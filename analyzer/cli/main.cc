@@ -36,6 +36,7 @@ void add_walk_options(CLI::App& app, WalkOptions& walk) {
 void add_settings_options(CLI::App& app, CommandLine& line) {
   app.add_option("--ini", line.ini, "INI file of the machine that runs the programs")->type_name("FILE")->group("Machine");
   app.add_flag("--find-ini,!--no-find-ini", line.find_ini, "without --ini, use the machine INI in the nearest folder above the programs, if there is just one (default)")->group("Machine");
+  app.add_option("--sub-path", line.sub_path, "look for called files in this folder as well, behind the folders of the INI; may be given several times")->allow_extra_args(false)->type_name("DIR")->group("Machine");
   app.add_option("--feature", line.feature, "FEATURE mask, as 32 or 0x20; 0x20 makes OW101 to OW108 warnings")->type_name("MASK")->group("Machine");
   app.add_option("--linuxcnc", line.linuxcnc, "LinuxCNC version: 2.7, 2.8, 2.9 (default), 2.10, or all: what stops in any of them")->type_name("VERSION")->group("Machine");
   app.add_option("--select", line.select, "only these rules: codes or beginnings, as OW3")->delimiter(',')->allow_extra_args(false)->type_name("CODES")->group("Rules");
@@ -195,6 +196,7 @@ int run(std::vector<std::string> arguments) {
   graph->add_option("FILE", graph_line.paths[0], "the program")->required();
   graph->add_option("--format", graph_format, "dot, mermaid, json or svg")->check(CLI::IsMember({"dot", "mermaid", "json", "svg"}))->type_name("dot|mermaid|json|svg")->capture_default_str();
   graph->add_option("--ini", graph_line.ini, "INI file of the machine, which says where called files are")->type_name("FILE");
+  graph->add_option("--sub-path", graph_line.sub_path, "look for called files in this folder as well")->allow_extra_args(false)->type_name("DIR");
   graph->add_flag("--find-ini,!--no-find-ini", graph_line.find_ini, "without --ini, use the one machine INI in the nearest folder above (default)");
   graph->add_flag("--isolated", graph_line.isolated, "use no owlint.toml");
 
@@ -217,6 +219,7 @@ int run(std::vector<std::string> arguments) {
   CLI::Option* show = config->add_flag("--show", config_show, "list the settings (default)");
   config->add_flag("--check", config_check, "only say whether the configuration is right")->excludes(show);
   config->add_option("--ini", config_line.ini, "as for `owlint check`")->type_name("FILE");
+  config->add_option("--sub-path", config_line.sub_path, "as for `owlint check`")->allow_extra_args(false)->type_name("DIR");
   config->add_option("--config", config_line.config, "as for `owlint check`")->type_name("FILE");
   config->add_flag("--isolated", config_line.isolated, "as for `owlint check`");
 

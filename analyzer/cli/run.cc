@@ -24,10 +24,10 @@ void drop_guesses(FileReport& report) {
 
 /// Whether a file lies in a folder that its machine has for subs.
 bool among_subs(const std::string& path, const Settings& settings) {
-  if (settings.profile.setup == nullptr) return false;
   const std::string file = file_key(path);
   const std::string_view folder = folder_of(file);
-  return std::ranges::any_of(settings.profile.setup->folders, [&](const IniFolder& f) {
+  if (std::ranges::any_of(settings.profile.sub_path, [&](const std::string& f) { return file_key(f) == folder; })) return true;
+  return settings.profile.setup != nullptr && std::ranges::any_of(settings.profile.setup->folders, [&](const IniFolder& f) {
     return f.key == "SUBROUTINE_PATH" && file_key(f.path) == folder;
   });
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kKeys = {"ini", "find-ini", "feature", "linuxcnc", "select", "ignore", "extend-select", "severity", "overrides"};
+const std::vector<std::string> kKeys = {"ini", "find-ini", "sub-path", "feature", "linuxcnc", "select", "ignore", "extend-select", "severity", "overrides"};
 const std::vector<std::string> kOverrideKeys = {"files", "select", "ignore", "extend-select", "severity"};
 
 /// The part of a configuration that `[[overrides]]` may change.
@@ -36,6 +36,20 @@ bool check_keys(const toml::table& table, const std::vector<std::string>& known,
   return true;
 }
 
+/// A list of texts; `what` says of what, for people.
+bool read_list(const toml::table& table, std::string_view key, std::string_view what, std::optional<std::vector<std::string>>* list, std::string* error) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return true;
+  const toml::array* array = node->as_array();
+  list->emplace();
+  for (size_t i = 0; array != nullptr && i < array->size(); ++i) {
+    if (const auto text = array->get(i)->value<std::string>(); text && !text->empty()) (*list)->push_back(*text);
+  }
+  if (array != nullptr && (*list)->size() == array->size()) return true;
+  *error = fmt::format("line {}: `{}` is a list of {}", node->source().begin.line, key, what);
+  return false;
+}
+
 bool check_code(const std::string& code, std::string* error) {
   if (known_prefix(code)) return true;
   const std::string_view near = nearest_rule(code);
@@ -44,23 +58,8 @@ bool check_code(const std::string& code, std::string* error) {
 }
 
 bool read_codes(const toml::table& table, std::string_view key, std::optional<std::vector<std::string>>* codes, std::string* error) {
-  const toml::node* node = table.get(key);
-  if (node == nullptr) return true;
-  const toml::array* array = node->as_array();
-  codes->emplace();
-  if (array != nullptr) {
-    for (const toml::node& entry : *array) {
-      const auto text = entry.value<std::string>();
-      if (!text) break;
-      if (!check_code(*text, error)) return false;
-      (*codes)->push_back(*text);
-    }
-  }
-  if (array == nullptr || (*codes)->size() != array->size()) {
-    *error = fmt::format("line {}: `{}` is a list of codes", node->source().begin.line, key);
-    return false;
-  }
-  return true;
+  if (!read_list(table, key, "codes", codes, error)) return false;
+  return !*codes || std::ranges::all_of(**codes, [&](const std::string& code) { return check_code(code, error); });
 }
 
 bool read_selection(const toml::table& table, Selection* selection, std::string* error) {
@@ -106,6 +105,7 @@ struct Configuration::File {
   std::string folder;
   std::map<std::string, uint32_t, std::less<>> lines;  // of the keys
   std::optional<std::string> ini, linuxcnc;
+  std::optional<std::vector<std::string>> sub_path;
   bool find_ini = true;
   std::optional<uint32_t> feature;
   Selection base;
@@ -139,7 +139,8 @@ const Configuration::File* Configuration::load(const std::string& path, std::str
     if (!*value) *error = fmt::format("line {}: `{}` is a text in quotes", node->source().begin.line, key);
     return value->has_value();
   };
-  bool good = check_keys(table, kKeys, error) && text("ini", &file->ini) && text("linuxcnc", &file->linuxcnc) && read_selection(table, &file->base, error);
+  bool good = check_keys(table, kKeys, error) && text("ini", &file->ini) && text("linuxcnc", &file->linuxcnc) &&
+              read_list(table, "sub-path", "folders", &file->sub_path, error) && read_selection(table, &file->base, error);
   if (const toml::node* node = table.get("find-ini"); good && node != nullptr) {
     good = node->is_boolean();
     if (!good) *error = fmt::format("line {}: `find-ini` is true or false", node->source().begin.line);
@@ -206,9 +207,10 @@ const Configuration::File* Configuration::nearest(const std::string& program, st
 }
 
 bool Configuration::read_machine_ini(const std::string& path, Profile* profile, std::string* error) {
-  auto known = inis_.find(path);
+  const std::pair key(path, profile->sub_path);
+  auto known = inis_.find(key);
   if (known == inis_.end()) {
-    auto setup = read_setup(path, error);
+    auto setup = read_setup(path, error, profile->sub_path);
     if (setup == nullptr) {
       *error = fmt::format("cannot read the INI {}: {}", path, *error);
       return false;
@@ -217,7 +219,7 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
       notes_.push_back(fmt::format("{}: line {}: cannot read the file of `#INCLUDE {}`", path,
                                    missing.source->position(missing.span.begin).line, missing.value));
     }
-    known = inis_.emplace(path, std::move(setup)).first;
+    known = inis_.emplace(key, std::move(setup)).first;
   }
   profile->setup = known->second;
   return true;
@@ -271,9 +273,31 @@ std::string Configuration::ini_above(const std::string& program) {
   return found;
 }
 
-std::string Configuration::shown_ini(const std::string& path, const std::string& program) const {
+std::string Configuration::shown_path(const std::string& path, const std::string& program) const {
   std::error_code ignored;
   return line_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
+}
+
+bool Configuration::find_sub_path(const File* file, const std::string& program, Settings* settings, std::string* error) const {
+  std::vector<std::string>& folders = settings->profile.sub_path;
+  const auto add = [&](const std::string& path, const std::string& from) {
+    std::error_code problem;
+    if (!fs::is_directory(path, problem)) {
+      *error = fmt::format("{}: there is no folder {}", from, path);
+      return false;
+    }
+    folders.push_back(path);
+    if (tells_origins_) settings->origins.push_back({"sub-path", path, from});
+    return true;
+  };
+  for (const std::string& folder : line_.sub_path) {
+    if (!add(line_.absolute ? file_key(folder) : folder, "--sub-path")) return false;
+  }
+  for (const std::string& folder : file != nullptr && file->sub_path ? *file->sub_path : std::vector<std::string>()) {
+    const std::string path = (fs::path(file->folder) / expand_home(folder)).string();
+    if (!add(shown_path(path, program), fmt::format("{}:{}", file->path, file->lines.find("sub-path")->second))) return false;
+  }
+  return true;
 }
 
 std::shared_ptr<const Settings> Configuration::shared_settings(const std::string& path, std::string* error) {
@@ -319,7 +343,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   LintOptions& options = settings->options;
   if (file != nullptr) {
     if (!ini && file->ini) {
-      ini = shown_ini((fs::path(file->folder) / *file->ini).string(), path);
+      ini = shown_path((fs::path(file->folder) / *file->ini).string(), path);
       note("ini", *ini, line_of("ini"));
     }
     if (!version && file->linuxcnc) {
@@ -359,9 +383,10 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
       return false;
     }
   }
+  if (!find_sub_path(file, path, settings, error)) return false;
   if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
     if (const std::string above = ini_above(path); !above.empty()) {
-      ini = shown_ini(above, path);
+      ini = shown_path(above, path);
       note("ini", *ini, "found above the program");
     }
   }

@@ -19,6 +19,7 @@ struct CommandLine {
   std::vector<std::string> paths;
   WalkOptions walk;
   std::optional<std::string> ini, feature, linuxcnc, config;
+  std::vector<std::string> sub_path;  ///< folders in which called files are looked for as well
   std::vector<std::string> select, extend_select, ignore;
   std::vector<std::string> severity;  ///< CODE=LEVEL
   std::string fail_on = "error";
@@ -77,10 +78,12 @@ class Configuration {
   const File* load(const std::string& path, std::string* error);
   const File* nearest(const std::string& program, std::string* error);
   bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
+  /// The folders of `--sub-path`, then those of the configuration file.
+  bool find_sub_path(const File* file, const std::string& program, Settings* settings, std::string* error) const;
   std::vector<std::string> machine_inis(const std::string& folder) const;
   std::string ini_above(const std::string& program);
   /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
-  std::string shown_ini(const std::string& path, const std::string& program) const;
+  std::string shown_path(const std::string& path, const std::string& program) const;
 
   const CommandLine& line_;
   const std::unordered_set<std::string>* without_ini_ = nullptr;
@@ -89,7 +92,7 @@ class Configuration {
   std::shared_ptr<const Settings> last_shared_;
   std::map<std::string, std::shared_ptr<File>> files_;
   std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
-  std::map<std::string, std::shared_ptr<const MachineSetup>> inis_;
+  std::map<std::pair<std::string, std::vector<std::string>>, std::shared_ptr<const MachineSetup>> inis_;  // by path and sub-path
   std::map<std::string, std::string> inis_above_;  // folder -> INI, "" for none
   std::vector<std::string> notes_;
 };

@@ -31,6 +31,7 @@ Workspace::Workspace() { forget_files(); }
 
 void Workspace::configure(const Json& settings) {
   line_ = {};
+  line_.absolute = true;  // uris are made of the paths that findings name
   const auto text = [&](const char* key, std::optional<std::string>* into) {
     if (settings.contains(key) && settings.at(key).is_string() && !settings.at(key).get<std::string>().empty()) *into = settings.at(key).get<std::string>();
   };
@@ -45,6 +46,7 @@ void Workspace::configure(const Json& settings) {
     text("feature", &line_.feature);
     text("linuxcnc", &line_.linuxcnc);
     text("config", &line_.config);
+    list("sub-path", &line_.sub_path);
     list("select", &line_.select);
     list("extend-select", &line_.extend_select);
     list("ignore", &line_.ignore);
@@ -245,9 +247,8 @@ Checked Workspace::check_alone(const std::string& path) { return run({path})[pat
 
 std::shared_ptr<const SearchPath> Workspace::search_path(const Document& from) {
   cli::Settings settings;
-  if (settings_for(from.path(), &settings) && settings.profile.setup != nullptr) return settings.profile.setup->search_path;
-  const std::string folder = std::filesystem::path(from.path()).parent_path().string();
-  return library_->beside(folder.empty() ? "." : folder);
+  settings_for(from.path(), &settings);  // where that fails, with the defaults
+  return library_->search_path(from.path(), settings.profile);
 }
 
 std::string Workspace::called_file(const Document& from, const std::string& name) {

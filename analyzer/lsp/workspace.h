@@ -36,7 +36,7 @@ class Workspace {
   std::map<std::string, SentTokens> sent_tokens;  ///< by uri
 
   Encoding encoding = Encoding::kUtf16;
-  /// The client's settings, taken for command line options: `ini`, `linuxcnc`, `feature`, `select`, `extend-select`, `ignore`.
+  /// The client's settings, taken for command line options: `ini`, `sub-path`, `linuxcnc`, `feature`, `select`, `extend-select`, `ignore`.
   void configure(const Json& settings);
 
   void add_folder(const std::string& uri);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "analyzer/machine/setup.h"
 
@@ -23,6 +24,7 @@ struct Profile {
   bool version_given = false;
   std::optional<uint32_t> feature;         ///< from --feature or the configuration
   std::shared_ptr<const MachineSetup> setup;  ///< what the INI says; null without one
+  std::vector<std::string> sub_path;  ///< folders that users name for called files; the setup's search path has them already
 
   /// FEATURE 0x20 as interface.md defines it: the documented abort list only warns.
   bool warn_only() const;

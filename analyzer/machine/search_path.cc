@@ -45,21 +45,24 @@ bool leaves_folders(std::string_view name) {
   return false;
 }
 
-SearchPath::SearchPath(std::vector<std::string> folders, std::string tree) : folders_(std::move(folders)), tree_root_(std::move(tree)) {}
-
 std::vector<FoundFile> SearchPath::look_up(std::string_view name, size_t most) const {
   std::vector<FoundFile> found;
   if (!plain_name(name)) return found;
   const std::string file = std::string(name) + std::string(kEnding);
   for (size_t i = 0; i < folders_.size() && found.size() < most; ++i) {
-    if (!may_be_in(i, file)) continue;
-    if (auto one = look((fs::path(folders_[i]) / file).string(), i)) found.push_back(std::move(*one));
-  }
-  if (!tree_root_.empty() && found.size() < most) {
-    const auto below = tree().find(file);
-    if (below != tree().end()) found.push_back({below->second, true, folders_.size()});
+    if (auto one = look_in(i, file)) found.push_back(std::move(*one));
   }
   return found;
+}
+
+std::optional<FoundFile> SearchPath::look_in(size_t folder, const std::string& file) const {
+  if (folders_[folder].tree) {
+    const Tree& tree = trees()[folder];
+    const auto below = tree.find(file);
+    return below == tree.end() ? std::nullopt : std::optional(FoundFile{below->second, true, folder});
+  }
+  if (!may_be_in(folder, file)) return std::nullopt;
+  return look((fs::path(folders_[folder].path) / file).string(), folder);
 }
 
 /// Whether it is worth asking the file system. A few names are; for many the folders are read once.
@@ -80,10 +83,11 @@ std::optional<FoundFile> SearchPath::find(std::string_view name) const {
 
 const std::vector<std::vector<std::string>>& SearchPath::listing() const {
   std::call_once(listed_, [this] {
-    for (const std::string& folder : folders_) {
+    for (const SearchFolder& folder : folders_) {
       auto& files = listing_.emplace_back();
+      if (folder.tree) continue;
       std::error_code error;
-      fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
+      fs::directory_iterator entry(folder.path, fs::directory_options::skip_permission_denied, error);
       for (; !error && entry != fs::directory_iterator() && files.size() < kMaxListed; entry.increment(error)) {
         std::string file = entry->path().filename().string();
         if (small_letters(file).ends_with(kEnding)) files.push_back(std::move(file));
@@ -94,22 +98,26 @@ const std::vector<std::vector<std::string>>& SearchPath::listing() const {
   return listing_;
 }
 
-const std::map<std::string, std::string, std::less<>>& SearchPath::tree() const {
+const std::vector<SearchPath::Tree>& SearchPath::trees() const {
   std::call_once(walked_, [this] {
-    std::error_code error;
-    fs::recursive_directory_iterator entry(tree_root_, fs::directory_options::skip_permission_denied, error);
-    for (; !error && entry != fs::recursive_directory_iterator() && tree_.size() < kMaxListed; entry.increment(error)) {
-      if (entry->path().extension() == kEnding) tree_.emplace(entry->path().filename().string(), entry->path().string());
+    for (const SearchFolder& folder : folders_) {
+      Tree& tree = trees_.emplace_back();
+      if (!folder.tree) continue;
+      std::error_code error;
+      fs::recursive_directory_iterator entry(folder.path, fs::directory_options::skip_permission_denied, error);
+      for (; !error && entry != fs::recursive_directory_iterator() && tree.size() < kMaxListed; entry.increment(error)) {
+        if (entry->path().extension() == kEnding) tree.emplace(entry->path().filename().string(), entry->path().string());
+      }
     }
   });
-  return tree_;
+  return trees_;
 }
 
 std::optional<std::string> SearchPath::find_other_case(std::string_view name) const {
   const std::string wanted = small_letters(name) + std::string(kEnding);
   for (size_t i = 0; i < folders_.size(); ++i) {
     for (const std::string& file : listing()[i]) {
-      if (small_letters(file) == wanted && file != wanted) return (fs::path(folders_[i]) / file).string();
+      if (small_letters(file) == wanted && file != wanted) return (fs::path(folders_[i].path) / file).string();
     }
   }
   return std::nullopt;
@@ -122,8 +130,8 @@ std::vector<std::string> SearchPath::names() const {
       if (file == small_letters(file)) names.push_back(file.substr(0, file.size() - kEnding.size()));
     }
   }
-  if (!tree_root_.empty()) {
-    for (const auto& [file, path] : tree()) names.push_back(file.substr(0, file.size() - kEnding.size()));
+  for (const Tree& tree : trees()) {
+    for (const auto& [file, path] : tree) names.push_back(file.substr(0, file.size() - kEnding.size()));
   }
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());

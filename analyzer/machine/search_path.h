@@ -1,5 +1,6 @@
 // Where LinuxCNC looks for the file of a called sub: the current folder, PROGRAM_PREFIX, the folders of
 // SUBROUTINE_PATH in their order, and below WIZARD_ROOT; `name.ngc`, the first one found. Measured with `rs274 -i`.
+// Behind these come the folders of `--sub-path`, which users name where the INI is missing or does not fit this computer.
 // Nothing is expanded, and no name leads out of these folders, whatever LinuxCNC would do with it.
 #pragma once
 
@@ -21,10 +22,18 @@ struct FoundFile {
   size_t folder = 0;    ///< its place in the search path
 };
 
+/// A part of the search path.
+struct SearchFolder {
+  std::string path;
+  bool tree = false;  ///< searched with all folders below it
+
+  bool operator==(const SearchFolder&) const = default;
+};
+
 class SearchPath {
  public:
-  /// `folders` in the order of the search; `tree`, if not empty, is searched with all folders below it.
-  explicit SearchPath(std::vector<std::string> folders, std::string tree = {});
+  /// `folders` in the order of the search.
+  explicit SearchPath(std::vector<SearchFolder> folders) : folders_(std::move(folders)) {}
 
   /// The file that a call of `name` reads.
   std::optional<FoundFile> find(std::string_view name) const;
@@ -35,22 +44,23 @@ class SearchPath {
   /// The names of all subs that could be called, sorted; read once, the first time that they are asked for.
   std::vector<std::string> names() const;
 
-  const std::vector<std::string>& folders() const { return folders_; }
-  const std::string& tree_root() const { return tree_root_; }
+  const std::vector<SearchFolder>& folders() const { return folders_; }
 
  private:
   std::vector<FoundFile> look_up(std::string_view name, size_t most) const;
-  /// File names ending in `.ngc` (in any case), by folder.
+  using Tree = std::map<std::string, std::string, std::less<>>;  // file name -> path
+  /// File names ending in `.ngc` (in any case), by folder; of trees none.
   const std::vector<std::vector<std::string>>& listing() const;
-  const std::map<std::string, std::string, std::less<>>& tree() const;
+  /// The files of each tree; of other folders none.
+  const std::vector<Tree>& trees() const;
+  std::optional<FoundFile> look_in(size_t folder, const std::string& file) const;
   bool may_be_in(size_t folder, const std::string& file) const;
 
-  std::vector<std::string> folders_;
-  std::string tree_root_;
+  std::vector<SearchFolder> folders_;
   mutable std::atomic<uint32_t> lookups_ = 0;
   mutable std::once_flag listed_, walked_;
   mutable std::vector<std::vector<std::string>> listing_;
-  mutable std::map<std::string, std::string, std::less<>> tree_;  // file name -> path, below tree_root_
+  mutable std::vector<Tree> trees_;
 };
 
 /// Whether LinuxCNC's lookup of a file for this name could do more than open `name.ngc` in its folders.

@@ -28,7 +28,7 @@ bool is_number(const Ini::Entry* entry, int wanted) {
 
 class Reader {
  public:
-  Reader(MachineSetup& setup, const std::string& path) : m_(setup), folder_(fs::path(path).parent_path()) {
+  Reader(MachineSetup& setup, const std::string& path, const std::vector<std::string>& sub_path) : m_(setup), sub_path_(sub_path), folder_(fs::path(path).parent_path()) {
     if (folder_.empty()) folder_ = ".";
   }
 
@@ -80,10 +80,11 @@ class Reader {
   }
 
   void read_folders() {
-    std::vector<std::string> search{folder_.lexically_normal().string()};
-    const auto add = [&](const std::string& path) {
-      if (std::ranges::find(search, path) == search.end()) search.push_back(path);
+    std::vector<SearchFolder> search;
+    const auto add = [&](const std::string& path, bool tree = false) {
+      if (SearchFolder folder{path, tree}; std::ranges::find(search, folder) == search.end()) search.push_back(std::move(folder));
     };
+    add(folder_.lexically_normal().string());
     if (const Ini::Entry* prefix = m_.ini.find("DISPLAY", "PROGRAM_PREFIX")) {
       const IniFolder& folder = add_folder("PROGRAM_PREFIX", *prefix, 0, prefix->value.size());
       if (folder.exists) add(folder.path);
@@ -96,12 +97,12 @@ class Reader {
     }
     add_list("NGCGUI_SUBFILE_PATH", m_.ini.find("DISPLAY", "NGCGUI_SUBFILE_PATH"));
     add_list("USER_M_PATH", m_.ini.find("RS274NGC", "USER_M_PATH"));
-    std::string tree;
     if (const Ini::Entry* root = m_.ini.find("WIZARD", "WIZARD_ROOT")) {
       const fs::path path = expand_home(root->value);
-      tree = (path.is_relative() ? folder_ / path : path).lexically_normal().string();
+      add((path.is_relative() ? folder_ / path : path).lexically_normal().string(), true);
     }
-    m_.search_path = std::make_shared<SearchPath>(std::move(search), std::move(tree));
+    for (const std::string& folder : sub_path_) add(folder);
+    m_.search_path = std::make_shared<SearchPath>(std::move(search));
   }
 
   void add_call(std::string_view key, const Ini::Entry& entry, std::string name, size_t from, size_t size) {
@@ -134,6 +135,7 @@ class Reader {
   }
 
   MachineSetup& m_;
+  const std::vector<std::string>& sub_path_;
   fs::path folder_;
 };
 
@@ -160,11 +162,11 @@ bool has_file(const MachineSetup& setup, const IniCall& call, const std::string&
   });
 }
 
-std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error) {
+std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error, const std::vector<std::string>& sub_path) {
   auto setup = std::make_shared<MachineSetup>();
   setup->path = path;
   if (!setup->ini.read(path, error)) return nullptr;
-  Reader(*setup, path).run();
+  Reader(*setup, path, sub_path).run();
   return setup;
 }
 

@@ -52,8 +52,9 @@ struct MachineSetup {
 /// Whether a file for a sub that the INI calls is there; ngcgui looks for its own in NGCGUI_SUBFILE_PATH as well.
 bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name);
 
-/// Reads a machine's INI. Null and a message when it cannot be read.
-std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error);
+/// Reads a machine's INI; the folders of `sub_path` come behind its own in the search path. Null and a message when it
+/// cannot be read.
+std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error, const std::vector<std::string>& sub_path = {});
 
 /// A FEATURE mask in decimal or 0x hexadecimal.
 std::optional<uint32_t> parse_mask(std::string_view text);

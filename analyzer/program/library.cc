@@ -59,10 +59,20 @@ std::shared_ptr<const Program> Library::load(std::shared_ptr<const Source> sourc
   return program;
 }
 
-std::shared_ptr<const SearchPath> Library::beside(const std::string& folder) {
+std::shared_ptr<const SearchPath> Library::search_path(const std::string& program, const Profile& profile) {
+  if (profile.setup != nullptr) return profile.setup->search_path;
+  const std::string_view own = folder_of(program);
+  std::vector<std::string> folders{own.empty() ? "." : std::string(own)};
+  for (const std::string& folder : profile.sub_path) {
+    if (file_key(folder) != file_key(folders[0])) folders.push_back(folder);
+  }
   const std::lock_guard lock(mutex_);
-  auto& path = folders_[folder];
-  if (path == nullptr) path = std::make_shared<SearchPath>(std::vector<std::string>{folder});
+  auto& path = search_paths_[folders];
+  if (path == nullptr) {
+    std::vector<SearchFolder> search;
+    for (std::string& folder : folders) search.push_back({std::move(folder)});
+    path = std::make_shared<SearchPath>(std::move(search));
+  }
   return path;
 }
 

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "analyzer/machine/search_path.h"
+#include "analyzer/machine/profile.h"
 #include "analyzer/program/program.h"
 
 namespace owlint {
@@ -34,8 +34,9 @@ class Library {
   /// the sub that it is named after.
   std::shared_ptr<const Program> load(std::shared_ptr<const Source> source);
 
-  /// The search path without an INI: the program's own folder.
-  std::shared_ptr<const SearchPath> beside(const std::string& folder);
+  /// Where the files that a program calls are looked for: as the INI says, or without one in the program's own folder and
+  /// those of `--sub-path`.
+  std::shared_ptr<const SearchPath> search_path(const std::string& program, const Profile& profile);
 
   /// How many files were parsed, how many of them for calls, and how many calls lead to one.
   size_t parsed() const { return parsed_; }
@@ -55,7 +56,7 @@ class Library {
   std::vector<std::string> unnamed_;  // of name_files(), as long as nothing has been called: most runs need no names
   std::unordered_map<std::string, std::string> names_;  // then, by file_key()
   std::map<std::string, std::shared_ptr<Slot>> slots_;
-  std::map<std::string, std::shared_ptr<const SearchPath>> folders_;
+  std::map<std::vector<std::string>, std::shared_ptr<const SearchPath>> search_paths_;  // without an INI, by their folders
   std::atomic<size_t> parsed_ = 0;
   std::atomic<size_t> called_ = 0;
   std::atomic<size_t> uses_ = 0;

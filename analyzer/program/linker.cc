@@ -112,18 +112,8 @@ std::string_view called_label(std::string_view name, Version version) {
   return name.substr(name.rfind('/') + 1);  // all of it where there is none
 }
 
-namespace {
-
-std::shared_ptr<const SearchPath> search_path_of(const std::string& program, const Profile& profile, Library& library) {
-  if (profile.setup != nullptr) return profile.setup->search_path;
-  const std::string folder(folder_of(program));
-  return library.beside(folder.empty() ? "." : folder);
-}
-
-}  // namespace
-
 Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes)
-    : answers_(search_path_of(program->source->path(), profile, library), notes), library_(library) {
+    : answers_(library.search_path(program->source->path(), profile), notes), library_(library) {
   const std::string path = program->source->path();
   by_path_.emplace(file_key(path), 0);
   files_.push_back({std::move(program), 0, 0, true});

@@ -74,6 +74,12 @@ def test(options, folder):
     shop.audit("a wrong configuration, and it is fixed", 0)
     shop.audit("another option", all_files, ("--ignore", "OW104"), gone=faulty)
     shop.audit("and back", all_files, new=faulty)
+    os.mkdir(folder + "/macros")
+    more = ("--sub-path", folder + "/macros")
+    shop.audit("another folder for called files", all_files, more)
+    shutil.move(shop.root + "/more/shared4.ngc", folder + "/macros/shared4.ngc")
+    shop.audit("a sub is moved there", callers(options.files, 4) - 1, more)  # it is no program of the shop any more
+    shutil.move(folder + "/macros/shared4.ngc", shop.root + "/more/shared4.ngc")
     with open(shop.root + "/machine.ini", "a", encoding="utf-8") as ini:
         ini.write("FEATURES = 0\n")
     shop.audit("the INI is changed", all_files, new=0)

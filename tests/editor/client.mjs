@@ -122,6 +122,7 @@ export class Client {
   }
 
   writeFile(name, text) {
+    fs.mkdirSync(path.dirname(path.join(this.folder, name)), { recursive: true });
     fs.writeFileSync(path.join(this.folder, name), text);
     this.texts[this.uri(name)] = text;
   }

@@ -201,3 +201,15 @@ session('call hierarchy', onDisk, async (client) => {
   // A line outside of all subs belongs to the program, if to anything.
   for (const item of (await prepare(main, 'G21', 1)) ?? []) assert.deepEqual([item.name, item.kind], [main, 1]);
 });
+
+const shop = { 'programs/caller.ngc': 'o<far> call\nM2\n', 'macros/far.ngc': 'o<far> sub\no<far> endsub\n' };
+for (const [who, options] of [
+  ['owlint.toml', { files: { ...shop, 'programs/owlint.toml': 'sub-path = ["../macros"]\n' } }],
+  ['the client', { files: shop, options: { 'sub-path': ['macros'] } }],
+]) {
+  session(`a call leads to a file in a folder of sub-path: ${who}`, options, async (client) => {
+    client.open('programs/caller.ngc');
+    const found = locations(await client.request('textDocument/definition', client.params('programs/caller.ngc', 'o<far> call', 3)));
+    assert.deepEqual(found.map((one) => client.name(one.uri)), ['macros/far.ngc']);
+  });
+}
