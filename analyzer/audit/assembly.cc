@@ -4,9 +4,11 @@
 #include <unordered_map>
 
 #include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
 
 #include "analyzer/audit/history.h"
 #include "analyzer/audit/record.h"
+#include "analyzer/cli/groups.h"
 #include "analyzer/report/report.h"
 
 namespace owlint::audit {
@@ -34,6 +36,14 @@ void end_run(Store& store, const Outcome& outcome, const char* state) {
   for (const size_t number : {outcome.files, outcome.analysed, outcome.errors, outcome.warnings, outcome.infos, outcome.fresh, outcome.gone}) done.bind(at++, static_cast<int64_t>(number));
   done.bind(at, outcome.run);
   done.exec();
+}
+
+/// The paths that a run was asked to audit.
+std::vector<std::string> roots_of(Store& store, int64_t run) {
+  SQLite::Statement roots(store.db(), "SELECT roots FROM run WHERE id = ?");
+  roots.bind(1, run);
+  roots.executeStep();
+  return nlohmann::json::parse(roots.getColumn(0).getString()).get<std::vector<std::string>>();
 }
 
 std::set<std::string> machine_records(Store& store) {
@@ -77,7 +87,8 @@ void assemble(Store& store, std::vector<Item>& items, const std::set<std::string
   std::vector<FileReport> complaints;
   for (size_t i = order.size(); i < records.size(); ++i) std::ranges::move(records.reports(i), std::back_inserter(complaints));
 
-  const cli::RunResult result = cli::put_together(files, std::move(checked), std::move(complaints), {});
+  cli::RunResult result = cli::put_together(files, std::move(checked), std::move(complaints), {});
+  cli::fold_groups(result.reports, {files, cli::folders_of(roots_of(store, outcome.run))});
   write_contents(store, outcome.run, items);
   const Changes changes = write_findings(store, outcome.run, result.reports);
   if (outcome.previous != 0) {  // in the first run nothing is new

@@ -1,4 +1,4 @@
-// The beginning and the end of a run in the store: its row, and what there is after it.
+// The beginning and the end of a run in the store: its row, and the state after it.
 #pragma once
 
 #include <set>
@@ -11,7 +11,7 @@
 
 namespace owlint::audit {
 
-/// What a run was asked for.
+/// What a run should do.
 struct Asked {
   std::string options;  ///< JSON, see options.h
   std::string roots;    ///< JSON
@@ -24,10 +24,10 @@ void begin_run(Store& store, const Asked& asked, Outcome& outcome);
 /// `state`: complete, interrupted.
 void end_run(Store& store, const Outcome& outcome, const char* state);
 
-/// Puts together what is known of each program, and writes what has changed since the run before. `machines`: records of
-/// what is wrong with INIs.
+/// Combines what is known about each program, and writes what has changed since the run before. `machines`: records of
+/// findings in INIs.
 void assemble(Store& store, std::vector<Item>& items, const std::set<std::string>& machines, Outcome& outcome);
-/// The run has what the run before had.
+/// The run has the same results as the run before.
 void take_over(Store& store, Outcome& outcome);
 
 std::set<std::string> machine_records(Store& store);

@@ -55,11 +55,10 @@ class Run {
     for (const std::string& path : job_.line.paths) roots.push_back(file_key(path));
     cli::WalkOptions options = job_.line.walk;
     options.follow_links = true;
-    cli::Walk found = cli::walk(roots, options);
-    out_.problems = std::move(found.problems);
-    for (const std::string& folder : found.empty) out_.notes.push_back("no programs in " + folder);
-    if (roots.size() > 1) std::ranges::stable_sort(found.files, {}, &cli::WalkedFile::path);
     cli::Configuration configuration(job_.line);
+    cli::Walk found = cli::walk(roots, options, [&](const std::string& folder) { return configuration.patterns_in(folder); });
+    out_.problems = std::move(found.problems);
+    if (roots.size() > 1) std::ranges::stable_sort(found.files, {}, &cli::WalkedFile::path);
     configuration.know_without_ini(found.without_ini);
     std::string last_error;
     std::set<const MachineSetup*> machines;
@@ -84,7 +83,7 @@ class Run {
       }
       items_.push_back(std::move(item));
     }
-    out_.notes.insert(out_.notes.end(), configuration.notes().begin(), configuration.notes().end());
+    std::ranges::move(configuration.notes(), std::back_inserter(out_.notes));
     std::vector<const cli::Settings*> settings;
     for (const auto& one : machines_) settings.push_back(one.get());
     const std::set<std::string> by_machines = cli::called_by_machines(settings);

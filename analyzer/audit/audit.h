@@ -1,5 +1,5 @@
-// One run of an audit: finds the programs, analyses those that are not known from a run before, and writes down what
-// there is now. The store is what a run leaves; everything that people look at is made from it.
+// One run of an audit: finds the programs, analyses those that are not known from an earlier run, and writes the results to
+// the store. Everything that people see is made from the store.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@ struct Shard {
   uint32_t count = 1;
 
   std::string text() const;
-  /// Whether a file is one of its part; by its path alone, so that machines agree without asking each other.
+  /// Whether a file belongs to this part. Only its path decides, so that machines agree without asking each other.
   bool has(const std::string& path) const;
 };
 
@@ -27,7 +27,7 @@ struct Job {
   Shard shard;
   /// Called with the number of programs that are done, of `total` to analyse; `total` does not change.
   std::function<void(size_t done, size_t total)> progress;
-  /// Set from outside to end early: what is done is kept.
+  /// Set from outside to stop early; finished work is kept.
   const std::atomic<bool>* stop = nullptr;
 };
 
@@ -37,9 +37,9 @@ struct Outcome {
   bool interrupted = false;
   bool unchanged = false;  ///< everything is as in the previous run
   size_t files = 0, analysed = 0, folders_without = 0;
-  size_t errors = 0, warnings = 0, infos = 0, fresh = 0, gone = 0;  ///< findings; new and gone against the previous run
+  size_t errors = 0, warnings = 0, infos = 0, fresh = 0, gone = 0;  ///< findings; new and gone compared with the previous run
   double seconds = 0;
-  std::vector<std::string> problems;  ///< what could not be read or is configured wrongly
+  std::vector<std::string> problems;  ///< files that cannot be read, and errors in the configuration
   std::vector<std::string> notes;
 };
 

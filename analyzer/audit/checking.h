@@ -1,5 +1,5 @@
-// Analyses programs over all cores and stores each as soon as it is done: nothing that is finished is lost, whatever
-// happens to the rest.
+// Analyses programs on all cores and stores each result at once: finished work is never lost, whatever happens to the
+// rest.
 #pragma once
 
 #include <atomic>
@@ -19,8 +19,8 @@ struct Item {
   std::string key;  ///< its path, absolute
   uint64_t stamp = 0;
   int64_t file = 0;  ///< its number in the store; 0: new
-  std::string hash;  ///< of its bytes, as far as it is known
-  std::shared_ptr<const cli::Settings> settings;  ///< null: they are wrong, and it is not checked
+  std::string hash;  ///< of its bytes, if known
+  std::shared_ptr<const cli::Settings> settings;  ///< null: they are wrong, and the program is not checked
   int64_t settings_id = 0;
   bool by_machine = false;
   bool analyse = false;
@@ -31,7 +31,7 @@ class Checking {
  public:
   Checking(Store& store, Facts& facts, int64_t run) : store_(store), facts_(facts), run_(run) {}
 
-  /// Analyses the items that are to be; returns how many were done before `stop` was set.
+  /// Analyses the items that need it; returns how many were done before `stop` was set.
   size_t run(std::vector<Item>& items, const std::function<void(size_t done, size_t total)>& progress, const std::atomic<bool>* stop);
 
   Library& library() { return library_; }
@@ -57,7 +57,7 @@ class Checking {
   std::map<std::string, std::string> hashes_;  // of called files
 };
 
-/// The number of a path in the store; it gets one if it has none.
+/// The number of a path in the store; adds the path if it has none.
 int64_t file_number(SQLite::Database& db, const std::string& key);
 
 }  // namespace owlint::audit

@@ -1,6 +1,6 @@
-// What analyses rest on besides a program's own bytes: what search paths answered, and what bytes other files have. Each
-// is stored once, however many programs rest on it; a run asks them again, and analyses the programs anew for which one
-// of them is no longer true.
+// What analyses depend on besides a program's own bytes: the answers of search paths, and the bytes of other files. Each
+// fact is stored once, even if many programs depend on it. A run checks the facts again, and analyses the programs for
+// which one of them is no longer true.
 #pragma once
 
 #include <cstdint>
@@ -17,24 +17,24 @@ namespace owlint::audit {
 struct Fact {
   static constexpr int kBytes = 4;  ///< lower ones are an Answer::Question
   int kind = kBytes;
-  std::string subject;  ///< the folders that are searched, one a line, then `//` and the tree; or a file's key
+  std::string subject;  ///< the searched folders, one on each line, then `//` and the tree; or a file's key
   std::string name;
   std::string answer;
   uint64_t stamp = 0;  ///< of a file
 };
 
-/// What a report rests on. `bytes_of`: the hash of a file that was read.
+/// What a report depends on. `bytes_of`: the hash of a file that was read.
 std::vector<Fact> facts_of(const Inputs& inputs, const std::function<std::string(const Source&)>& bytes_of);
 
 class Facts {
  public:
   explicit Facts(SQLite::Database& db);
 
-  /// The numbers of those that are not true any more. `walked`: the hash of a file where it is known already, else empty.
+  /// The numbers of the facts that are no longer true. `walked`: the hash of a file if it is already known, else empty.
   std::vector<int64_t> untrue(const std::function<std::string(const std::string& key)>& walked);
-  /// Stores that a file rests on these, and on nothing else.
+  /// Stores that a file depends on these facts, and on nothing else.
   void rest(int64_t file, const std::vector<Fact>& facts);
-  /// Forgets those that nothing rests on.
+  /// Forgets facts that nothing depends on.
   static void sweep(SQLite::Database& db);
 
  private:

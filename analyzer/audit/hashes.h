@@ -1,4 +1,4 @@
-// What tells one thing from another in the store: bytes, this owlint, settings.
+// What identifies things in the store: bytes, this owlint, settings.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace owlint::audit {
 /// XXH3, 128 bits, as 32 hexadecimal digits.
 std::string hash_of(std::string_view bytes);
 
-/// Of the program that runs: another build may find other things.
+/// Of the running program: another build may have other findings.
 const std::string& tool_hash();
 
-/// Of everything that decides what is found in a program besides programs: the tool, the machine's INI, the options.
+/// Of everything besides programs that the findings depend on: the tool, the machine's INI, the options.
 std::string settings_hash(const cli::Settings& settings);
 
 }  // namespace owlint::audit

@@ -1,5 +1,5 @@
-// What changes from run to run: a row says since which run something is so, and until which it was. What is the same in a
-// later run is not written again.
+// What changes from run to run: a row says from which run until which run something was true. What stays the same is not
+// written again.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,27 @@
 
 namespace owlint::audit {
 
-/// How many findings a run has, and how many of them the run before had not, and the other way round.
+/// How many findings a run has, how many are new, and how many of the run before are gone.
 struct Changes {
   size_t fresh = 0;
   size_t gone = 0;
 };
 
-/// Writes what the programs are in this run, and which of the former ones are no longer there.
+/// Writes the programs of this run, and which earlier ones no longer exist.
 void write_contents(Store& store, int64_t run, const std::vector<Item>& items);
 
-/// Writes the findings of this run. One is the same as before where file and fingerprint are; it may have moved to another
-/// line, or with its program to another folder.
+/// Writes the findings of this run. A finding is the same as before if its file and fingerprint are; it may have moved to
+/// another line, or with its program to another folder.
 Changes write_findings(Store& store, int64_t run, const std::vector<FileReport>& reports);
 
-/// A finding as it stands in the store.
+/// A finding in the store.
 struct StoredFinding {
   int64_t id = 0;
   std::string path;
   std::string fingerprint;
 };
 
-/// Which findings run `b` has that run `a` has not, and the other way round.
+/// The findings that only run `b` has, and those that only run `a` has.
 struct Difference {
   std::vector<StoredFinding> fresh;
   std::vector<StoredFinding> gone;

@@ -1,4 +1,4 @@
-// What the command line said of a run, as text for the store; merging takes it for comparing parts of one job.
+// The command line of a run as text for the store; `merge` uses it to compare the parts of a job.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace owlint::audit {
 
-/// A JSON object with what was given, and nothing else.
+/// A JSON object with only the given options.
 std::string options_text(const cli::CommandLine& line);
 
 }  // namespace owlint::audit

@@ -5,21 +5,24 @@
 #include <map>
 #include <mutex>
 #include <set>
-#include <sstream>
 #include <unordered_map>
+#include <unordered_set>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "analyzer/audit/assembly.h"
 #include "analyzer/audit/hashes.h"
 #include "analyzer/audit/history.h"
 #include "analyzer/audit/packed.h"
+#include "analyzer/audit/page_blocks.h"
 #include "analyzer/audit/page_template.h"
 #include "analyzer/audit/reading.h"
+#include "analyzer/audit/record.h"
+#include "analyzer/audit/shown_paths.h"
 #include "analyzer/findings/identity.h"
 #include "analyzer/program/linker.h"
-#include "analyzer/report/graph.h"
 #include "analyzer/report/json.h"
 #include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
@@ -52,9 +55,11 @@ class ShownLines {
     Json stretches = Json::array();
     uint32_t next = 0;
     for (const uint32_t number : lines_) {
-      if (number != next) stretches.push_back({number, Json::array()});
-      stretches.back()[1].push_back(text(number));
-      next = number + 1;
+      if (next == 0 || number - next > kHole) {
+        stretches.push_back({number, Json::array()});
+        next = number;
+      }
+      for (; next <= number; ++next) stretches.back()[1].push_back(text(next));
     }
     return stretches;
   }
@@ -62,6 +67,7 @@ class ShownLines {
  private:
   static constexpr uint32_t kShort = 1500;
   static constexpr size_t kMost = 4000;
+  static constexpr uint32_t kHole = 3;  // as many lines are shown rather than left out
   static constexpr size_t kWidest = 2000;  // bytes of a line that are shown
 
   void keep(uint32_t first, uint32_t last, uint32_t around) {
@@ -88,9 +94,21 @@ Json kept_lines(const Source& source, const std::vector<Finding>& findings) {
   return stretches;
 }
 
+/// The INIs of which something is said.
+std::unordered_set<std::string> machine_inis(Store& store) {
+  Records records;
+  for (const std::string& record : machine_records(store)) records.add(record);
+  std::unordered_set<std::string> paths;
+  for (size_t i = 0; i < records.size(); ++i) {
+    for (const FileReport& report : records.reports(i)) paths.insert(report.source->path());
+  }
+  return paths;
+}
+
 class Page {
  public:
-  Page(std::ostream& out, Store& store, int64_t run, const cli::CommandLine& line) : out_(out), store_(store), run_(run), line_(line), configuration_(line_) {
+  Page(std::ostream& out, Store& store, int64_t run, const cli::CommandLine& line)
+      : out_(out), store_(store), run_(run), line_(line), configuration_(line_), paths_(line.paths) {
     line_.absolute = true;
   }
 
@@ -100,12 +118,16 @@ class Page {
     out_ << page.substr(0, mark);
     programs_ = programs_of(store_, run_);
     for (size_t i = 0; i < programs_.size(); ++i) number_.emplace(programs_[i].path, i);
+    kinds_.assign(programs_.size(), kProgram);
     reports_ = reports_of(store_, run_, false);
-    // Findings in files that are no programs of the run: INIs, and subs from elsewhere.
+    const std::unordered_set<std::string> inis = machine_inis(store_);
     for (const FileReport& report : reports_) {
-      if (number_.contains(report.source->path())) continue;
-      number_.emplace(report.source->path(), programs_.size());
-      programs_.push_back({report.source->path(), "", 0, report.source->line_count(), ""});
+      const std::string& path = report.source->path();
+      if (number_.contains(path)) continue;
+      number_.emplace(path, programs_.size());
+      programs_.push_back({path, "", 0, report.source->line_count(), ""});
+      kinds_.push_back(inis.contains(path) ? kIni : kElsewhere);
+      paths_.know(path);
     }
     part_.assign(programs_.size(), -1);
     linked_.assign(programs_.size(), 0);
@@ -115,6 +137,9 @@ class Page {
   }
 
  private:
+  /// What findings are in: the programs of the run, INIs, and subs from elsewhere that the programs call.
+  enum Kind { kProgram, kIni, kElsewhere };
+
   void write_element(const std::string& id, const Json& json) { write_packed(id, packed(json.dump())); }
   void write_packed(const std::string& id, const std::string& data) { out_ << "<script type=\"text/plain\" id=\"" << id << "\">" << data << "</script>\n"; }
 
@@ -173,8 +198,8 @@ class Page {
     const ProgramRow& row = programs_[number];
     static const std::vector<Finding> kNone;
     const std::vector<Finding>& findings = report == nullptr ? kNone : report->findings;
-    Json json{{"lineCount", row.lines}, {"source", Json::array()}, {"findings", Json::array()}, {"graph", nullptr}, {"graphFiles", Json::array()}};
-    for (const Finding& f : findings) json["findings"].push_back(finding_json(*report->source, f));
+    Json json{{"lineCount", row.lines}, {"source", Json::array()}, {"findings", Json::array()}, {"blocks", nullptr}};
+    for (const Finding& f : findings) json["findings"].push_back(shown(*report->source, f));
     std::string error;
     const auto source = Source::map(row.path, &error);
     const bool same = source != nullptr && !row.hash.empty() && hash_of(source->bytes()) == row.hash;
@@ -185,22 +210,45 @@ class Page {
     const auto program = library_.load(source);
     json["source"] = ShownLines(*program, findings).json();
     if (program->blocks.empty() && program->calls.empty() && program->regions.size() < 2) return json;
-    constexpr size_t kMostNodes = 400;  // more than that nobody can look at
+    constexpr size_t kMost = 2000;  // more than that nobody can look at
     const Linked linked(program, settings->profile, library_);
     note_calls(number, linked);
-    if (program->blocks.size() + program->regions.size() + program->calls.size() > kMostNodes) return json;
-    std::ostringstream dot;
-    write_graph_dot(dot, linked, findings);
-    json["graph"] = dot.str();
-    for (const LinkedFile& file : linked.files()) json["graphFiles"].push_back(printable(file.program->source->path()));
+    if (program->blocks.size() + program->regions.size() + program->calls.size() > kMost) return json;
+    json["blocks"] = blocks_json(linked, [this](const std::string& path) { return number_of(path); });
+    return json;
+  }
+
+  /// The page's number of a file; -1 for one that is not in it.
+  int number_of(const std::string& path) const {
+    const auto at = number_.find(file_key(path));
+    return at == number_.end() ? -1 : static_cast<int>(at->second);
+  }
+
+  /// A finding whose paths are those of the page.
+  Json shown(const Source& source, Finding f) const {
+    for (std::string* words : {&f.message, &f.help, &f.interpreter}) *words = paths_.text(*words);
+    for (Related& place : f.related) place.message = paths_.text(place.message);
+    for (Related& place : f.path) place.message = paths_.text(place.message);
+    for (Fix& fix : f.fixes) fix.title = paths_.text(fix.title);
+    for (Consequence& c : f.consequences) c.interpreter = paths_.text(c.interpreter);
+    Json json = finding_json(source, f);
+    json["pathFrom"] = f.related.size();
+    size_t at = 0;
+    for (const auto* places : {&f.related, &f.path}) {
+      for (const Related& place : *places) {
+        const std::string& path = place.source == nullptr ? source.path() : place.source->path();
+        json["related"][at]["path"] = printable(paths_.path(path));
+        json["related"][at++]["file"] = number_of(path);
+      }
+    }
     return json;
   }
 
   Json index() {
-    Json index{{"schema", "owlint-page-1"}, {"tool", {{"name", kToolName}, {"version", kToolVersion}}}, {"made", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+    Json index{{"schema", "owlint-page-2"}, {"tool", {{"name", kToolName}, {"version", kToolVersion}}}, {"made", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+    for (const std::string& root : paths_.roots()) index["roots"].push_back(printable(root));
     for (const RunRow& run : runs_of(store_)) {
       if (run.state != "complete" || run.id > run_) continue;
-      if (run.id == run_) index["roots"] = Json::parse(run.roots);
       index["runs"].push_back({{"id", run.id}, {"started", run.started}, {"seconds", run.seconds}, {"version", run.version}, {"files", run.files}, {"checked", run.analysed},
                                {"errors", run.errors}, {"warnings", run.warnings}, {"infos", run.infos}, {"new", run.fresh}, {"gone", run.gone}});
     }
@@ -219,13 +267,14 @@ class Page {
 
   Json files() const {
     Json json;
-    for (const char* column : {"path", "lines", "bytes", "part", "problem"}) json[column] = Json::array();
+    for (const char* column : {"path", "kind", "lines", "bytes", "part", "problem"}) json[column] = Json::array();
     for (size_t i = 0; i < programs_.size(); ++i) {
-      json["path"].push_back(printable(programs_[i].path));
+      json["path"].push_back(printable(paths_.path(programs_[i].path)));
+      json["kind"].push_back(kinds_[i]);
       json["lines"].push_back(programs_[i].lines);
       json["bytes"].push_back(programs_[i].bytes);
       json["part"].push_back(part_[i]);
-      json["problem"].push_back(printable(programs_[i].problem));
+      json["problem"].push_back(printable(paths_.text(programs_[i].problem)));
     }
     return json;
   }
@@ -242,7 +291,7 @@ class Page {
   static int level(Severity severity) { return static_cast<int>(severity) - 1; }
 
   void findings(Json& json, Json& rules) {
-    for (const char* column : {"file", "rule", "severity", "line", "column", "message", "isNew"}) json[column] = Json::array();
+    for (const char* column : {"file", "rule", "severity", "line", "column", "message", "fix", "isNew"}) json[column] = Json::array();
     const int64_t before = run_before(store_, run_);
     std::map<std::string, size_t> fresh;  // how often a fingerprint is new
     if (before != 0) {
@@ -259,7 +308,8 @@ class Page {
         json["severity"].push_back(level(f.severity));
         json["line"].push_back(at.line);
         json["column"].push_back(at.column);
-        json["message"].push_back(printable(f.message));
+        json["message"].push_back(printable(paths_.text(f.message)));
+        json["fix"].push_back(f.fixes.empty() ? 0 : std::ranges::any_of(f.fixes, &Fix::safe) ? 2 : 1);
         const auto is_new = fresh.find(report.source->path() + '\n' + prints[i]);
         json["isNew"].push_back(is_new != fresh.end() && is_new->second > 0 && is_new->second-- > 0 ? 1 : 0);
       }
@@ -272,17 +322,17 @@ class Page {
     for (const StoredFinding& f : difference_.gone) ids.push_back(f.id);
     for (const FileReport& report : reports_of(store_, ids)) {
       for (const Finding& f : report.findings) {
-        json["path"].push_back(printable(report.source->path()));
+        json["path"].push_back(printable(paths_.path(report.source->path())));
         json["rule"].push_back(rule_number(f.code, rules));
         json["severity"].push_back(level(f.severity));
         json["line"].push_back(report.source->position(f.span.begin).line);
-        json["message"].push_back(printable(f.message));
+        json["message"].push_back(printable(paths_.text(f.message)));
       }
     }
   }
 
   /// Which program calls which: as it was seen when the details were made, for the others with everything that is called from
-  /// there, too, as their analyses rest on it.
+  /// there too, because their analyses depend on it.
   Json calls() {
     Json json{{"from", Json::array()}, {"to", Json::array()}};
     const auto add = [&](size_t from, size_t to) {
@@ -300,7 +350,7 @@ class Page {
     return json;
   }
 
-  /// The calls that stand in the program itself.
+  /// The calls that are in the program itself.
   void note_calls(size_t from, const Linked& linked) {
     const Program& p = *linked.files()[0].program;
     std::set<size_t> called;
@@ -321,8 +371,10 @@ class Page {
   int64_t run_;
   cli::CommandLine line_;
   cli::Configuration configuration_;
+  ShownPaths paths_;
   Library library_;
   std::vector<ProgramRow> programs_;
+  std::vector<Kind> kinds_;
   std::unordered_map<std::string, size_t> number_;
   std::vector<FileReport> reports_;
   std::vector<int> part_;

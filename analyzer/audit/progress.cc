@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/cli/terminal.h"
+
 extern char** environ;
 
 namespace owlint::audit {
@@ -49,7 +51,7 @@ void Progress::tell(size_t done, size_t total) {
   if (quiet_ || total < kWorth) return;
   if (!started_) {
     started_ = true;
-    if (::isatty(STDERR_FILENO) != 0) start_bar(total);
+    if (cli::is_terminal(STDERR_FILENO)) start_bar(total);
   }
   if (bar_ >= 0) {
     const std::string lines(done - reported_, '\n');

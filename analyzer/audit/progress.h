@@ -1,4 +1,4 @@
-// How far an audit is: on a terminal the bar of `pv`, with rate and time left; elsewhere a line now and then.
+// The progress of an audit: on a terminal the bar of `pv`, with rate and time left; otherwise a line now and then.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   void tell(size_t done, size_t total);
-  /// Takes the bar away.
+  /// Removes the bar.
   void finish();
 
  private:

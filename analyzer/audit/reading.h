@@ -1,4 +1,4 @@
-// What a store says, for those who show it.
+// Reads a store, for the commands that show it.
 #pragma once
 
 #include <optional>
@@ -27,13 +27,13 @@ struct ProgramRow {
 
 /// All runs, the oldest first.
 std::vector<RunRow> runs_of(Store& store);
-/// `7`, `last`, `last-1`: the complete run that is meant, or nothing.
+/// The complete run for `7`, `last`, `last-1`, or nothing.
 std::optional<int64_t> find_run(Store& store, const std::string& text);
 /// The complete run before another one; 0 if there is none.
 int64_t run_before(Store& store, int64_t run);
 /// The programs of a run, by path.
 std::vector<ProgramRow> programs_of(Store& store, int64_t run);
-/// The findings of a run, by file and place; without files that have none, unless `all`: then all programs are there.
+/// The findings of a run, by file and position; with `all` also the files that have none.
 std::vector<FileReport> reports_of(Store& store, int64_t run, bool all);
 /// Single findings, in their order.
 std::vector<FileReport> reports_of(Store& store, const std::vector<int64_t>& findings);

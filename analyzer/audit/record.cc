@@ -91,8 +91,8 @@ class Writer {
     for (const Consequence& c : f.consequences) consequences.push_back({c.code, place(in, c.span), c.interpreter});
     return {{"code", f.code}, {"severity", static_cast<int>(f.severity)}, {"span", place(in, f.span)}, {"source", f.source == nullptr ? Json(nullptr) : Json(source(in))},
             {"scope", f.scope}, {"message", f.message}, {"help", f.help}, {"interpreter", f.interpreter}, {"reach", static_cast<int>(f.reach)},
-            {"stops", f.stops}, {"unproven", f.unproven}, {"never_ends", f.never_ends}, {"related", related(in, f.related)}, {"path", related(in, f.path)},
-            {"fixes", std::move(fixes)}, {"consequences", std::move(consequences)}, {"versions", f.versions}};
+            {"stops", f.stops}, {"unproven", f.unproven}, {"never_ends", f.never_ends}, {"runs_other", f.runs_other}, {"group", f.group}, {"related", related(in, f.related)}, {"path", related(in, f.path)},
+            {"fixes", std::move(fixes)}, {"consequences", std::move(consequences)}, {"block_delete", f.block_delete}, {"versions", f.versions}};
   }
 
   std::vector<std::pair<const Source*, std::set<uint32_t>>> sources_;
@@ -139,6 +139,8 @@ Finding finding_of(const Json& json, const Sources& sources) {
   f.stops = json.at("stops");
   f.unproven = json.at("unproven");
   f.never_ends = json.at("never_ends");
+  f.runs_other = json.at("runs_other");
+  json.at("group").get_to(f.group);
   f.related = related_of(json.at("related"), sources);
   f.path = related_of(json.at("path"), sources);
   for (const Json& fix : json.at("fixes")) {
@@ -151,6 +153,7 @@ Finding finding_of(const Json& json, const Sources& sources) {
     const Rule* other = find_rule(c.at(0).get<std::string>());
     if (other != nullptr) f.consequences.push_back({other->code, span_of(c.at(1)), c.at(2).get<std::string>()});
   }
+  json.at("block_delete").get_to(f.block_delete);
   json.at("versions").get_to(f.versions);
   return f;
 }

@@ -1,6 +1,5 @@
-// What the check of a file gave, as bytes for the store: findings with everything that belongs to them, and of the files
-// that they point into just the lines that they point at. The bytes are MessagePack, because names and programs need
-// not be UTF-8.
+// The result of checking a file, as bytes for the store: the findings with everything that belongs to them, and only those
+// lines of files that they point at. The bytes are MessagePack, because names and programs need not be UTF-8.
 #pragma once
 
 #include <map>
@@ -17,11 +16,12 @@ std::string record_of(const cli::Checked& checked);
 /// For a list of reports: INIs, or one finding.
 std::string record_of(const std::vector<FileReport>& reports);
 
-/// Reads records back. The lines that several of them have kept of one file are joined into one excerpt, so that the
-/// findings of all of them can stand in one report: first all records are taken in, then they are asked for.
+/// Reads records back. The lines of one file from several records become one excerpt, so that all their findings can be
+/// in one report: first add all records, then read them.
 class Records {
  public:
-  /// Takes a record in; its number, from 0. This and the others throw StoreProblem for bytes that are no record.
+  /// Adds a record and returns its number, from 0. This and the other functions throw StoreProblem for bytes that are not a
+  /// record.
   size_t add(const std::string& bytes);
   size_t size() const { return records_.size(); }
   cli::Checked checked(size_t number);

@@ -1,5 +1,5 @@
-// The tables of a store, as the steps that made them: a store of an older owlint gets the steps that it lacks. Described
-// for people who ask it themselves in docs/audit.md.
+// The tables of a store, as a list of steps: a store of an older owlint gets the missing steps. docs/audit.md describes
+// the tables for people who read them.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@ namespace owlint::audit {
 
 inline constexpr int kApplicationId = 0x6f776c74;  // "owlt", for file(1)
 
-/// `PRAGMA user_version` counts the steps that were taken.
+/// `PRAGMA user_version` is the number of steps that were made.
 inline constexpr std::array kSteps = {
-    // 1: runs, files, findings; what is known of each file for the next run.
+    // 1: runs, files, findings; what is known about each file for the next run.
     R"sql(
 CREATE TABLE run (
   id       INTEGER PRIMARY KEY,

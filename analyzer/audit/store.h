@@ -1,4 +1,4 @@
-// The store of an audit: one SQLite file. Whoever writes holds it alone; people and programs can read it meanwhile.
+// The store of an audit: one SQLite file. Only one process at a time can write it; others can read it meanwhile.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace owlint::audit {
 
-/// What is wrong with a store, for people: its message names the store.
+/// An error in a store; the message is for people and names the store.
 class StoreProblem : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -18,7 +18,7 @@ class Store {
  public:
   enum class For : uint8_t { kReading, kWriting };
 
-  /// Opens a store, brings it to this owlint's tables, and takes it for writing: a second writer is refused, or waits.
+  /// Opens a store for writing and updates its tables to this owlint; a second writer gets an error, or waits.
   /// Throws StoreProblem.
   static Store open(const std::string& path, For use, bool wait = false);
 
@@ -29,7 +29,7 @@ class Store {
   int64_t last_complete();
 
  private:
-  /// Held while a store is written; the system takes it back when the process ends in whatever way.
+  /// A lock on a store while it is written; the system releases it when the process ends, however it ends.
   class Hold {
    public:
     Hold(const std::string& path, bool wait);
@@ -43,14 +43,14 @@ class Store {
   void migrate(bool writing);
 
   std::string path_;
-  std::unique_ptr<Hold> hold_;  // before the database: it is let go after that is closed
+  std::unique_ptr<Hold> hold_;  // before the database: it is released after the database is closed
   std::unique_ptr<SQLite::Database> db_;
 };
 
 /// The bytes of a column.
 std::string blob_of(const SQLite::Column& column);
 
-/// What to tell people of an error of SQLite's with this store.
+/// The message for people about an SQLite error in this store.
 std::string words_of(const SQLite::Exception& problem, const std::string& path);
 
 }  // namespace owlint::audit

@@ -9,13 +9,13 @@ namespace owlint::audit {
 
 class Watch {
  public:
-  /// Watches the folders and all below them. Throws std::runtime_error where the system does not let it.
+  /// Watches the folders and all folders below them. Throws std::runtime_error if the system does not allow it.
   explicit Watch(const std::vector<std::string>& folders);
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Returns when something has changed and then nothing more for a moment, true; or when `stop` was set, false.
+  /// Returns true when something has changed and then nothing more for a moment, or false when `stop` was set.
   bool wait(const std::atomic<bool>& stop);
 };
 

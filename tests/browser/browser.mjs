@@ -1,11 +1,12 @@
 // A browser that may go nowhere, and pages of real audits for it.
 import { execFileSync, spawnSync } from "node:child_process";
-import { cpSync, mkdirSync, mkdtempSync, readdirSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { setTimeout as pause } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
+import { gunzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -20,7 +21,11 @@ export function scratch() {
 
 /** One run of an audit; findings make its status 1, which is no fault here. */
 export function audit(folder, ...options) {
-  const done = spawnSync(owlint, ["audit", "shop", "--isolated", ...options], { cwd: folder, encoding: "utf8" });
+  return auditOf(folder, "shop", "--isolated", ...options);
+}
+
+export function auditOf(folder, ...options) {
+  const done = spawnSync(owlint, ["audit", ...options], { cwd: folder, encoding: "utf8" });
   if (done.status > 1 || done.status === null) throw new Error(`owlint audit: ${done.status} ${done.stderr}`);
   return done;
 }
@@ -40,6 +45,18 @@ export function shopPage(change = () => {}) {
   change(shop);
   audit(folder, "--report", "audit.html");
   return join(folder, "audit.html");
+}
+
+/** The data in a page: its index, and the details of programs by their numbers. */
+export function dataOf(file) {
+  const html = readFileSync(file, "utf8");
+  const data = { details: {} };
+  for (const [, id, text] of html.matchAll(/<script type="text\/plain" id="owlint-(index|part-\d+)">([^<]*)</g)) {
+    const json = JSON.parse(gunzipSync(Buffer.from(text.replace(/\s+/g, ""), "base64")).toString());
+    if (id === "index") data.index = json;
+    else Object.assign(data.details, json);
+  }
+  return data;
 }
 
 let browser;

@@ -37,8 +37,9 @@ test("hostile names and contents are shown as text", async () => {
     const blocks = page.getByRole("link", { name: "Blocks" });
     if (await blocks.count()) {
       await blocks.click();
-      await page.locator(".drawing svg").waitFor();
-      assert.equal(await page.locator(".drawing image, .drawing script, .drawing foreignObject").count(), 0);
+      await page.locator(".blocks .box").first().waitFor();
+      assert.equal(await page.locator(".blocks img, .blocks script").count(), 0);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 1280, words);
     }
     await page.goto(`${page.url().split("#")[0]}#/programs`);
     await page.locator(".row").nth(1).waitFor();

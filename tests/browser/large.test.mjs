@@ -12,7 +12,7 @@ test("100,000 programs with 50,000 findings can be used", async (t) => {
   const started = Date.now();
   const page = await open(file, "#/findings");
   t.diagnostic(`loaded in ${Date.now() - started} ms`);
-  assert.equal(await page.locator(".found").textContent(), "50,000 of 50,000");
+  assert.equal(await page.locator(".found").textContent(), "50,000 findings");
   assert.ok((await page.locator(".row").count()) < 60, "only what is in view is there");
   for (const words of ["part12", "ow508", "o77"]) {
     const took = await page.evaluate(async (text) => {
@@ -29,7 +29,7 @@ test("100,000 programs with 50,000 findings can be used", async (t) => {
     assert.match(await page.locator(".found").textContent(), /^[1-9]/);
   }
   await page.goto(`${page.url().split("#")[0]}#/programs`);
-  await eventually(async () => assert.equal(await page.locator(".found").textContent(), "100,000 of 100,000"));
+  await eventually(async () => assert.equal(await page.locator(".found").textContent(), "100,000 programs"));
   await page.locator(".row a").first().focus();
   await page.keyboard.press("End");
   await page.waitForFunction(() => Number(document.activeElement.closest(".row")?.dataset.index) === 99_999);

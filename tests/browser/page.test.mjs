@@ -2,11 +2,12 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { eventually, open, shopPage, shots, start, stop, violations } from "./browser.mjs";
+import { dataOf, eventually, open, shopPage, shots, start, stop, violations } from "./browser.mjs";
 
 let file;
+let data;
 
-before(async () => { file = shopPage(); await start(); });
+before(async () => { file = shopPage(); data = dataOf(file); await start(); });
 after(stop);
 
 /** Runs `act` in a page of its own, and then asks that nothing went wrong in it. */
@@ -18,7 +19,16 @@ async function reading(route, options, act) {
 }
 
 const rows = (page) => page.locator(".row");
-const found = async (page) => Number((await page.locator(".found").textContent()).split(" of ")[0].replaceAll(",", ""));
+const found = async (page) => Number((await page.locator(".found").textContent()).split(" ")[0].replaceAll(",", ""));
+const phone = { viewport: { width: 360, height: 740 }, hasTouch: true };
+/** The address of a program by the end of its path. */
+const program = (path, query = "") => `#/program/${data.index.files.path.findIndex((p) => p.endsWith(path))}${query}`;
+/** Of a program with a finding of a rule that has a safe fix, the finding chosen. */
+const fixable = (code) => {
+  const { file: files, rule, fix, line } = data.index.findings;
+  const i = rule.findIndex((r, at) => data.index.rules[r].code === code && fix[at] === 2);
+  return `#/program/${files[i]}?line=${line[i]}`;
+};
 const says = (locator, pattern) => eventually(async () => assert.match(await locator.innerText({ timeout: 1000 }), pattern));
 const counts = (locator, n) => eventually(async () => assert.equal(await locator.count(), n));
 
@@ -34,7 +44,7 @@ const focused = (page, selector) => page.waitForFunction((wanted) => document.ac
 
 test("the overview says how many programs stop, what is new and what is gone", () => reading("#/", {}, async (page) => {
   assert.match(await page.title(), /owlint audit/);
-  await says(page.locator(".totals"), /programs stop the machine/);
+  await says(page.locator(".totals"), /programs have errors/);
   await says(page.locator(".panel", { hasText: "New and gone" }), /new\.ngc/);
   await page.getByText("1 finding gone").click();
   await says(page.locator("ul.gone"), /old\.ngc/);
@@ -61,6 +71,10 @@ test("findings are filtered, searched and sorted", () => reading("#/findings", {
     return n;
   });
   const all = await found(page);
+  await allRows(page, /error/);  // the worst come first, unasked
+  await page.getByLabel("Sort by", { exact: true }).selectOption("path");
+  await says(rows(page).first(), /^(?!.*error)/s);
+  await page.getByLabel("Sort by", { exact: true }).selectOption("");
   await page.getByLabel("Severity", { exact: true }).selectOption("errors");
   const errors = await fewer(all);
   await page.getByLabel("Rule", { exact: true }).selectOption({ value: "OW104" });
@@ -93,24 +107,58 @@ test("a finding leads to its line, with what LinuxCNC says and the rule beside i
   await page.screenshot({ path: join(shots, "program.png") });
 }));
 
-test("a node of the block graph leads to its line", () => reading("#/findings?q=keyslots-copied-label", {}, async (page) => {
+test("a finding in the boxes of the blocks leads to its line", () => reading("#/findings?q=keyslots-copied-label", {}, async (page) => {
   await rows(page).locator("a").first().click();
   await page.getByRole("link", { name: "Blocks" }).click();
-  await page.locator(".drawing g.node.error").waitFor();
-  await page.getByRole("button", { name: "larger" }).click();
-  await page.getByRole("button", { name: "whole" }).click();
+  const box = page.locator(".blocks .box.error");
+  await says(box.locator(".head").first(), /o130 if .*lines 33 to \d+/s);
   await page.screenshot({ path: join(shots, "blocks.png") });
-  await page.locator(".drawing g.node.error").click();
+  await box.locator(".finding a").click();
   await focused(page, "li.chosen[data-line='33']");
   const line = page.locator("li.chosen[data-line='33']");
   await eventually(async () => assert.ok(await line.evaluate((element) => element.getBoundingClientRect().top < innerHeight)));
 }));
+
+test("blocks are boxes in each other, with what they call and what is found in them", () => reading(program("new.ngc", "?view=blocks"), {}, async (page) => {
+  const main = page.locator(".blocks > .box.scope", { hasText: "main program" });
+  await says(main.locator("> .head"), /main program/);
+  await says(main.locator("> ul > .call"), /calls o<probe> line 8 · sub on line 1/);
+  await says(main.locator("> ul > .box > .head"), /o100 if \[1\] lines 9 to/);
+  await says(page.locator(".blocks > .box.scope", { hasText: "o<probe> sub" }).locator("> ul > .box > ul > .call"), /calls o<touch> line 3 · sub on line 6/);
+  assert.ok((await main.locator(".finding.error").count()) > 0);
+  await main.locator("> ul > .call a").last().click();
+  await page.locator("li.chosen[data-line='1']").waitFor();
+}));
+
+test("drawings can be read, on a phone as well", async () => {
+  for (const options of [{}, phone]) {
+    await reading(program("new.ngc", "?view=blocks"), options, async (page) => {
+      await page.locator(".blocks .box").first().waitFor();
+      for (const words of await page.locator(".blocks a, .blocks code").all()) {
+        assert.ok(Number.parseFloat(await words.evaluate((element) => getComputedStyle(element).fontSize)) >= 12);
+      }
+    });
+    await reading(program("calling.ngc", "?view=calls"), options, async (page) => {
+      const node = page.locator(".drawing g.node", { hasText: "called.ngc" }).locator("text").first();
+      await eventually(async () => assert.ok((await node.boundingBox()).height >= 11, "large enough"));
+      assert.equal(await node.textContent(), "called.ngc");  // its name, not its folder
+    });
+  }
+});
 
 test("the call graph leads to the called program", () => reading("#/programs", {}, async (page) => {
   await page.getByLabel("Search").fill("calling");
   await counts(rows(page), 1);
   await rows(page).locator("a").first().click();
   await page.getByRole("link", { name: "Calls" }).click();
+  await page.locator(".drawing g.node.here").waitFor();
+  const width = () => page.locator(".drawing svg").evaluate((svg) => svg.getBoundingClientRect().width);
+  const drawn = await width();
+  await page.getByRole("button", { name: "larger" }).click();
+  await eventually(async () => assert.ok((await width()) > drawn));
+  await page.getByRole("button", { name: "whole" }).click();
+  await eventually(async () => assert.equal(Math.round(await width()), Math.round(drawn)));
+  await page.screenshot({ path: join(shots, "calls.png") });
   await page.locator(".drawing g.node", { hasText: "called.ngc" }).click();
   await page.locator("h1", { hasText: "called.ngc" }).waitFor();
   await says(page.locator("aside"), /Called by/);
@@ -140,16 +188,20 @@ test("everything can be done by keyboard", () => reading("#/", {}, async (page) 
   await page.locator("#main").focus();
   await focusOn(".tabs a:not([aria-current])");
   await press("Enter");
-  await page.locator(".drawing g.node.error").waitFor();
-  await focusOn(".drawing");
-  await press("+");
-  await press("ArrowLeft");
-  await press("0");
-  await focusOn("g.node.error");
+  await page.locator(".blocks .box.error").waitFor();
+  await focusOn(".finding a");
   await press("Enter");
   await focused(page, "li.chosen[data-line='33']");
   await page.goBack();
-  await page.locator(".drawing svg").waitFor();
+  await page.locator(".blocks .box.error").waitFor();
+  await page.goto(`${page.url().split("#")[0]}${program("calling.ngc", "?view=calls")}`);
+  await page.locator(".drawing g.node.here").waitFor();
+  await focusOn(".drawing");
+  await press("+");
+  await press("0");
+  await focusOn("g.node:not(.here)");
+  await press("Enter");
+  await page.locator("h1", { hasText: "called.ngc" }).waitFor();
 }));
 
 test("arrows, Page, Home and End move through a list", () => reading("#/programs", {}, async (page) => {
@@ -180,8 +232,8 @@ test("dark colours come from the system, or from the switch", async () => {
 });
 
 test("a phone shows all of it without scrolling sideways", async () => {
-  for (const [name, route] of [["overview", "#/"], ["findings", "#/findings"], ["programs", "#/programs"], ["program", "#/program/3?line=2"], ["rule", "#/rule/OW104"]]) {
-    await reading(route, { viewport: { width: 360, height: 740 }, hasTouch: true }, async (page) => {
+  for (const [name, route] of [["overview", "#/"], ["findings", "#/findings"], ["programs", "#/programs"], ["program", "#/program/3?line=2"], ["fix", fixable("OW304")], ["blocks", program("new.ngc", "?view=blocks")], ["calls", program("calling.ngc", "?view=calls")], ["rule", "#/rule/OW104"]]) {
+    await reading(route, phone, async (page) => {
       await page.locator("h1, .totals").first().waitFor();
       await page.waitForTimeout(200);  // what comes late must not widen it either
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360, name);
@@ -189,6 +241,80 @@ test("a phone shows all of it without scrolling sideways", async () => {
     });
   }
 });
+
+test("a path that does not fit loses its front, never the name of the file", () => reading("#/programs?q=fixtures", phone, async (page) => {
+  await rows(page).first().waitFor();
+  const paths = await page.locator(".row .path").evaluateAll((all) => all.map((path) => {
+    const [box, text] = [path.getBoundingClientRect(), path.querySelector("bdi").getBoundingClientRect()];
+    return { cut: text.left < box.left - 1, end: text.right <= box.right + 1 };
+  }));
+  assert.ok(paths.some(({ cut }) => cut), "some are cut");
+  assert.ok(paths.every(({ end }) => end), "all show their end");
+}));
+
+test("filters are folded on a phone", () => reading("#/findings", phone, async (page) => {
+  await page.getByLabel("Severity", { exact: true }).waitFor({ state: "hidden" });
+  await page.getByText("Filter and sort").click();
+  await page.getByLabel("Severity", { exact: true }).selectOption("errors");
+  await page.getByText("Filter and sort (1 chosen)").waitFor();
+  await allRows(page, /error/);
+}));
+
+test("errors have a scale of their own beside warnings", () => reading("#/", {}, async (page) => {
+  for (const [of, label] of [["errors", "errors"], ["warnings", "warnings"]]) {
+    const drawn = await page.locator(`svg.trend.${of} circle`).evaluateAll((all) => all.map((circle) => Number(circle.getAttribute("cy"))));
+    const counts = data.index.runs.map((run) => run[of]);
+    assert.equal(drawn.length, counts.length);
+    const [bottom, top] = await page.locator(`svg.trend.${of} line.grid`).evaluateAll((all) => all.map((line) => Number(line.getAttribute("y1"))));
+    counts.forEach((n, i) => assert.ok(Math.abs(drawn[i] - (bottom - ((bottom - top) * n) / Math.max(...counts))) < 0.01, label));
+  }
+}));
+
+test("there is one number of programs", () => reading("#/", {}, async (page) => {
+  const { index } = data;
+  const run = index.runs.at(-1);
+  assert.equal(index.files.kind.filter((kind) => kind === 0).length, run.files);
+  const words = `${run.files.toLocaleString("en")} programs`;
+  await says(page.locator(".when"), new RegExp(words));
+  await says(page.locator(".totals"), new RegExp(`of ${words}`));
+  const inFolders = await page.locator("[aria-label='findings by folder'] tbody tr td:nth-child(2)").allTextContents();
+  assert.equal(inFolders.reduce((n, text) => n + Number(text.replaceAll(",", "")), 0), run.files);
+  await page.getByRole("link", { name: "Programs", exact: true }).click();
+  await eventually(async () => assert.equal(await page.locator(".found").textContent(), words));
+}));
+
+test("fixes are shown as the lines that they change", () => reading(fixable("OW304"), {}, async (page) => {
+  const fix = page.locator("li.chosen .fix").first();
+  await says(fix, /Safe fix/);
+  const lines = async (selector) => (await fix.locator(selector).allInnerTexts()).map((text) => text.trim());
+  const [before, after] = [await lines("del"), await lines("ins")];
+  const [number, ...words] = before[0].split(/\s*−\s*/);
+  assert.equal(words.join("−").trim(), (await page.locator(`li[data-line='${number}'] > code`).innerText()).trim());
+  assert.ok(after.length > 0 && after.every((line) => !before.includes(line)));
+  await page.screenshot({ path: join(shots, "fix.png") });
+}));
+
+test("code has colours", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    await reading(program("keyslots-copied-label.ngc"), { colorScheme }, async (page) => {
+      const colour = (selector) => page.locator(selector).first().evaluate((element) => getComputedStyle(element).color);
+      const kinds = [".tok-oword", ".tok-keyword", ".tok-comment", ".tok-number", ".tok-word"];
+      const colours = await Promise.all([...kinds.map((kind) => colour(`.source ${kind}`)), colour(".source")]);
+      assert.equal(new Set(colours).size, colours.length, `${colours}`);
+      await says(page.locator("li[data-line='33'] .tok-oword").first(), /^o130$/);
+      await says(page.locator("li[data-line='33'] .tok-keyword").first(), /^if$/);
+    });
+  }
+});
+
+test("the findings of a program stand above its lines, the worst first", () => reading(program("new.ngc"), {}, async (page) => {
+  const contents = page.locator(".contents li");
+  await contents.first().waitFor();
+  const levels = (await contents.allInnerTexts()).map((text) => (/error/.test(text) ? 2 : /warning/.test(text) ? 1 : 0));
+  assert.deepEqual(levels, [...levels].sort((a, b) => b - a));
+  await contents.first().locator("a").click();
+  await page.locator("li.chosen").waitFor();
+}));
 
 test("on paper there are the findings and no controls", () => reading("#/findings?severity=2", {}, async (page) => {
   await page.emulateMedia({ media: "print" });
@@ -199,9 +325,9 @@ test("on paper there are the findings and no controls", () => reading("#/finding
 
 test("axe-core finds nothing on any view, light or dark", async () => {
   for (const colorScheme of ["light", "dark"]) {
-    for (const route of ["#/", "#/findings", "#/programs", "#/program/3", "#/program/3?view=blocks", "#/program/3?view=calls", "#/rule/OW104", "#/findings?q=none-at-all", "#/program/999999"]) {
+    for (const route of ["#/", "#/findings", "#/programs", "#/program/3", "#/program/3?view=blocks", fixable("OW304"), program("new.ngc", "?line=9"), program("new.ngc", "?view=blocks"), program("calling.ngc", "?view=calls"), "#/rule/OW104", "#/findings?q=none-at-all", "#/program/999999"]) {
       await reading(route, { colorScheme }, async (page) => {
-        if (route.includes("view=blocks")) await page.locator(".drawing svg, .source, .empty").first().waitFor();
+        await page.locator(".blocks, .drawing svg, .source, .empty, .list, .rule, .totals").first().waitFor();
         assert.deepEqual(await violations(page), [], `${colorScheme} ${route}`);
       });
     }

@@ -8,7 +8,13 @@ export interface Run {
 
 export interface Rule { code: string; name: string; summary: string; markdown: string }
 
-/** Columns of equal length. Severities: 0 info, 1 warning, 2 error. */
+/** Files are programs of the run, or something else with findings: the INIs of machines, and subs from outside of the audited folders. */
+export const program = 0, machine = 1;
+
+/**
+ * Columns of equal length. Severities: 0 info, 1 warning, 2 error. Fixes: 0 none, 1 one to look at first, 2 a safe one. Paths are
+ * seen from the audited folders; `…/` stands before those of files from elsewhere.
+ */
 export interface Index {
   schema: string;
   tool: { name: string; version: string };
@@ -16,20 +22,30 @@ export interface Index {
   roots: string[];
   runs: Run[];
   rules: Rule[];
-  files: { path: string[]; lines: number[]; bytes: number[]; part: number[]; problem: string[] };
-  findings: { file: number[]; rule: number[]; severity: number[]; line: number[]; column: number[]; message: string[]; isNew: number[] };
+  files: { path: string[]; kind: number[]; lines: number[]; bytes: number[]; part: number[]; problem: string[] };
+  findings: { file: number[]; rule: number[]; severity: number[]; line: number[]; column: number[]; message: string[]; fix: number[]; isNew: number[] };
   gone: { path: string[]; rule: number[]; severity: number[]; line: number[]; message: string[] };
   calls: { from: number[]; to: number[] };
 }
 
 export interface Position { line: number; column: number; offset: number }
-export interface Related { path: string; message: string; start: Position; end: Position }
+/** `file`: its number, -1 for one that this page does not have. */
+export interface Related { file: number; path: string; message: string; start: Position; end: Position }
+export interface Edit { start: Position; end: Position; text: string }
+export interface Fix { title: string; safe: boolean; edits: Edit[] }
 
-/** As `owlint --format json` has it. */
+/** As `owlint check --format json` has it. From `pathFrom` on, the related places say why a run gets to the finding, or why none does. */
 export interface Finding {
   code: string; rule: string; severity: string; message: string; start: Position; end: Position;
-  reach: string; stops: boolean; interpreter?: string; help?: string; related: Related[];
-  fixes: { title: string; safe: boolean }[];
+  reach: string; stops: boolean; interpreter?: string; help?: string; related: Related[]; pathFrom: number;
+  fixes: Fix[];
+}
+
+/** The subs of a program with what is in them. Blocks come after the blocks that they are in; `to` is null where a call leads nowhere. */
+export interface Blocks {
+  scopes: { title: string; line: number; end: number | null }[];
+  blocks: { title: string; line: number; end: number | null; scope: number; parent: number | null; parts: { title: string; line: number }[] }[];
+  calls: { title: string; line: number; scope: number; to: { file: number; line: number } | null }[];
 }
 
 export interface Details {
@@ -37,9 +53,7 @@ export interface Details {
   /** Stretches of lines: the number of the first, and their texts. */
   source: [number, string[]][];
   findings: Finding[];
-  /** DOT; node classes say `line-12`, `file-3`, `error`. */
-  graph: string | null;
-  graphFiles: string[];
+  blocks: Blocks | null;
 }
 
 async function unpacked(id: string): Promise<string> {

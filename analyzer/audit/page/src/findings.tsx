@@ -1,26 +1,29 @@
 // All findings: searched, filtered, sorted.
 import { useMemo } from "preact/hooks";
+import { choose, Filters } from "./filters";
 import { List } from "./list";
 import type { Model } from "./model";
-import { number, severities } from "./model";
-import { link, replaceQuery, type Route } from "./route";
-import { Badge, Message, Path } from "./words";
+import { number, severities, share } from "./model";
+import { useNarrow } from "./narrow";
+import { link, type Route } from "./route";
+import { Badge, Message, Path, WholePath } from "./words";
 
 const printed = 500;
 
 export function chosen(model: Model, query: URLSearchParams): number[] {
-  const { file, rule, severity, message, isNew, line } = model.index.findings;
+  const { file, rule, severity, message, isNew, fix } = model.index.findings;
   const q = (query.get("q") ?? "").toLowerCase();
   const wantedSeverity = query.get("severity");
   const wantedRule = query.get("rule");
   const wantedState = query.get("state");
+  const wantedFix = query.get("fix");
   const folder = query.get("folder") ?? "";
   const ruleNumber = model.index.rules.findIndex((r) => r.code === wantedRule);
   const inRule = model.index.rules.map((r) => q !== "" && `${r.code} ${r.name}`.toLowerCase().includes(q));
   const inPath = new Map<number, boolean>();
   const pathFits = (f: number) => {
     let fits = inPath.get(f);
-    if (fits === undefined) inPath.set(f, (fits = model.shown[f].toLowerCase().includes(q)));
+    if (fits === undefined) inPath.set(f, (fits = model.paths[f].toLowerCase().includes(q)));
     return fits;
   };
   const out: number[] = [];
@@ -28,46 +31,45 @@ export function chosen(model: Model, query: URLSearchParams): number[] {
     if (wantedSeverity !== null && severity[i] !== Number(wantedSeverity)) continue;
     if (wantedRule !== null && rule[i] !== ruleNumber) continue;
     if (wantedState !== null && (isNew[i] === 1) !== (wantedState === "new")) continue;
-    if (folder !== "" && !model.shown[file[i]].startsWith(folder)) continue;
+    if (wantedFix !== null && fix[i] !== Number(wantedFix)) continue;
+    if (folder !== "" && !model.paths[file[i]].startsWith(folder)) continue;
     if (q !== "" && !inRule[rule[i]] && !pathFits(file[i]) && !message[i].toLowerCase().includes(q)) continue;
     out.push(i);
   }
   const codes = model.index.rules.map((r) => r.code);
-  if (query.get("sort") === "severity") out.sort((a, b) => severity[b] - severity[a] || file[a] - file[b] || line[a] - line[b]);
-  if (query.get("sort") === "rule") out.sort((a, b) => (codes[rule[a]] < codes[rule[b]] ? -1 : codes[rule[a]] > codes[rule[b]] ? 1 : file[a] - file[b]));
-  return out;
+  const sort = query.get("sort");
+  if (sort === "path") return out;  // as the index has them
+  if (sort === "rule") return out.sort((a, b) => (codes[rule[a]] < codes[rule[b]] ? -1 : codes[rule[a]] > codes[rule[b]] ? 1 : a - b));
+  return model.worstFirst(out);
 }
+
+const fixes = ["", "fix", "safe fix"] as const;
 
 export function Findings({ model, route }: { model: Model; route: Route }) {
   const query = route.query;
+  const narrow = useNarrow();
   const rows = useMemo(() => chosen(model, query), [query.toString()]);
   const { findings, rules } = model.index;
-  const set = (key: string, value: string) => {
-    const next = new URLSearchParams(query);
-    value ? next.set(key, value) : next.delete(key);
-    replaceQuery(next);
-  };
-  const select = (name: string, key: string, choices: [string, string][]) => (
-    <label>{name}<select aria-label={name} value={query.get(key) ?? ""} onChange={(e) => set(key, e.currentTarget.value)}>{choices.map(([value, words]) => <option key={value} value={value}>{words}</option>)}</select></label>
-  );
-  const place = (i: number) => <small><Path path={model.shown[findings.file[i]]} />:{findings.line[i]} · {rules[findings.rule[i]].code} {rules[findings.rule[i]].name}{findings.isNew[i] === 1 && <b class="new">new</b>}</small>;
+  const selects = [
+    { name: "Severity", key: "severity", choices: [["", "all"], ...[2, 1, 0].map((s) => [String(s), `${severities[s]}s`])] as [string, string][] },
+    { name: "Rule", key: "rule", choices: [["", "all"], ...model.byRule().map(({ rule }) => [rules[rule].code, `${rules[rule].code} ${rules[rule].name}`])] as [string, string][] },
+    ...(model.before ? [{ name: "State", key: "state", choices: [["", "all"], ["new", "new"], ["old", "known before"]] as [string, string][] }] : []),
+    { name: "Fix", key: "fix", choices: [["", "all"], ["2", "with a safe fix"], ["1", "with another fix"], ["0", "without a fix"]] as [string, string][] },
+    { name: "Sort by", key: "sort", choices: [["", "severity"], ["path", "path"], ["rule", "rule"]] as [string, string][] },
+  ];
+  const about = (i: number) => <small class="about">{findings.isNew[i] === 1 && <b class="new">new</b>}{findings.fix[i] > 0 && <b class="fix">{fixes[findings.fix[i]]}</b>}{rules[findings.rule[i]].code} {rules[findings.rule[i]].name}</small>;
+  const place = (i: number) => <small class="place"><Path path={model.paths[findings.file[i]]} line={findings.line[i]} /></small>;
   return (
     <>
       <h1>Findings</h1>
-      <form class="filters" role="search" onSubmit={(e) => e.preventDefault()}>
-        <label class="search">Search<input type="search" id="search" value={query.get("q") ?? ""} placeholder="words, path or rule" onInput={(e) => set("q", e.currentTarget.value)} /></label>
-        {select("Severity", "severity", [["", "all"], ...[2, 1, 0].map((s): [string, string] => [String(s), `${severities[s]}s`])])}
-        {select("Rule", "rule", [["", "all"], ...model.byRule().map(({ rule }): [string, string] => [rules[rule].code, `${rules[rule].code} ${rules[rule].name}`])])}
-        {model.before && select("State", "state", [["", "all"], ["new", "new"], ["old", "known before"]])}
-        {select("Sort by", "sort", [["", "program"], ["severity", "severity"], ["rule", "rule"]])}
-        {query.get("folder") && <button type="button" onClick={() => set("folder", "")}>in <Path path={query.get("folder")!} /> ✕</button>}
-      </form>
-      <p class="found" role="status">{number(rows.length)} of {number(findings.file.length)}</p>
+      <Filters query={query} placeholder="words, path or rule" selects={selects}
+        extra={query.get("folder") && <button type="button" onClick={() => choose(query, "folder", "")}>in <WholePath path={query.get("folder")!} /> ✕</button>} />
+      <p class="found" role="status">{share(rows.length, findings.file.length, "finding")}</p>
       {rows.length === 0 ? <p class="empty">No finding fits.</p> : (
-        <List label="findings" count={rows.length} rowHeight={68} href={(n) => link("program", findings.file[rows[n]], { line: String(findings.line[rows[n]]) })}
-          row={(n) => <><Badge severity={findings.severity[rows[n]]} /><span class="words"><Message text={findings.message[rows[n]]} /></span>{place(rows[n])}</>} />
+        <List label="findings" count={rows.length} rowHeight={narrow ? 108 : 68} href={(n) => link("program", findings.file[rows[n]], { line: String(findings.line[rows[n]]) })}
+          row={(n) => <><Badge severity={findings.severity[rows[n]]} />{about(rows[n])}<span class="words"><Message text={findings.message[rows[n]]} /></span>{place(rows[n])}</>} />
       )}
-      <ul class="plain print-only">{rows.slice(0, printed).map((i) => <li key={i}><Badge severity={findings.severity[i]} /> <span><Message text={findings.message[i]} /></span>{place(i)}</li>)}
+      <ul class="plain print-only">{rows.slice(0, printed).map((i) => <li key={i}><Badge severity={findings.severity[i]} /> <span><Message text={findings.message[i]} /></span>{place(i)}{about(i)}</li>)}
         {rows.length > printed && <li>{number(rows.length - printed)} more are left out here.</li>}</ul>
     </>
   );

@@ -38,7 +38,7 @@ function App({ model }: { model: Model }) {
   const route = useRoute();
   const [dark, turn] = useTheme();
   useEffect(() => {
-    const name = route.name === "program" ? visible(model.shown[Number(route.id)] ?? "").slice(-80) : route.name === "rule" ? route.id : (titles[route.name] ?? "overview");
+    const name = route.name === "program" ? visible(model.paths[Number(route.id)] ?? "").slice(-80) : route.name === "rule" ? route.id : (titles[route.name] ?? "overview");
     document.title = `${name} · owlint audit`;
   }, [route]);
   useEffect(() => {
@@ -68,10 +68,10 @@ function App({ model }: { model: Model }) {
         {route.name === "findings" ? <Findings model={model} route={route} />
           : route.name === "programs" ? <Programs model={model} route={route} />
           : route.name === "program" ? <ProgramView model={model} route={route} />
-          : route.name === "rule" ? <><h1>{route.id}</h1><RulePage model={model} code={route.id} /></>
+          : route.name === "rule" ? <RulePage model={model} code={route.id} top={1} />
           : <Overview model={model} folder={route.query.get("folder") ?? ""} />}
       </main>
-      <footer>Made by owlint {model.index.tool.version}, {model.index.made.replace("T", " ").replace("Z", " UTC")}. Libraries in this page: Preact, TanStack Virtual, Viz.js with Graphviz, d3-zoom, marked.</footer>
+      <footer>Made by owlint {model.index.tool.version}, {model.index.made.replace("T", " ").replace("Z", " UTC")}. Libraries in this page: Preact, TanStack Virtual, Viz.js with Graphviz, Shiki’s vscode-textmate, marked.</footer>
     </>
   );
 }

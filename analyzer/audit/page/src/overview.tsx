@@ -1,20 +1,21 @@
-// The first view: how many programs stop the machine, how it went from run to run, and where to look first.
+// The first view: how many programs have errors, how it went from run to run, and where to look first.
+import { machine } from "./data";
 import type { Model } from "./model";
 import { number, plural } from "./model";
 import { link } from "./route";
 import { Trend } from "./trend";
-import { Badge, Count, Message, Panel, Path } from "./words";
+import { Badge, Count, Message, Panel, Path, WholePath } from "./words";
 
 function Totals({ model }: { model: Model }) {
   const { run, before, counts } = model;
-  const stopping = counts[2].reduce((n, errors) => n + (errors > 0 ? 1 : 0), 0);
+  const failing = counts[2].reduce((n, errors, file) => n + (errors > 0 && model.isProgram(file) ? 1 : 0), 0);
   const change = (now: number, then: number | undefined) => {
     if (then === undefined || now === then) return null;
     return <span class={now > then ? "worse" : "better"}>{now > then ? "▲" : "▼"} {number(Math.abs(now - then))} since run {before!.id}</span>;
   };
   return (
     <ul class="totals">
-      <li class={stopping > 0 ? "bad" : "good"}><strong>{number(stopping)}</strong> {stopping === 1 ? "program stops" : "programs stop"} the machine<span>of {plural(run.files, "program")}</span></li>
+      <li class={failing > 0 ? "bad" : "good"}><a href={link("programs", "", { only: "errors" })}><strong>{number(failing)}</strong> {failing === 1 ? "program has" : "programs have"} errors</a><span>of {plural(model.programs, "program")}</span></li>
       <li><a href={link("findings", "", { severity: "2" })}><strong>{number(run.errors)}</strong> {run.errors === 1 ? "error" : "errors"}</a>{change(run.errors, before?.errors)}</li>
       <li><a href={link("findings", "", { severity: "1" })}><strong>{number(run.warnings)}</strong> {run.warnings === 1 ? "warning" : "warnings"}</a>{change(run.warnings, before?.warnings)}</li>
       {before && <li><a href={link("findings", "", { state: "new" })}><strong>{number(run.new)}</strong> new</a><span>{number(run.gone)} gone since run {before.id}</span></li>}
@@ -46,54 +47,57 @@ function Rules({ model }: { model: Model }) {
 function Folders({ model, below }: { model: Model; below: string }) {
   const rows = model.folders(below).slice(0, 200);
   const steps = below.split("/").filter(Boolean);
+  const machines = model.index.files.kind.filter((kind) => kind === machine).length;
+  const name = (path: string) => (path === "" ? "programs right here" : path === "…/" ? "outside of the audited folders" : path.slice(below.length));
   return (
     <>
-      <nav class="steps" aria-label="folder"><a href={link("")}>all</a>{steps.map((step, i) => <span key={i}> / <a href={link("", "", { folder: `${steps.slice(0, i + 1).join("/")}/` })}><Path path={step} /></a></span>)}</nav>
+      <nav class="steps" aria-label="folder"><a href={link("")}>all</a>{steps.map((step, i) => <span key={i}> / <a href={link("", "", { folder: `${steps.slice(0, i + 1).join("/")}/` })}><WholePath path={step} /></a></span>)}</nav>
       <div class="scroll" tabIndex={0} role="region" aria-label="findings by folder">
         <table class="wide">
           <thead><tr><th scope="col">folder</th><th scope="col">programs</th><th scope="col">errors</th><th scope="col">warnings</th></tr></thead>
           <tbody>{rows.map((row) => (
             <tr key={row.path}>
-              <th scope="row"><a href={row.path === "" ? link("programs", "", { q: below }) : link("", "", { folder: row.path })}><Path path={row.path === "" ? "programs right here" : row.path.slice(below.length)} /></a></th>
+              <th scope="row"><a href={row.path === "" ? link("programs", "", { q: below }) : link("", "", { folder: row.path })}><WholePath path={name(row.path)} /></a></th>
               <td>{number(row.programs)}</td><td><Count n={row.errors} kind="error" /></td><td><Count n={row.warnings} kind="warning" /></td>
             </tr>
           ))}</tbody>
         </table>
       </div>
+      {below === "" && machines > 0 && <p class="about">Not counted as programs: <a href={link("programs", "", { only: "machines" })}>{plural(machines, "machine INI")} with findings</a>.</p>}
     </>
   );
 }
 
 function News({ model }: { model: Model }) {
   const { findings, gone, rules } = model.index;
-  const fresh: number[] = [];
-  for (let i = 0; i < findings.isNew.length && fresh.length < 8; ++i) if (findings.isNew[i]) fresh.push(i);
-  if (!model.before) return <p class="empty">This is the first run; from the next one on, what is new and what is gone stands here.</p>;
+  if (!model.before) return <p class="empty">This is the first run. After the next one, this panel shows what is new and what is gone.</p>;
+  const fresh = model.worstFirst([...findings.isNew.keys()].filter((i) => findings.isNew[i] === 1)).slice(0, 8);
+  const about = (path: string, line: number, rule: number) => <><small><Path path={path} line={line} /></small><small>{rules[rule].code} {rules[rule].name}</small></>;
   return (
     <>
       {fresh.length === 0 && gone.path.length === 0 && <p class="empty">Nothing has changed since run {model.before.id}.</p>}
       {fresh.length > 0 && <ul class="plain">{fresh.map((i) => (
-        <li key={i}><a href={link("program", findings.file[i], { line: String(findings.line[i]) })}><Badge severity={findings.severity[i]} /> <span><Message text={findings.message[i]} /></span><small><Path path={model.shown[findings.file[i]]} />:{findings.line[i]} · {rules[findings.rule[i]].code}</small></a></li>
+        <li key={i}><a href={link("program", findings.file[i], { line: String(findings.line[i]) })}><Badge severity={findings.severity[i]} /> <span><Message text={findings.message[i]} /></span>{about(model.paths[findings.file[i]], findings.line[i], findings.rule[i])}</a></li>
       ))}</ul>}
       {model.run.new > fresh.length && <p><a href={link("findings", "", { state: "new" })}>All {number(model.run.new)} new findings</a></p>}
       {gone.path.length > 0 && <details><summary>{plural(gone.path.length, "finding")} gone</summary>
-        <ul class="plain gone">{gone.path.slice(0, 200).map((path, i) => <li key={i}><span><Message text={gone.message[i]} /></span><small><Path path={path.startsWith(model.common) ? path.slice(model.common.length) : path} />:{gone.line[i]} · {rules[gone.rule[i]].code}</small></li>)}</ul>
+        <ul class="plain gone">{gone.path.slice(0, 200).map((path, i) => <li key={i}><span><Message text={gone.message[i]} /></span>{about(path, gone.line[i], gone.rule[i])}</li>)}</ul>
         {gone.path.length > 200 && <p>and {number(gone.path.length - 200)} more</p>}</details>}
     </>
   );
 }
 
 export function Overview({ model, folder }: { model: Model; folder: string }) {
+  const { run, index: { roots } } = model;
+  const named = roots.slice(0, 3);
   return (
     <>
-      <h1>{model.index.roots.map((root, i) => <span key={i}>{i > 0 && ", "}<Path path={root} /></span>)}</h1>
-      <p class="when">Run {model.run.id}, {model.run.started.replace("T", " ").replace("Z", " UTC")}: {plural(model.run.files, "program")}, {number(model.run.checked)} of them analysed anew.</p>
+      <h1>{named.map((root, i) => <span key={i}>{i > 0 && ", "}<WholePath path={root} /></span>)}{roots.length > named.length && ` and ${number(roots.length - named.length)} more`}</h1>
+      <p class="when">Run {run.id}, {run.started.replace("T", " ").replace("Z", " UTC")}: {plural(model.programs, "program")}, {run.checked === model.programs ? "all" : number(run.checked)} analysed anew.</p>
       <Totals model={model} />
       <div class="columns">
-        <Panel title="From run to run"><Trend runs={model.index.runs} /></Panel>
-        <Panel title="New and gone"><News model={model} /></Panel>
-        <Panel title="By rule"><Rules model={model} /></Panel>
-        <Panel title="By folder"><Folders model={model} below={folder} /></Panel>
+        <div><Panel title="From run to run"><Trend runs={model.index.runs} /></Panel><Panel title="By rule"><Rules model={model} /></Panel></div>
+        <div><Panel title="New and gone"><News model={model} /></Panel><Panel title="By folder"><Folders model={model} below={folder} /></Panel></div>
       </div>
     </>
   );

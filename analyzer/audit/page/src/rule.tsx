@@ -2,26 +2,30 @@
 import { Marked, type Token, type Tokens } from "marked";
 import type { ComponentChildren } from "preact";
 import { useMemo } from "preact/hooks";
+import { CodeLines } from "./code";
 import type { Model } from "./model";
 import { link } from "./route";
 
 const marked = new Marked();
 
-/** Elements from Markdown; never from markup in it, which stays text. */
-function elements(tokens: Token[] | undefined): ComponentChildren[] {
+/** Elements from Markdown; never from markup in it, which stays text. `top` is the level of its first heading. */
+function elements(tokens: Token[] | undefined, top: 1 | 2): ComponentChildren[] {
   return (tokens ?? []).map((token, i) => {
-    const inner = () => elements((token as Tokens.Generic).tokens);
+    const inner = () => elements((token as Tokens.Generic).tokens, top);
     switch (token.type) {
-      case "heading": return token.depth === 1 ? <h2 key={i}>{inner()}</h2> : <h3 key={i}>{inner()}</h3>;
+      case "heading": {
+        const Heading = `h${top + (token.depth > 1 ? 1 : 0)}` as "h1";
+        return <Heading key={i}>{inner()}</Heading>;
+      }
       case "paragraph": return <p key={i}>{inner()}</p>;
-      case "code": return <pre key={i} tabIndex={0}><code>{token.text}</code></pre>;
-      case "list": return token.ordered ? <ol key={i}>{elements(token.items)}</ol> : <ul key={i}>{elements(token.items)}</ul>;
+      case "code": return <pre key={i} tabIndex={0}><code><CodeLines text={token.text} language="program" /></code></pre>;
+      case "list": return token.ordered ? <ol key={i}>{elements(token.items, top)}</ol> : <ul key={i}>{elements(token.items, top)}</ul>;
       case "list_item": return <li key={i}>{inner()}</li>;
       case "blockquote": return <blockquote key={i}>{inner()}</blockquote>;
       case "table": return (
         <table key={i}>
-          <thead><tr>{(token as Tokens.Table).header.map((cell, n) => <th key={n} scope="col">{elements(cell.tokens)}</th>)}</tr></thead>
-          <tbody>{(token as Tokens.Table).rows.map((row, r) => <tr key={r}>{row.map((cell, n) => <td key={n}>{elements(cell.tokens)}</td>)}</tr>)}</tbody>
+          <thead><tr>{(token as Tokens.Table).header.map((cell, n) => <th key={n} scope="col">{elements(cell.tokens, top)}</th>)}</tr></thead>
+          <tbody>{(token as Tokens.Table).rows.map((row, r) => <tr key={r}>{row.map((cell, n) => <td key={n}>{elements(cell.tokens, top)}</td>)}</tr>)}</tbody>
         </table>
       );
       case "strong": return <strong key={i}>{inner()}</strong>;
@@ -38,9 +42,9 @@ function elements(tokens: Token[] | undefined): ComponentChildren[] {
 
 const unescaped = (text: string) => text.replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&quot;/g, '"').replace(/&#39;/g, "'").replace(/&amp;/g, "&");
 
-export function RulePage({ model, code }: { model: Model; code: string }) {
+export function RulePage({ model, code, top = 2 }: { model: Model; code: string; top?: 1 | 2 }) {
   const rule = model.index.rules.find((r) => r.code === code);
-  const content = useMemo(() => elements(marked.lexer(rule?.markdown ?? "")), [code]);
-  if (!rule) return <p class="empty">No finding of this audit is of the rule {code}.</p>;
+  const content = useMemo(() => elements(marked.lexer(rule?.markdown ?? ""), top), [code, top]);
+  if (!rule) return <>{top === 1 && <h1>{code}</h1>}<p class="empty">This audit has no finding of the rule {code}.</p></>;
   return <article class="rule">{content}<p><a href={link("findings", "", { rule: code })}>All findings of {code}</a></p></article>;
 }

@@ -1,52 +1,42 @@
 // A program's lines with its findings in place.
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
+import { CodeLine, type Mark } from "./code";
 import type { Details, Finding } from "./data";
-import type { Model } from "./model";
+import { Fixes } from "./fixes";
+import type { Language } from "./highlight";
 import { number, severities } from "./model";
 import { link } from "./route";
-import { Badge, Message, Path, visible } from "./words";
+import { Badge, Message, visible, WholePath } from "./words";
 
-const level = (finding: Finding) => severities.indexOf(finding.severity as (typeof severities)[number]);
+export const level = (finding: Finding) => severities.indexOf(finding.severity as (typeof severities)[number]);
 
-/** A line's text, with the ranges that findings are about underlined. Columns count code points from 1. */
-function Text({ text, number: line, findings }: { text: string; number: number; findings: Finding[] }) {
-  const points = [...text];
-  const marks = new Array<number>(points.length + 1).fill(-1);
-  for (const f of findings) {
-    const end = f.end.line > line ? points.length + 1 : Math.max(f.end.column, f.start.column + 1);
-    for (let column = f.start.column; column < end && column <= points.length + 1; ++column) marks[column - 1] = Math.max(marks[column - 1], level(f));
-  }
-  const out: ComponentChildren[] = [];
-  for (let at = 0; at < points.length; ) {
-    let end = at;
-    while (end < points.length && marks[end] === marks[at]) ++end;
-    const words = points.slice(at, end).map((c) => (c === "\t" ? "\t" : visible(c))).join("");
-    out.push(marks[at] < 0 ? words : <mark key={at} class={severities[marks[at]]}>{words}</mark>);
-    at = end;
-  }
-  return <>{out}</>;
-}
+/** What of a line the findings on it are about. */
+const marksOf = (findings: Finding[], line: number, text: string): Mark[] => findings.map((f) => ({
+  from: f.start.column,
+  to: f.end.line > line ? [...text].length + 1 : Math.max(f.end.column, f.start.column + 1),
+  severity: level(f),
+}));
 
-function Told({ model, file, finding, open }: { model: Model; file: number; finding: Finding; open: (code: string) => void }) {
+interface Props { file: number; details: Details; language: Language; line: number; open: (event: MouseEvent, code: string) => void }
+
+function Report({ file, details, language, finding, open }: Omit<Props, "line"> & { finding: Finding }) {
   return (
-    <div class={`told ${finding.severity}`}>
-      <p><Badge severity={level(finding)} /> <Message text={finding.message} /> <button type="button" class="code" onClick={() => open(finding.code)}>{finding.code} {finding.rule}</button></p>
+    <div class={`report ${finding.severity}`}>
+      <p><Badge severity={level(finding)} /> <Message text={finding.message} /> <a class="rule-link" href={link("rule", finding.code)} onClick={(event) => open(event, finding.code)}>{finding.code} {finding.rule}</a></p>
       {finding.related.map((r, i) => {
-        const target = r.path === model.index.files.path[file] ? file : model.fileOf(r.path);
-        const place = target === file ? `line ${r.start.line}` : <><Path path={r.path} />:{r.start.line}</>;
-        return <p key={i} class="more">{target === undefined ? place : <a href={link("program", target, { line: String(r.start.line) })}>{place}</a>}: <Message text={r.message} /></p>;
+        const place = r.file === file ? `line ${r.start.line}` : <><WholePath path={r.path} />:{r.start.line}</>;
+        return <p key={i} class="more">{finding.reach === "never" && i === finding.pathFrom && <b>Not reached </b>}{r.file < 0 ? place : <a href={link("program", r.file, { line: String(r.start.line) })}>{place}</a>}: <Message text={r.message} /></p>;
       })}
-      {finding.interpreter && <p class="more"><b>LinuxCNC says</b> {visible(finding.interpreter)}</p>}
+      {finding.interpreter && <p class="more"><b>LinuxCNC says</b> <q>{visible(finding.interpreter)}</q></p>}
       {finding.help && <p class="more"><b>Fix</b> <Message text={finding.help} /></p>}
-      {finding.reach === "never" && <p class="more">No run gets here as the program stands.</p>}
+      <Fixes details={details} fixes={finding.fixes} language={language} />
     </div>
   );
 }
 
-interface Props { model: Model; file: number; details: Details; line: number; open: (code: string) => void }
-
-export function SourceView({ model, file, details, line, open }: Props) {
+export function SourceView(props: Props) {
+  const { details, language, line } = props;
   const list = useRef<HTMLOListElement>(null);
   const byLine = new Map<number, Finding[]>();
   for (const f of details.findings) byLine.get(f.start.line)?.push(f) ?? byLine.set(f.start.line, [f]);
@@ -59,7 +49,7 @@ export function SourceView({ model, file, details, line, open }: Props) {
   const rows: ComponentChildren[] = [];
   let next = 1;
   const gap = (from: number, to: number) => {
-    if (to > from) rows.push(<li key={`gap${from}`} class="gap">{number(to - from)} lines are left out here</li>);
+    if (to > from) rows.push(<li key={`gap${from}`} class="gap">{to - from === 1 ? "1 line is" : `${number(to - from)} lines are`} left out here</li>);
   };
   for (const [first, texts] of details.source) {
     gap(next, first);
@@ -68,8 +58,8 @@ export function SourceView({ model, file, details, line, open }: Props) {
       const found = byLine.get(n) ?? [];
       rows.push(
         <li key={n} data-line={n} tabIndex={-1} class={n === line ? "chosen" : undefined}>
-          <span class="number">{n}</span><code><Text text={text} number={n} findings={found} /></code>
-          {found.map((f, k) => <Told key={k} model={model} file={file} finding={f} open={open} />)}
+          <span class="number">{n}</span><code><CodeLine text={text} language={language} marks={marksOf(found, n, text)} /></code>
+          {found.map((f, k) => <Report key={k} {...props} finding={f} />)}
         </li>,
       );
     });

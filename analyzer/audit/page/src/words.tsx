@@ -15,16 +15,24 @@ export function Message({ text }: { text: string }) {
   return <>{parts.map((part, i) => (i % 2 === 1 && i < parts.length - 1 ? <code key={i}>{part}</code> : i % 2 === 1 ? "`" + part : part))}</>;
 }
 
-/** A path that fits: the middle of a long one is left out. */
-export function Path({ path }: { path: string }) {
+const split = (path: string) => [path.slice(0, path.lastIndexOf("/") + 1), path.slice(path.lastIndexOf("/") + 1)];
+
+/** A path on a line of its own, with a line number perhaps. Its front is cut where it does not fit: the end tells files apart. */
+export function Path({ path, line }: { path: string; line?: number }) {
   const text = visible(path);
-  const short = text.length > 160 ? `${text.slice(0, 70)} … ${text.slice(-80)}` : text;
-  const slash = short.lastIndexOf("/") + 1;
-  return <span class="path" title={text.length > 160 ? text.slice(0, 4000) : undefined}><span class="folder">{short.slice(0, slash)}</span>{short.slice(slash)}</span>;
+  const [folder, name] = split(text);
+  return <span class="path cut" title={text.slice(-4000)}><bdi><span class="folder">{folder}</span>{name}{line === undefined ? "" : `:${line}`}</bdi></span>;
+}
+
+/** A path in running text, all of it; it is broken behind its slashes. Of a very long one the middle is left out. */
+export function WholePath({ path }: { path: string }) {
+  const text = visible(path);
+  const [folder, name] = split(text.length > 160 ? `${text.slice(0, 70)} … ${text.slice(-80)}` : text);
+  return <span class="path" title={text.length > 160 ? text.slice(0, 4000) : undefined}><span class="folder">{folder.split(/(?<=\/)/).map((part, i) => <span key={i}>{part}<wbr /></span>)}</span>{name}</span>;
 }
 
 export function Badge({ severity }: { severity: number }) {
-  return <span class={`badge ${severities[severity]}`}><span aria-hidden="true">{signs[severity]}</span> {severities[severity]}</span>;
+  return <span class={`badge ${severities[severity]}`}><span aria-hidden="true">{signs[severity]}</span> <span class="word">{severities[severity]}</span></span>;
 }
 
 export function Count({ n, kind }: { n: number; kind: string }) {
