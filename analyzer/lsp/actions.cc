@@ -69,7 +69,7 @@ Json code_action(Workspace& workspace, const Json& params) {
   }
   if (wanted(context, "source.fixAll.owlint")) {
     const std::vector<Edit> edits = round_of_fixes(checked.findings, false).edits;
-    if (!edits.empty()) out.push_back({{"title", "fix all that owlint can fix safely"}, {"kind", "source.fixAll.owlint"}, {"edit", workspace_edit(document, text_edits(document, edits))}});
+    if (!edits.empty()) out.push_back({{"title", "fix everything that owlint can fix safely"}, {"kind", "source.fixAll.owlint"}, {"edit", workspace_edit(document, text_edits(document, edits))}});
   }
   return out;
 }

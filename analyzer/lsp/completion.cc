@@ -1,4 +1,4 @@
-// Completion: keywords that fit behind a label, the end of the innermost open block, subs that can be called, a number
+// Completion: keywords that fit after a label, the end of the innermost open block, subs that can be called, a number
 // that nobody uses.
 #include <algorithm>
 
@@ -100,7 +100,7 @@ class Completion {
     if (open.empty()) return;
     const Block& b = program_.blocks[open.back()];
     const std::string text = end_line(program_, b);
-    Json end = item(document_, text, kSnippet, text, from(begin), "ends `" + program_.head_of(b) + "` of line " + std::to_string(program_.at(b.opener).line));
+    Json end = item(document_, text, kSnippet, text, from(begin), "ends `" + program_.head_of(b) + "` on line " + std::to_string(program_.at(b.opener).line));
     end["sortText"] = "0";
     end["preselect"] = true;
     out_.push_back(std::move(end));
@@ -124,7 +124,7 @@ class Completion {
 
   void subs(size_t begin) {
     constexpr size_t kMost = 500;
-    // What stands behind the cursor already is taken in, or not written again.
+    // Text that is already after the cursor is replaced, or not written again.
     std::string_view rest = std::string_view(document_.text()).substr(offset_, line_.end - offset_);
     Span replaced = from(begin);
     if (rest.starts_with(">")) {

@@ -36,7 +36,7 @@ Json related_json(const Document& document, const Finding& f) {
 std::string words(const Finding& f) {
   std::string text = printable(f.message);
   if (!f.interpreter.empty() && f.stops) text += "\nLinuxCNC says: " + printable(f.interpreter);
-  if (!f.help.empty()) text += "\nmend: " + printable(f.help);
+  if (!f.help.empty()) text += "\nfix: " + printable(f.help);
   return text;
 }
 

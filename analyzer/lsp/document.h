@@ -1,5 +1,5 @@
-// A file as the language server sees it: open in the editor, or on disk. Everything about it is made when it is first
-// asked for, and thrown away with the next change.
+// A file as the language server sees it: open in the editor, or on disk. Everything about it is made when first
+// needed, and discarded with the next change.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class Document {
   const Lines& lines() const { return lines_; }
   Encoding encoding() const { return encoding_; }
 
-  std::optional<int64_t> version;  ///< as the editor counts; none for files on disk
+  std::optional<int64_t> version;  ///< the editor's version number; none for files on disk
 
   /// One of the editor's changes: a range and its new text, or a new text of the whole. Throws Json's exceptions.
   void change(const Json& change);
@@ -34,7 +34,7 @@ class Document {
   /// What its subs do with parameters.
   const flow::DataFlow& data() const;
 
-  // Places, to the protocol and back.
+  // Positions, to the protocol and back.
   Json position(uint64_t offset) const;
   Json range(Span span) const;
   Json location(Span span) const { return {{"uri", uri_}, {"range", range(span)}}; }

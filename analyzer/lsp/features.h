@@ -1,5 +1,5 @@
-// What the server can do with documents, one file a feature. Each takes a request's params and gives its result; wrong
-// params throw Json's exceptions, refusals a ResponseError.
+// What the server can do with documents, with one file for each feature. Each function takes a request's params and returns
+// its result; wrong params throw Json's exceptions, and a refusal is a ResponseError.
 #pragma once
 
 #include "analyzer/lsp/workspace.h"

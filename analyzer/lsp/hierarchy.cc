@@ -26,7 +26,7 @@ RegionId region_named(const Document& document, const std::string& name) {
   for (RegionId r = 1; r < p.regions.size(); ++r) {
     if (p.regions[r].opener != kNoStatement && p.name(p.regions[r].name) == name) return r;
   }
-  throw ResponseError{ErrorCode::kRequestFailed, "the sub is not there any more"};
+  throw ResponseError{ErrorCode::kRequestFailed, "this sub no longer exists"};
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Json incoming_calls(Workspace& workspace, const Json& params) {
     const StatementId at = o.document->statement_at(o.span.begin);
     if (at == kNoStatement) continue;
     const Statement& s = o.document->program().at(at);
-    if (!s.is(Keyword::kCall) && s.kind != LineKind::kM98) continue;
+    if (!s.calls()) continue;
     callers.try_emplace({o.document, o.document->program().region_of[at]}, Json::array()).first->second.push_back(o.document->range(o.span));
   }
   for (const auto& [caller, ranges] : callers) out.push_back({{"from", item(*caller.first, caller.second)}, {"fromRanges", ranges}});

@@ -8,7 +8,7 @@
 namespace owlint::lsp {
 namespace {
 
-/// The brackets of a call's arguments, outermost only: offsets of `[` and of the byte behind `]`.
+/// The brackets of a call's arguments, outermost only: offsets of `[` and of the byte after `]`.
 std::vector<Span> arguments_of(const Document& document, const Statement& s) {
   const std::string_view line = std::string_view(document.text()).substr(s.offset, s.length);
   std::vector<Span> out;

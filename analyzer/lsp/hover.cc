@@ -13,7 +13,7 @@ std::string line_of(const Document& document, StatementId id) { return std::to_s
 
 std::string about_sub(Workspace& workspace, const Document& document, const std::string& name) {
   const Sub sub = find_sub(workspace, document, name);
-  if (sub.document == nullptr) return fmt::format("`{}` is defined neither here nor in a file that owlint finds.", label_text(name));
+  if (sub.document == nullptr) return fmt::format("`{}` is not defined here, and owlint finds no file for it.", label_text(name));
   std::string out = sub.document == &document ? fmt::format("`{} sub` begins on line {}.", label_text(name), line_of(document, sub.opener))
                                               : fmt::format("`{} sub` is in `{}`, line {}.", label_text(name), sub.document->path(), line_of(*sub.document, sub.opener));
   const std::string comment = leading_comment(*sub.document, sub.opener);
@@ -60,11 +60,12 @@ Json hover(Workspace& workspace, const Json& params) {
     const StatementId id = document.statement_at(offset);
     if (id == kNoStatement) return nullptr;
     const Statement& s = document.program().at(id);
-    const bool call = s.kind == LineKind::kM98;
-    if (s.kind != LineKind::kOWord && !call) return nullptr;
+    if (s.kind != LineKind::kOWord && !s.calls()) return nullptr;
     span = s.head_span();
     if (offset < span.begin || offset > span.end) return nullptr;
-    text = call ? "**M98** calls a Fanuc-style sub by its number." : fmt::format("**{}** {}.", document.program().head(id), meaning(s.keyword));
+    text = s.kind == LineKind::kM98       ? "**M98** calls a Fanuc-style sub by its number."
+           : s.kind == LineKind::kContour ? "**Q** is the number of the sub whose moves are the contour."
+                                          : fmt::format("**{}** {}.", document.program().head(id), meaning(s.keyword));
     if (target && target->kind == Target::Kind::kSub) text += "\n\n" + about_sub(workspace, document, target->name);
     if (target && target->kind == Target::Kind::kBlock) text += "\n\n" + about_block(document, target->block);
   }

@@ -120,14 +120,4 @@ class Lexer {
 
 std::vector<Token> tokenize(std::string_view line) { return Lexer(line).run(); }
 
-std::string parameter_name(std::string_view token) {
-  if (token.starts_with("##")) return {};
-  std::string name;
-  for (const char c : token.substr(1)) {
-    if (!is_blank(c)) name.push_back(c);
-  }
-  if (name.empty() || (name[0] == '<' && name.back() != '>')) return {};
-  return small_letters(name);
-}
-
 }  // namespace owlint::lsp

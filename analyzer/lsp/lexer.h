@@ -1,5 +1,5 @@
-// One line cut into tokens, for what an editor wants to know of text that need not be correct: colours, parameters under
-// the cursor. The analysis itself does not use it.
+// Splits one line into tokens, also if it is not correct: for colours, and for the parameter under the cursor. The
+// analysis itself does not use it.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,5 @@ struct Token {
 };
 
 std::vector<Token> tokenize(std::string_view line);
-
-/// The normalised name of a parameter token: `<depth>` or `31`; empty for one that is computed.
-std::string parameter_name(std::string_view token);
 
 }  // namespace owlint::lsp

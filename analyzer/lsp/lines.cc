@@ -6,7 +6,7 @@
 namespace owlint::lsp {
 namespace {
 
-/// Offsets behind the line ends that begin in [from, to).
+/// Offsets after the line ends that begin in [from, to).
 void find_starts(std::string_view text, size_t from, size_t to, std::vector<size_t>& out) {
   const bool returns = std::memchr(text.data() + from, '\r', to - from) != nullptr;
   for (size_t at = from; at < to; ++at) {
@@ -49,7 +49,7 @@ uint32_t units(std::string_view bytes, Encoding encoding) {
 Lines::Lines(std::string_view text) : starts_{0} { find_starts(text, 0, text.size(), starts_); }
 
 void Lines::replaced(std::string_view text, size_t from, size_t to, size_t inserted) {
-  // A line end may be made or unmade by what comes right before and behind the edit.
+  // A line end may be made or unmade by what comes right before and after the edit.
   const size_t begin = from > 0 ? from - 1 : 0;
   const size_t end = std::min(from + inserted + 1, text.size());
   const auto first = std::upper_bound(starts_.begin(), starts_.end(), begin);

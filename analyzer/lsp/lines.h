@@ -1,5 +1,5 @@
 // Lines and positions as editors count them: lines end at \n, \r\n or a lone \r, from 0; characters count in the units
-// that client and server have agreed on. Kept up to date under edits, so that a keystroke in a million lines is cheap.
+// that client and server have agreed on. Edits update it, so that a keystroke in a million lines is cheap.
 // LSP 3.17, "Position" and "positionEncoding".
 #pragma once
 
@@ -34,8 +34,8 @@ class Lines {
   size_t line_of(uint64_t offset) const;
 
   EditorPosition position(std::string_view text, uint64_t offset, Encoding encoding) const;
-  /// What lies behind the end of a line or of the text is taken for that end, as the protocol wants it; a position inside
-  /// a character for its beginning.
+  /// A position past the end of a line or of the text becomes that end, as the protocol requires; a position inside a
+  /// character becomes its beginning.
   uint64_t offset(std::string_view text, EditorPosition position, Encoding encoding) const;
 
  private:

@@ -3,14 +3,21 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "analyzer/lsp/lexer.h"
-
 namespace owlint::lsp {
 namespace {
 
-bool is_sub_word(const Statement& s) { return (s.kind == LineKind::kOWord && global_label(s.keyword)) || s.kind == LineKind::kM98; }
+bool is_sub_word(const Statement& s) { return s.calls() || (s.kind == LineKind::kOWord && global_label(s.keyword)); }
 
 std::string file_stem(const std::string& path) { return small_letters(std::filesystem::path(path).stem().string()); }
+
+/// The line that holds an offset, as LinuxCNC ends lines.
+Span fed_line(std::string_view text, uint64_t offset) {
+  const size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
+  const size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  return {begin, std::min(text.find('\n', begin), text.size())};
+}
+
+}  // namespace
 
 StatementId definition_in(const Document& document, const std::string& name) {
   const Program& p = document.program();
@@ -22,24 +29,23 @@ StatementId definition_in(const Document& document, const std::string& name) {
   return kNoStatement;
 }
 
-void add_sub_words(const Document& document, const std::string& name, std::vector<Occurrence>& out) {
+std::vector<Occurrence> sub_labels(const Document& document, const std::string& name) {
   const Program& p = document.program();
   const NameId id = p.syntax.names.find(name);
-  if (id == kNoName) return;
+  if (id == kNoName) return {};
   // O-words by their label; M98 is only among the calls.
   std::vector<StatementId> lines;
   for (const StatementId at : p.by_label[id]) {
     if (is_sub_word(p.at(at))) lines.push_back(at);
   }
-  const size_t words = lines.size();
   for (const Call& call : p.calls) {
-    if (call.callee == id && p.at(call.statement).kind == LineKind::kM98) lines.push_back(call.statement);
+    if (call.callee == id && p.at(call.statement).kind != LineKind::kOWord) lines.push_back(call.statement);
   }
-  if (lines.size() > words) std::ranges::sort(lines);
+  std::ranges::sort(lines);
+  std::vector<Occurrence> out;
   for (const StatementId at : lines) out.push_back({&document, p.at(at).label_span(), p.at(at).opens_sub()});
+  return out;
 }
-
-}  // namespace
 
 Place place_of(Workspace& workspace, const Json& params) {
   const Document& document = workspace.document(params.at("textDocument").at("uri"));
@@ -47,19 +53,18 @@ Place place_of(Workspace& workspace, const Json& params) {
 }
 
 std::optional<Target> target_at(const Document& document, uint64_t offset) {
-  const Span line = document.line_at(offset);
-  const std::string_view text = std::string_view(document.text()).substr(line.begin, line.end - line.begin);
-  for (const Token& token : tokenize(text)) {
-    if (token.kind != TokenKind::kParameter || offset < line.begin + token.begin || offset > line.begin + token.end) continue;
-    std::string name = parameter_name(text.substr(token.begin, token.end - token.begin));
-    if (name.empty()) break;
-    return Target{Target::Kind::kParameter, {line.begin + token.begin, line.begin + token.end}, kNoStatement, kNoBlock, std::move(name)};
+  const std::string_view text = document.text();
+  const Span line = fed_line(text, offset);
+  for (ParameterUse& use : parameter_uses(text.substr(line.begin, line.end - line.begin))) {
+    const Span span{line.begin + use.begin, line.begin + use.end};
+    if (use.name.empty() || offset < span.begin || offset > span.end) continue;
+    return Target{Target::Kind::kParameter, span, kNoStatement, kNoBlock, std::move(use.name)};
   }
   const StatementId id = document.statement_at(offset);
   if (id == kNoStatement) return std::nullopt;
   const Program& p = document.program();
   const Statement& s = p.at(id);
-  const Span head = s.kind == LineKind::kM98 ? s.label_span() : s.head_span();
+  const Span head = s.kind != LineKind::kOWord ? s.label_span() : s.head_span();
   if (s.label == kNoName || offset < head.begin || offset > head.end) return std::nullopt;
   if (is_sub_word(s)) return Target{Target::Kind::kSub, s.label_span(), id, kNoBlock, p.name(s.label)};
   if (s.kind != LineKind::kOWord || p.block_of[id] == kNoBlock) return std::nullopt;
@@ -87,15 +92,18 @@ Sub find_sub(Workspace& workspace, const Document& document, const std::string& 
 std::vector<Occurrence> sub_occurrences(Workspace& workspace, const Document& document, const std::string& name) {
   const Sub sub = find_sub(workspace, document, name);
   std::vector<Occurrence> out;
-  if (sub.document != nullptr) add_sub_words(*sub.document, name, out);
-  if (sub.document != &document) add_sub_words(document, name, out);
+  const auto add = [&](const Document& from) {
+    for (const Occurrence& o : sub_labels(from, name)) out.push_back(o);
+  };
+  if (sub.document != nullptr) add(*sub.document);
+  if (sub.document != &document) add(document);
   if (!sub.own_file) return out;
   for (const std::string& path : workspace.program_files()) {
     const Document* other = workspace.document_of_path(path);
     if (other == nullptr || other == sub.document || other == &document || definition_in(*other, name) != kNoStatement) continue;
     if (other->program().syntax.names.find(name) == kNoName) continue;
     const std::string called = workspace.called_file(*other, name);
-    if (!called.empty() && file_key(called) == file_key(sub.document->path())) add_sub_words(*other, name, out);
+    if (!called.empty() && file_key(called) == file_key(sub.document->path())) add(*other);
   }
   return out;
 }
@@ -110,24 +118,24 @@ std::vector<Occurrence> block_occurrences(const Document& document, BlockId bloc
   return out;
 }
 
-std::vector<Occurrence> parameter_occurrences(const Document& document, uint64_t offset, const std::string& name) {
-  const bool global = name.starts_with("<_") || (name[0] != '<' && (name.size() > 2 || std::stoi(name) > 30));
-  const RegionId region = region_at(document, offset);
-  std::vector<Occurrence> out;
+void for_parameters(const Document& document, const std::function<void(Span, const std::vector<ParameterUse>&)>& each) {
   const std::string_view text = document.text();
-  for (size_t line = 0; line < document.lines().count(); ++line) {
-    const Span span = document.lines().line(text, line);
-    const std::string_view bytes = text.substr(span.begin, span.end - span.begin);
-    if (bytes.find('#') == std::string_view::npos) continue;
-    if (!global && region_at(document, span.begin) != region) continue;
-    const std::vector<Token> tokens = tokenize(bytes);
-    for (const Token& token : tokens) {
-      if (token.kind != TokenKind::kParameter || parameter_name(bytes.substr(token.begin, token.end - token.begin)) != name) continue;
-      size_t next = token.end;
-      while (next < bytes.size() && (bytes[next] == ' ' || bytes[next] == '\t')) ++next;
-      out.push_back({&document, {span.begin + token.begin, span.begin + token.end}, next < bytes.size() && bytes[next] == '='});
-    }
+  for (size_t hash = text.find('#'); hash != std::string_view::npos;) {
+    const Span line = fed_line(text, hash);
+    const std::vector<ParameterUse> uses = parameter_uses(text.substr(line.begin, line.end - line.begin));
+    if (!uses.empty()) each(line, uses);
+    hash = text.find('#', line.end);
   }
+}
+
+std::vector<Occurrence> parameter_occurrences(const Document& document, std::optional<RegionId> region, const std::string& name) {
+  std::vector<Occurrence> out;
+  for_parameters(document, [&](Span line, const std::vector<ParameterUse>& uses) {
+    if (region && region_at(document, line.begin) != *region) return;
+    for (const ParameterUse& use : uses) {
+      if (use.name == name) out.push_back({&document, {line.begin + use.begin, line.begin + use.end}, use.assigned});
+    }
+  });
   return out;
 }
 
@@ -135,7 +143,8 @@ std::vector<Occurrence> occurrences(Workspace& workspace, const Document& docume
   switch (target.kind) {
     case Target::Kind::kBlock: return block_occurrences(document, target.block);
     case Target::Kind::kSub: return sub_occurrences(workspace, document, target.name);
-    case Target::Kind::kParameter: return parameter_occurrences(document, offset, target.name);
+    case Target::Kind::kParameter:
+      return parameter_occurrences(document, is_shared(target.name) ? std::nullopt : std::optional(region_at(document, offset)), target.name);
   }
   return {};
 }
@@ -184,20 +193,14 @@ uint32_t arguments_read(const Document& document, StatementId opener) {
   const Region& region = p.regions[p.region_of[opener]];
   uint32_t highest = 0;
   const StatementId last = std::min<StatementId>(region.last, static_cast<StatementId>(p.size()));
-  const std::string_view text = document.text();
-  const uint64_t end = last > opener ? p.at(last - 1).end() : p.at(opener).end();
-  for (size_t line = document.lines().line_of(p.at(opener).offset); line < document.lines().count() && document.lines().start(line) < end; ++line) {
-    const Span span = document.lines().line(text, line);
-    const std::string_view bytes = text.substr(span.begin, span.end - span.begin);
-    if (bytes.find('#') == std::string_view::npos) continue;
-    for (const Token& token : tokenize(bytes)) {
-      if (token.kind != TokenKind::kParameter) continue;
-      const std::string name = parameter_name(bytes.substr(token.begin, token.end - token.begin));
-      if (name.empty() || name[0] == '<' || name.size() > 2) continue;
-      const auto number = static_cast<uint32_t>(std::stoi(name));
-      if (number <= 30) highest = std::max(highest, number);
+  const Span sub{p.at(opener).offset, last > opener ? p.at(last - 1).end() : p.at(opener).end()};
+  for_parameters(document, [&](Span line, const std::vector<ParameterUse>& uses) {
+    if (line.begin < sub.begin || line.begin >= sub.end) return;
+    for (const ParameterUse& use : uses) {
+      if (use.printed || use.name.empty() || use.name[0] == '<' || is_shared(use.name)) continue;
+      highest = std::max(highest, static_cast<uint32_t>(std::stoi(use.name)));
     }
-  }
+  });
   return highest;
 }
 

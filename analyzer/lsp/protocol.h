@@ -24,17 +24,17 @@ enum class ErrorCode : int {
   kRequestFailed = -32803,
 };
 
-/// What a request is answered with instead of a result.
+/// The answer to a request instead of a result.
 struct ResponseError {
   ErrorCode code;
   std::string message;
 };
 
-/// Reads one message's body. Nothing at the end of the stream; `*problem` says what is wrong where the stream cannot be
-/// read on: a header that is none, a length that is missing or too large, an end in the middle of a message.
+/// Reads one message's body. Returns nothing at the end of the stream. If the stream cannot be read any further, `*problem`
+/// says why: an invalid header, a length that is missing or too large, an end in the middle of a message.
 std::optional<std::string> read_message(std::FILE* in, std::string* problem);
 
-/// Writes one message. False when nobody reads any more.
+/// Writes one message. False if the reader is gone.
 bool write_message(std::FILE* out, const Json& message);
 
 }  // namespace owlint::lsp

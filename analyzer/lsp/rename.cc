@@ -1,46 +1,95 @@
 // Rename: a block's label on all its lines; a sub in all files, and the file that carries its name; a parameter.
+#include <unistd.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <set>
+#include <map>
 
 #include "analyzer/lsp/features.h"
-#include "analyzer/lsp/places.h"
+#include "analyzer/lsp/naming.h"
 
 namespace owlint::lsp {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) { throw ResponseError{ErrorCode::kRequestFailed, why}; }
+constexpr std::string_view kNever = "<>[]()#;/\\`$|&{}*?~\"'";
 
-bool is_number(const std::string& text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos; }
-
-/// The bare name: `o100`, `100`, `o<drill>`, `<drill>` and `drill` are all taken.
-std::string bare_name(std::string text) {
-  const auto drop = [&](std::string_view prefix) {
-    if (text.starts_with(prefix)) text.erase(0, prefix.size());
-  };
-  text = small_letters(text);
-  if (text == "o" || text == "#") return {};
-  if (text.size() > 1 && text[0] == 'o' && (text[1] == '<' || is_number(text.substr(1)))) drop("o");
-  drop("#");
-  if (text.size() > 2 && text.front() == '<' && text.back() == '>') text = text.substr(1, text.size() - 2);
-  return text;
-}
-
-constexpr std::string_view kNever = " \t<>[]()#;\n\r";
+bool is_number(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; }
 
 void check_name(const std::string& name) {
+  constexpr size_t kDigits = 9;
   if (name.empty()) refuse("the new name is empty");
-  if (name.find_first_of(kNever) != std::string::npos) refuse("a name cannot have `" + name.substr(name.find_first_of(kNever), 1) + "` in it");
+  const auto bad = std::ranges::find_if(name, [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7F' || kNever.find(c) != std::string_view::npos; });
+  if (bad != name.end()) refuse(static_cast<unsigned char>(*bad) < ' ' ? "a name cannot have a control character in it" : "a name cannot have `" + std::string(1, *bad) + "` in it");
+  if (is_number(name) && name.size() > kDigits) refuse("`" + name + "` is too large a number");
 }
 
-void check_block_label(const Document& document, BlockId block, const std::string& name) {
-  const Program& p = document.program();
-  const NameId id = p.syntax.names.find(name);
-  if (id == kNoName || id == p.blocks[block].label || id >= p.by_label.size()) return;
-  for (const StatementId at : p.by_label[id]) {
-    const Statement& s = p.at(at);
-    if (!global_label(s.keyword) && p.region_of[at] == p.blocks[block].region) refuse("`" + label_text(name) + "` is used on line " + std::to_string(s.line) + " already");
+std::string without_zeros(const std::string& number) { return number.substr(std::min(number.find_first_not_of('0'), number.size() - 1)); }
+
+/// The label that was typed, as LinuxCNC keeps it: `o100`, `100`, `o<drill>`, `<drill>` and `drill` are all taken.
+std::string label_of(std::string typed) {
+  typed = small_letters(typed);
+  if (typed == "o") return {};
+  if (typed.starts_with("o<") || (typed.starts_with('o') && is_number(typed.substr(1)))) typed.erase(0, 1);
+  if (is_number(typed)) return without_zeros(typed);
+  return typed.size() >= 2 && typed.front() == '<' && typed.back() == '>' ? typed.substr(1, typed.size() - 2) : typed;
+}
+
+/// The same for a parameter: `#<depth>`, `<depth>` and `depth`, or `#5` and `5`.
+std::string parameter_of(std::string typed, const std::string& old) {
+  typed = small_letters(typed);
+  if (typed.starts_with('#')) typed.erase(0, 1);
+  if (typed.size() >= 2 && typed.front() == '<' && typed.back() == '>') typed = typed.substr(1, typed.size() - 2);
+  check_name(typed);
+  if ((old[0] == '<') == is_number(typed)) refuse("a named parameter keeps a name, a numbered one a number");
+  std::string name = is_number(typed) ? without_zeros(typed) : "<" + typed + ">";
+  if (is_shared(old) == is_shared(name)) return name;
+  refuse(old[0] == '<' ? "a name with `_` is shared by all subs, one without belongs to its own: that would change what the program does"
+                       : "`#1` to `#30` belong to their sub, other numbers are shared by all: that would change what the program does");
+}
+
+using Edits = std::map<const Document*, std::vector<std::pair<Span, std::string>>>;
+
+/// A longer name must not make a line longer than LinuxCNC reads.
+void check_length(const Naming& naming, const Document& in, const std::vector<std::pair<Span, std::string>>& edits) {
+  std::map<size_t, std::pair<size_t, size_t>> lengths;  // by beginning: before and after
+  for (const auto& [span, text] : edits) {
+    const size_t begin = in.text().rfind('\n', span.begin) + 1;  // 0 where there is none
+    const size_t length = std::min(in.text().find('\n', span.begin), in.text().size()) - begin;
+    size_t& after = lengths.try_emplace(begin, length, length).first->second.second;
+    after += text.size() - (span.end - span.begin);
   }
+  for (const auto& [begin, length] : lengths) {
+    if (length.second > std::max(length.first, kLineLimit)) refuse(naming.place(in, begin) + " would be longer than the " + std::to_string(kLineLimit) + " characters that LinuxCNC reads");
+  }
+}
+
+Edits edits_of(const Naming& naming, const std::string& name) {
+  Edits edits;
+  const std::string text = naming.text(name);
+  for (const Occurrence& o : naming.places()) {
+    const char first = o.document->text()[o.span.begin];
+    const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(first)));
+    const bool by_number = letter == 'P' || letter == 'Q';  // M98 has the number after a P, G71 after a Q
+    if (by_number && !is_number(name)) refuse((letter == 'P' ? "`M98` on " : "the `Q` on ") + naming.place(*o.document, o.span.begin) + " calls it, and takes numbers only");
+    const StatementId line = o.document->statement_at(o.span.begin);
+    const bool program_number = line != kNoStatement && o.document->program().at(line).is(Keyword::kBare);
+    if (program_number && !is_number(name)) refuse("the label on " + naming.place(*o.document, o.span.begin) + " is a program number, which is no name");
+    edits[o.document].emplace_back(o.span, by_number ? letter + name : text);
+  }
+  for (const auto& [in, list] : edits) {
+    check_length(naming, *in, list);
+    const char* path = in->path().c_str();
+    if (::access(path, F_OK) == 0 && ::access(path, W_OK) != 0) refuse(in->path() + " has the name, and cannot be written");
+  }
+  return edits;
+}
+
+/// The file that is named after a sub goes with it.
+Json rename_file(const Sub& sub, const std::string& name) {
+  const std::filesystem::path old = sub.document->path();
+  const std::string to = (old.parent_path() / (name + old.extension().string())).string();
+  if (std::filesystem::exists(to)) refuse("the file " + to + " exists already");
+  return {{"kind", "rename"}, {"oldUri", sub.document->uri()}, {"newUri", uri_of_path(to)}};
 }
 
 }  // namespace
@@ -49,6 +98,7 @@ Json prepare_rename(Workspace& workspace, const Json& params) {
   const auto [document, offset] = place_of(workspace, params);
   const auto target = target_at(document, offset);
   if (!target) return nullptr;
+  const Naming naming(workspace, document, *target, offset);
   return {{"range", document.range(target->span)}, {"placeholder", document.text().substr(target->span.begin, target->span.end - target->span.begin)}};
 }
 
@@ -56,41 +106,21 @@ Json rename(Workspace& workspace, const Json& params) {
   const auto [document, offset] = place_of(workspace, params);
   const auto target = target_at(document, offset);
   if (!target) refuse("there is nothing to rename here");
-  const std::string name = bare_name(params.at("newName").get<std::string>());
-  check_name(name);
-  std::string text = label_text(name);
-  Sub sub;
-  if (target->kind == Target::Kind::kBlock) {
-    check_block_label(document, target->block, name);
-  } else if (target->kind == Target::Kind::kSub) {
-    sub = find_sub(workspace, document, target->name);
-    if (sub.document == nullptr) refuse("the definition of `" + label_text(target->name) + "` is not known");
-    if (name != target->name && find_sub(workspace, document, name).document != nullptr) refuse("there is a sub `" + label_text(name) + "` already");
-  } else {
-    if ((target->name[0] == '<') == is_number(name)) refuse("a named parameter keeps a name, a numbered one a number");
-    text = target->name[0] == '<' ? "#<" + name + ">" : "#" + name;
-    if (target->name.starts_with("<_") != name.starts_with("_")) refuse("a name with `_` is global, one without belongs to its sub: that would change what the program does");
-  }
-  std::map<const Document*, Json> edits;
-  for (const Occurrence& o : occurrences(workspace, document, *target, offset)) {
-    // M98 has its number after a P.
-    const char first = o.document->text()[o.span.begin];
-    const bool m98 = first == 'P' || first == 'p';
-    if (m98 && !is_number(name)) refuse("M98 on line " + std::to_string(o.document->lines().line_of(o.span.begin) + 1) + " calls it, which takes numbers only");
-    auto& list = edits.try_emplace(o.document, Json::array()).first->second;
-    list.push_back({{"range", o.document->range(o.span)}, {"newText", m98 ? "P" + name : text}});
-  }
+  const Naming naming(workspace, document, *target, offset);
+  const std::string typed = params.at("newName").get<std::string>();
+  const bool parameter = target->kind == Target::Kind::kParameter;
+  const std::string name = parameter ? parameter_of(typed, target->name) : label_of(typed);
+  if (!parameter) check_name(name);
   Json changes = Json::array();
-  for (const auto& [in, list] : edits) {
+  if (name == naming.old_name()) return {{"documentChanges", changes}};
+  naming.require_free(name);
+  for (const auto& [in, edits] : edits_of(naming, name)) {
+    Json list = Json::array();
+    for (const auto& [span, text] : edits) list.push_back({{"range", in->range(span)}, {"newText", text}});
     const Json version = in->version ? Json(*in->version) : Json(nullptr);
-    changes.push_back({{"textDocument", {{"uri", in->uri()}, {"version", version}}}, {"edits", list}});
+    changes.push_back({{"textDocument", {{"uri", in->uri()}, {"version", version}}}, {"edits", std::move(list)}});
   }
-  if (sub.own_file && name != target->name) {
-    const std::filesystem::path old = sub.document->path();
-    const std::string to = (old.parent_path() / (name + old.extension().string())).string();
-    if (std::filesystem::exists(to)) refuse("the file " + to + " exists already");
-    changes.push_back({{"kind", "rename"}, {"oldUri", sub.document->uri()}, {"newUri", uri_of_path(to)}});
-  }
+  if (naming.sub().own_file) changes.push_back(rename_file(naming.sub(), name));
   return {{"documentChanges", changes}};
 }
 

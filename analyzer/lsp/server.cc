@@ -1,5 +1,6 @@
 #include "analyzer/lsp/server.h"
 
+#include <algorithm>
 #include <iostream>
 #include <thread>
 #include <unordered_map>
@@ -141,7 +142,7 @@ int Server::run() {
 void Server::handle(Json message) {
   if (message.is_array()) return refuse(nullptr, {ErrorCode::kInvalidRequest, "batches are not part of the protocol"});
   if (!message.is_object() || (message.contains("method") && !message.at("method").is_string())) {
-    return refuse(nullptr, {ErrorCode::kInvalidRequest, "the message is no request"});
+    return refuse(nullptr, {ErrorCode::kInvalidRequest, "the message is not a request"});
   }
   if (!message.contains("method")) {
     // An answer to one of our own requests: nothing depends on it. Anything else is no message.
@@ -168,7 +169,7 @@ void Server::request(const Json& id, const std::string& method, const Json& para
   try {
     if (state_ == State::kShutDown) throw ResponseError{ErrorCode::kInvalidRequest, "the server is shut down"};
     if (method == "initialize") {
-      if (state_ != State::kNew) throw ResponseError{ErrorCode::kInvalidRequest, "the server is initialized already"};
+      if (state_ != State::kNew) throw ResponseError{ErrorCode::kInvalidRequest, "the server is already initialized"};
       return answer(id, initialize(params));
     }
     if (state_ == State::kNew) throw ResponseError{ErrorCode::kServerNotInitialized, "the server is not initialized"};
@@ -237,6 +238,8 @@ Json Server::initialize(const Json& params) {
   refreshes_ = is_true(at_path(client, {"workspace", "diagnostics", "refreshSupport"}));
   progress_ = is_true(at_path(client, {"window", "workDoneProgress"}));
   watches_ = is_true(at_path(client, {"workspace", "didChangeWatchedFiles", "dynamicRegistration"}));
+  const Json operations = at_path(client, {"workspace", "workspaceEdit", "resourceOperations"});
+  workspace_.renames_files = operations.is_array() && std::ranges::find(operations, "rename") != operations.end();
   const Json folders = params.value("workspaceFolders", Json());
   if (folders.is_array()) {
     for (const Json& folder : folders) workspace_.add_folder(folder.at("uri"));

@@ -1,4 +1,4 @@
-// The language server: takes messages, knows what each method needs, and answers. LSP 3.17, "Lifecycle Messages" and
+// The language server: reads messages, dispatches them and answers. LSP 3.17, "Lifecycle Messages" and
 // "General Messages". What the methods do is in a file for each feature, see features.h.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace owlint::lsp {
 
-/// Messages that have been read and wait, so that what a cancellation or a later change makes needless is not done. The
-/// thread that reads may outlive the server: after `exit` it still waits for input.
+/// Messages that have been read and wait, so that work which a cancellation or a later change makes unnecessary is not
+/// done. The reading thread may outlive the server: after `exit` it still waits for input.
 struct Inbox {
   std::mutex mutex;
   std::condition_variable arrived;
@@ -26,7 +26,7 @@ class Server {
  public:
   Server(std::FILE* in, std::FILE* out) : in_(in), out_(out) {}
 
-  /// Serves until `exit` or the end of the stream. Returns the exit status: 0 after `shutdown` and `exit`, else 1.
+  /// Runs until `exit` or the end of the stream. Returns the exit status: 0 after `shutdown` and `exit`, else 1.
   int run();
 
  private:
@@ -54,7 +54,7 @@ class Server {
   State state_ = State::kNew;
   Workspace workspace_;
   bool pulls_ = false;          // the client asks for diagnostics itself
-  bool refreshes_ = false;      // and can be told to ask again
+  bool refreshes_ = false;      // and can be asked to do so again
   bool progress_ = false;
   std::set<std::string> in_progress_;  // work that the client knows of
   bool watches_ = false;

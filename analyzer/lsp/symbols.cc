@@ -21,7 +21,7 @@ Json symbol(const Document& document, const std::string& name, int kind, const s
   return out;
 }
 
-/// Subs and blocks, outermost first; a block of the main program in which a sub stands holds it.
+/// Subs and blocks, outermost first; a block of the main program contains the subs defined in it.
 struct Entry {
   Span range;
   Json json;
@@ -117,7 +117,7 @@ Json code_lens(Workspace& workspace, const Json& params) {
       const StatementId at = o.document->statement_at(o.span.begin);
       if (at == kNoStatement) continue;
       const Statement& s = o.document->program().at(at);
-      calls += s.is(Keyword::kCall) || s.kind == LineKind::kM98 ? 1 : 0;
+      calls += s.calls() ? 1 : 0;
     }
     const std::string title = calls == 1 ? "1 call" : std::to_string(calls) + " calls";
     const Json range = document.range(p.at(r.opener).head_span());

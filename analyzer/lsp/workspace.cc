@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/cli/groups.h"
 #include "analyzer/cli/run.h"
 #include "analyzer/cli/walk.h"
 
@@ -137,13 +138,98 @@ std::shared_ptr<const Source> Workspace::read(const std::string& path, std::stri
 
 std::vector<std::string> Workspace::program_files() {
   std::vector<std::string> files;
-  for (cli::WalkedFile& file : cli::walk(folders_, {}).files) files.push_back(std::move(file.path));
+  for (cli::WalkedFile& file : cli::walk(folders_, {}, [this](const std::string& folder) { return configuration_->patterns_in(folder); }).files) files.push_back(std::move(file.path));
   std::set<std::string> known;
   for (const std::string& file : files) known.insert(file_key(file));
   for (const auto& [key, uri] : uri_of_) {
     if (known.insert(key).second) files.push_back(open_.at(uri)->path());
   }
   return files;
+}
+
+std::vector<const Document*> Workspace::documents_around(const Document& from) {
+  std::vector<std::string> paths;
+  cli::WalkOptions all;
+  all.ignore_files = false;  // LinuxCNC runs these, too
+  for (cli::WalkedFile& file : cli::walk(folders_, all).files) paths.push_back(std::move(file.path));
+  for (const auto& [uri, document] : open_) paths.push_back(document->path());
+  const auto folders = search_path(from);
+  for (const std::string& name : folders->names()) {
+    if (const auto file = folders->find(name); file && file->regular) paths.push_back(file->path);
+  }
+  std::vector<const Document*> out{&from};
+  std::set<std::string> known{file_key(from.path())};
+  for (const std::string& path : paths) {
+    if (!known.insert(file_key(path)).second) continue;
+    if (const Document* document = document_of_path(path)) out.push_back(document);
+  }
+  return out;
+}
+
+std::vector<const Document*> Workspace::documents_run_with(const Document& from) {
+  std::vector<const Document*> all = documents_around(from);
+  std::map<std::string, size_t> numbers;
+  for (size_t i = 0; i < all.size(); ++i) numbers.emplace(file_key(all[i]->path()), i);
+  std::vector<std::vector<size_t>> callees, callers(all.size());
+  for (size_t i = 0; i < all.size(); ++i) {
+    callees.emplace_back();
+    const Program& p = all[i]->program();
+    const auto folders = p.calls.empty() ? nullptr : search_path(*all[i]);
+    for (const Call& call : p.calls) {
+      if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+      const auto file = folders->find(p.name(call.callee));
+      const Document* called = file && file->regular ? document_of_path(file->path) : nullptr;
+      if (called == nullptr) continue;
+      const auto [entry, is_new] = numbers.emplace(file_key(file->path), all.size());
+      if (is_new) {
+        all.push_back(called);
+        callers.emplace_back();
+      }
+      callees[i].push_back(entry->second);
+      callers[entry->second].push_back(i);
+    }
+  }
+  const auto reach = [&](std::vector<size_t> todo, const std::vector<std::vector<size_t>>& edges) {
+    std::vector<bool> reached(all.size());
+    for (const size_t i : todo) reached[i] = true;
+    for (size_t at = 0; at < todo.size(); ++at) {
+      for (const size_t next : edges[todo[at]]) {
+        if (!reached[next]) todo.push_back(next);
+        reached[next] = true;
+      }
+    }
+    return todo;
+  };
+  std::vector<const Document*> out;
+  std::vector<size_t> found = reach(reach({0}, callers), callees);
+  std::ranges::sort(found);
+  for (const size_t i : found) out.push_back(all[i]);
+  return out;
+}
+
+std::vector<std::shared_ptr<const MachineSetup>> Workspace::machines(const Document& from) {
+  std::vector<std::shared_ptr<const MachineSetup>> out;
+  std::set<std::string> known;
+  cli::Settings settings;
+  if (settings_for(from.path(), &settings) && settings.profile.setup != nullptr) {
+    out.push_back(settings.profile.setup);
+    known.insert(file_key(settings.profile.setup->path));
+  }
+  std::vector<std::string> paths;
+  cli::WalkOptions all;
+  all.ignore_files = false;
+  all.include = {"*.ini"};
+  for (cli::WalkedFile& file : cli::walk(folders_, all).files) paths.push_back(std::move(file.path));
+  for (const SearchFolder& folder : search_path(from)->folders()) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path, ignored)) paths.push_back(entry.path().string());
+  }
+  for (const std::string& path : paths) {
+    std::string error;
+    if (!small_letters(path).ends_with(".ini") || !known.insert(file_key(path)).second) continue;
+    if (auto setup = read_setup(path, &error)) out.push_back(std::move(setup));
+  }
+  return out;
 }
 
 std::set<std::string> Workspace::related(const Document& document) const {
@@ -164,14 +250,14 @@ bool Workspace::settings_for(const std::string& path, cli::Settings* settings) {
   return configuration_->settings_for(path, settings, &error);
 }
 
-/// Files that others call are no programs, whatever else stands in them: that has to be known of the whole workspace.
+/// Files that others call are not programs, whatever else is in them: for that the whole workspace has to be known.
 void Workspace::read_all() {
   if (called_files_) return;
   called_files_.emplace();
   const std::vector<std::string> files = program_files();
   for (size_t i = 0; i < files.size(); ++i) {
     const std::string& path = files[i];
-    progress("owlint reads programs", i, files.size());
+    progress("owlint: reading programs", i, files.size());
     const Document* document = document_of_path(path);
     if (document == nullptr) continue;
     const Program& p = document->program();
@@ -183,7 +269,7 @@ void Workspace::read_all() {
       if (called && called->regular && file_key(called->path) != file_key(path)) called_files_->insert(file_key(called->path));
     }
   }
-  progress("owlint reads programs", files.size(), files.size());
+  progress("owlint: reading programs", files.size(), files.size());
 }
 
 /// The findings of each of `files`, with what those of them that are programs say of the others.
@@ -196,7 +282,7 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
   }
   const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
   read_all();
-  const char* const work = "owlint checks programs";
+  const char* const work = "owlint: checking programs";
   const auto tell = [&](size_t done) { progress(work, done, files.size()); };
   cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_, tell);
   progress(work, files.size(), files.size());
@@ -211,6 +297,7 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
     path_of[file_key(files[i])] = files[i];
   }
   for (FileReport& report : result.reports) {
+    cli::fold_groups({&report, 1}, {});  // an editor shows each file by itself
     const auto found = path_of.find(file_key(report.source->path()));
     if (found != path_of.end()) out[found->second].findings = std::move(report.findings);
   }

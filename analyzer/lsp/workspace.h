@@ -1,5 +1,5 @@
-// What the server knows: the open documents, the folders, the files on disk that are read on the way, and what was found
-// in them. Open documents shadow files: a sub file that is being edited counts as it stands in the editor.
+// What the server knows: the open documents, the folders, the files that it has read from disk, and the findings in them.
+// An open document replaces its file: programs that call it are checked with the text in the editor.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace owlint::lsp {
 
-/// Findings of one document, as they were last sent.
+/// The findings of one document, as last sent.
 struct Checked {
   std::vector<Finding> findings;
   std::vector<std::string> calls;  ///< paths of the files that the program calls
@@ -36,7 +36,7 @@ class Workspace {
   std::map<std::string, SentTokens> sent_tokens;  ///< by uri
 
   Encoding encoding = Encoding::kUtf16;
-  /// The client's settings, taken for command line options: `ini`, `sub-path`, `linuxcnc`, `feature`, `select`, `extend-select`, `ignore`.
+  /// The client's settings, used as command line options: `ini`, `sub-path`, `linuxcnc`, `feature`, `select`, `extend-select`, `ignore`.
   void configure(const Json& settings);
 
   void add_folder(const std::string& uri);
@@ -46,28 +46,36 @@ class Workspace {
   Document& open(std::string uri, std::string text, std::optional<int64_t> version);
   void close(const std::string& uri);
   Document* find_open(const std::string& uri);
-  /// An open document, or the file on disk. Throws ResponseError where there is neither.
+  /// An open document, or the file on disk. Throws ResponseError if there is neither.
   const Document& document(const std::string& uri);
   const Document* document_of_path(const std::string& path);
   std::vector<Document*> open_documents();
 
-  /// Files have changed on disk: nothing that was read is true any more.
+  /// Files have changed on disk: everything that was read is out of date.
   void forget_files();
   /// Called with the progress of long work: reading the programs of a workspace, and checking them.
   std::function<void(const char* work, size_t done, size_t of)> progress = [](const char*, size_t, size_t) {};
-  /// Reads all programs of the workspace, which is done anyway when it is first needed.
+  /// Reads all programs of the workspace now, instead of when first needed.
   void read_all();
   /// The programs below the workspace folders, and those that are open; by path.
   std::vector<std::string> program_files();
+  /// All programs that may share something with `from`: those of the workspace, and those on its search path; itself first.
+  std::vector<const Document*> documents_around(const Document& from);
+  /// Of these, the ones that a run with `from` in it may read: what calls it, and what it and those call; itself first.
+  std::vector<const Document*> documents_run_with(const Document& from);
+  /// The machines that programs of the workspace may run on: the one that `from` is checked for, and those whose INIs are
+  /// in the workspace or on the search path.
+  std::vector<std::shared_ptr<const MachineSetup>> machines(const Document& from);
+  bool renames_files = true;  ///< the client does, when an edit wants it
 
   /// Checks a document and, with it, the open ones that call it or that it calls. Returns the uris of all that were
   /// checked; findings() then has them.
   std::vector<std::string> check(const std::string& uri);
   const Checked* checked(const std::string& uri) const;
-  /// Checks all programs of the workspace, open or not; by path. Clients ask every few seconds: what was found is kept until
+  /// Checks all programs of the workspace, open or not; by path. Clients ask every few seconds, so the findings are kept until
   /// something changes.
   const std::map<std::string, Checked>& check_everything();
-  /// Checks a file that need not be open.
+  /// Checks a file that may be open or not.
   Checked check_alone(const std::string& path);
 
   /// The file that a call of `name` in a document leads to; empty if there is none.

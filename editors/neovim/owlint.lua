@@ -1,9 +1,9 @@
--- owlint in Neovim 0.7 and later, with the built-in client. Put this file into ~/.config/nvim/lua/ and
--- `require('owlint')` into init.lua. `vim.g.owlint_path`, set before, says where the program is if not in PATH.
+-- owlint in Neovim 0.7 and later, with the built-in client. Copy this file into ~/.config/nvim/lua/ and write
+-- `require('owlint')` into init.lua. If owlint is not in PATH, set `vim.g.owlint_path` before.
 local group = vim.api.nvim_create_augroup('owlint', {})
 local clients = {} -- the running server of each folder; only for Neovim before 0.8
 
--- The folder that a program belongs to: the nearest one with a configuration or a repository, else its own.
+-- The folder that a program belongs to: the nearest one with a configuration, else with a repository, else its own.
 local function folder_of(file)
   local folder = vim.fn.fnamemodify(file, ':p:h')
   local above = vim.fn.fnameescape(folder) .. ';'
@@ -15,7 +15,7 @@ local function folder_of(file)
   return repository ~= '' and vim.fn.fnamemodify(repository, ':p:h:h') or folder
 end
 
--- The keys that Neovim has by itself from 0.11 on.
+-- The keys that Neovim 0.11 and later have by default.
 local function set_keys(_, buffer)
   local function key(keys, action) vim.keymap.set('n', keys, action, { buffer = buffer }) end
   key('gd', vim.lsp.buf.definition)

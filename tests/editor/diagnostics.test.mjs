@@ -35,12 +35,12 @@ session('a finding with all that belongs to it is pushed', { ...push, files: { '
   assert.equal(one.code, 'OW104');
   assert.match(new URL(one.codeDescription.href).protocol, /^(https|file):$/);
   assert.equal(one.source, 'owlint');
-  assert.match(one.message, /^label `o100` already opened an `if` on line 2/);
+  assert.match(one.message, /^label `o100` is already used for an `if` on line 2/);
   assert.ok(!(one.tags ?? []).includes(1), 'the line is reached');
   assert.equal(one.relatedInformation.length, 1);
   const [related] = one.relatedInformation;
   assert.deepEqual(related.location, { uri, range: client.range('twice.ngc', ['o100 if', 0]) });
-  assert.match(related.message, /first opened here/);
+  assert.match(related.message, /first used here/);
   assert.ok(one.data !== undefined && one.data !== null, 'data, for code actions');
 });
 
@@ -97,7 +97,7 @@ session('pulled diagnostics have all that pushed ones have', { files: { 'twice.n
   const items = await client.pulled('twice.ngc');
   assert.deepEqual(items[0].range, client.range('twice.ngc', ['o100', 2]));
   assert.equal(items[0].codeDescription.href, new URL(items[0].codeDescription.href).href);
-  assert.match(items[0].relatedInformation[0].message, /first opened here/);
+  assert.match(items[0].relatedInformation[0].message, /first used here/);
 });
 
 const shop = { 'twice.ngc': twice, 'sound.ngc': sound, 'main.ngc': main, 'face.ngc': plane };
@@ -253,7 +253,7 @@ session('long work is shown: reading a large folder, and checking it', { files: 
   const report = await client.request('workspace/diagnostic', { previousResultIds: [] });
   assert.equal(report.items.length, 450);
   assert.equal(report.items.filter((item) => item.items.length > 0).length, 5);
-  for (const work of ['owlint reads programs', 'owlint checks programs']) {
+  for (const work of ['owlint: reading programs', 'owlint: checking programs']) {
     const reports = client.progress.filter(({ token }) => token === work).map(({ value }) => value);
     assert.deepEqual(reports.map(({ kind }) => kind), ['begin', 'report', 'report', 'report', 'end'], work);
     assert.deepEqual(reports.slice(1, 4).map(({ message }) => message), ['0 of 450', '200 of 450', '400 of 450']);

@@ -126,7 +126,9 @@ async function edited(client, action) {
   return client.afterEdit(full.edit);
 }
 
-session('a quick fix gives a copied block a label of its own', {}, async (client) => {
+const selected = { files: { 'owlint.toml': 'extend-select = ["OW213"]\n' } };
+
+session('a quick fix gives a copied block a label of its own', selected, async (client) => {
   client.open('mixed.ngc', mixed);
   const all = await actions(client, 'mixed.ngc', 'OW104', ['quickfix']);
   assert.ok(all.every((one) => one.kind === 'quickfix'));
@@ -138,7 +140,7 @@ session('a quick fix gives a copied block a label of its own', {}, async (client
   assert.deepEqual(codes(await client.pulled('mixed.ngc')), ['OW213']);
 });
 
-session('source.fixAll.owlint does what is safe, and only that', {}, async (client) => {
+session('source.fixAll.owlint does what is safe, and only that', selected, async (client) => {
   client.open('mixed.ngc', mixed);
   assert.deepEqual(codes(await client.pulled('mixed.ngc')).sort(), ['OW104', 'OW213']);
   const whole = { start: { line: 0, character: 0 }, end: { line: 14, character: 0 } };

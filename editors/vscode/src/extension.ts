@@ -1,11 +1,11 @@
-// The VS Code side of owlint: starts `owlint lsp`, starts it anew when its settings change, and shows the
-// rules' pages. All that is known of G-code is known by the server.
+// The VS Code side of owlint: starts `owlint lsp`, restarts it when its settings change, and shows the
+// rules' pages. Everything about G-code is in the server.
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 import { commands, type ExtensionContext, type OutputChannel, Uri, window, workspace } from "vscode";
 import { LanguageClient } from "vscode-languageclient/node";
 
-// `owlint.trace.server` is the client's own; it needs no new server.
+// The client handles `owlint.trace.server` itself; no restart is needed.
 const settingsOfServer = ["path", "arguments", "ini", "linuxcnc"].map((name) => `owlint.${name}`);
 let client: LanguageClient | undefined;
 let output: OutputChannel;
@@ -45,7 +45,7 @@ function inTurn(step: () => Promise<void>): Promise<void> {
 async function start(): Promise<void> {
   const settings = workspace.getConfiguration("owlint");
   const command = settings.get<string>("path", "owlint");
-  // Asked for its version first: what the client says of a program that is not there helps nobody.
+  // First ask for the version: the client's own message about a missing program helps nobody.
   try {
     await promisify(execFile)(command, ["--version"]);
   } catch (error) {
@@ -69,14 +69,14 @@ async function start(): Promise<void> {
       },
     },
   });
-  // The client says itself when a server does not start.
+  // The client reports itself if the server does not start.
   await client.start().catch(() => undefined);
 }
 
 async function stop(): Promise<void> {
   const running = client;
   client = undefined;
-  // One whose server did not start, or has ended, cannot be stopped.
+  // A client whose server did not start, or has ended, cannot be stopped.
   if (running?.needsStop()) await running.dispose();
 }
 
@@ -89,7 +89,7 @@ async function complain(command: string, error: unknown): Promise<void> {
   const missing = (error as NodeJS.ErrnoException).code === "ENOENT";
   const problem = missing ? `the program \`${command}\` was not found` : `\`${command} --version\` failed: ${text(error)}`;
   const button = "Open the setting";
-  const chosen = await window.showErrorMessage(`owlint: ${problem}. Install owlint, or say in owlint.path where it is.`, button);
+  const chosen = await window.showErrorMessage(`owlint: ${problem}. Install owlint, or set owlint.path.`, button);
   if (chosen === button) await commands.executeCommand("workbench.action.openSettings", "owlint.path");
 }
 
