@@ -4,8 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
-#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -20,8 +21,10 @@
 #include "analyzer/audit/reading.h"
 #include "analyzer/audit/watch.h"
 #include "analyzer/cli/commands.h"
+#include "analyzer/cli/terminal.h"
 #include "analyzer/report/formats.h"
 #include "analyzer/text/parallel.h"
+#include "rules/stops.h"
 
 namespace owlint::cli {
 namespace {
@@ -51,15 +54,11 @@ std::string counts(size_t errors, size_t warnings, size_t infos) {
   return text;
 }
 
-std::string working_folder() {
+/// How a report is to look on standard output, or in the file of --output.
+ReportStyle style_of(const CommandLine& line) {
   std::error_code ignored;
-  return std::filesystem::current_path(ignored).string();
-}
-
-bool use_color(const CommandLine& line) {
-  if (line.color != "auto") return line.color == "always";
-  const char* no_color = std::getenv("NO_COLOR");
-  return line.output.empty() && (no_color == nullptr || *no_color == '\0') && ::isatty(STDOUT_FILENO) != 0;
+  const int stream = line.output.empty() ? STDOUT_FILENO : -1;
+  return {use_color(line.color, stream), std::filesystem::current_path(ignored).string(), columns_of(stream)};
 }
 
 size_t count_from(const std::vector<FileReport>& reports, Severity level) {
@@ -68,10 +67,15 @@ size_t count_from(const std::vector<FileReport>& reports, Severity level) {
   return count;
 }
 
+/// The strictest level that holds for one of the audited folders.
 Severity fail_on(const CommandLine& line) {
-  Severity severity{};
-  severity_from_text(line.fail_on, &severity);
-  return severity;
+  Configuration configuration(line);
+  Severity strictest = Severity::kError;
+  for (const std::string& path : line.paths) {
+    std::error_code ignored;
+    strictest = std::min(strictest, configuration.fail_on(std::filesystem::is_directory(path, ignored) ? path + "/program.ngc" : path));
+  }
+  return line.paths.empty() ? configuration.fail_on(".") : strictest;
 }
 
 std::vector<int64_t> ids_of(const std::vector<audit::StoredFinding>& findings) {
@@ -93,7 +97,7 @@ void print_some(std::string_view heading, std::vector<FileReport> reports, const
   }
   std::erase_if(reports, [](const FileReport& report) { return report.findings.empty(); });
   std::cout << fmt::format("{}: {}\n", heading, grouped(all));
-  write_grouped(std::cout, reports, {use_color(line), working_folder()});
+  write_grouped(std::cout, reports, style_of(line));
   if (all > kMost) std::cout << fmt::format("and {} more\n", grouped(all - kMost));
 }
 
@@ -133,7 +137,7 @@ class AuditRun {
  private:
   bool usage_is_right() {
     if (!line_.shard.empty() && !read_shard()) {
-      complain(fmt::format("`--shard {}`: write I/N, as 1/4 for the first of four", line_.shard));
+      complain(fmt::format("--shard: `{}` is no I/N, as 1/4 for the first of four", line_.shard));
       return false;
     }
     if (!line_.report.empty() && !audit::has_page()) {
@@ -144,7 +148,8 @@ class AuditRun {
       std::error_code problem;
       // A server that is not mounted must not look like a shop without programs.
       if (!std::filesystem::exists(path, problem)) {
-        complain(fmt::format("there is no {}: nothing was audited", path));
+        const std::string near = rules::nearest(path, {"list", "show", "export", "diff", "merge"});
+        complain(fmt::format("there is no {}{}", path, near.empty() ? ": nothing was audited" : ", did you mean `owlint audit " + near + "`?"));
         return false;
       }
     }
@@ -285,15 +290,15 @@ int audit_show_command(const AuditLine& line) {
     if (!line.check.output.empty()) {
       file.open(line.check.output, std::ios::binary | std::ios::trunc);
       if (!file) {
-        complain("cannot write " + line.check.output);
+        complain(fmt::format("cannot write {}: {}", line.check.output, std::strerror(errno)));
         return kUsage;
       }
     }
     std::ostream& out = line.check.output.empty() ? std::cout : file;
-    format.write(out, reports, {use_color(line.check), working_folder()});
-    out.flush();
-    if (!out) {
-      complain("cannot write the report");
+    format.write(out, reports, style_of(line.check));
+    file.close();
+    if (!line.check.output.empty() && !file) {
+      complain(fmt::format("cannot write {}: {}", line.check.output, std::strerror(errno)));
       return kUsage;
     }
     if (format.for_people && !line.check.quiet) {
@@ -311,7 +316,7 @@ int audit_diff_command(const AuditLine& line) {
     const audit::Difference difference = audit::difference(a.store, a.run, b.store, b.run);
     const std::vector<FileReport> fresh = audit::reports_of(b.store, ids_of(difference.fresh));
     const std::vector<FileReport> gone = audit::reports_of(a.store, ids_of(difference.gone));
-    const ReportStyle style{use_color(line.check), working_folder()};
+    const ReportStyle style = style_of(line.check);
     const auto list = [&](std::string_view heading, const std::vector<FileReport>& reports, size_t count) {
       if (count == 0) return;
       std::cout << fmt::format("{}: {}\n", heading, grouped(count));

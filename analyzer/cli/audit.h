@@ -8,7 +8,7 @@
 
 namespace owlint::cli {
 
-/// What the command line of an audit says.
+/// The command line of an audit.
 struct AuditLine {
   CommandLine check;  ///< paths, machine, rules, output
   std::string store = "owlint-audit.db";

@@ -2,7 +2,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,7 +14,9 @@
 #include "analyzer/cli/changed.h"
 #include "analyzer/cli/commands.h"
 #include "analyzer/cli/fixing.h"
+#include "analyzer/cli/groups.h"
 #include "analyzer/cli/replace.h"
+#include "analyzer/cli/terminal.h"
 #include "analyzer/cli/walk.h"
 #include "analyzer/findings/baseline.h"
 #include "analyzer/findings/fixing.h"
@@ -39,7 +42,7 @@ class Check {
       result_ = std::move(result.run);
       for (const std::string& path : result.unfinished) trouble(fmt::format("{} is left as it is: fixing it does not come to an end", path));
       if (line_.diff) return print_diffs(result.fixed);
-      write_fixed(result.fixed);
+      if (!write_fixed(result.fixed)) result_ = run_checks(files_, wanted_, read_, library_);
     } else {
       result_ = run_checks(files_, wanted_, read_, library_);
     }
@@ -49,6 +52,7 @@ class Check {
     if (line_.fix_only) return status_;
     if (line_.add_suppressions) return suppress_all();
     if (!take_baseline()) return kUsage;
+    fold_groups(result_.reports, {files_, folders_of(line_.paths)});
     if (!line_.quiet) tell_notes();
     if (!write_report()) return kUsage;
     if (line_.statistics) write_statistics(std::cerr, result_.reports, library_);
@@ -67,7 +71,6 @@ class Check {
       if (is) complain(message);
       return is;
     };
-    severity_from_text(line_.fail_on, &fail_on_);
     return !wrong(line_.unsafe && !line_.fix && !line_.diff && !line_.fix_only, "--unsafe goes with --fix, --fix-only or --diff") &&
            !wrong(line_.update_baseline && line_.baseline.empty(), "--update-baseline needs --baseline FILE") &&
            !wrong(line_.add_suppressions && line_.reason.empty(), "--add-suppressions needs --reason TEXT: what the next one who reads the program should know") &&
@@ -76,9 +79,8 @@ class Check {
 
   /// Files, their settings, and how they are read.
   bool find_files() {
-    Walk found = walk(line_.paths, line_.walk);
+    Walk found = walk(line_.paths, line_.walk, [this](const std::string& folder) { return configuration_.patterns_in(folder); });
     for (const std::string& problem : found.problems) trouble(problem);
-    for (const std::string& folder : found.empty) complain("no programs in " + folder + " (*.ngc *.nc *.tap *.cnc *.gcode)");
     for (WalkedFile& file : found.files) files_.push_back(std::move(file.path));
     without_ini_ = std::move(found.without_ini);
     configuration_.know_without_ini(without_ini_);
@@ -118,44 +120,46 @@ class Check {
     return status_ != kClean ? status_ : fixed.empty() ? kClean : kFindings;
   }
 
-  /// The fixed programs; one from standard input goes to standard output.
-  void write_fixed(const std::vector<FixedFile>& fixed) {
+  /// The fixed programs; one from standard input goes to standard output. False where one could not be written, and what was
+  /// found in it is still there.
+  bool write_fixed(const std::vector<FixedFile>& fixed) {
     size_t made = 0;
     size_t files = 0;
-    std::string error;
     for (const FixedFile& file : fixed) {
-      if (stdin_ == nullptr || file.path != line_.stdin_filename) {
-        if (!replace_unchanged(file.path, file.before->bytes(), file.text, &error)) {
-          trouble(fmt::format("cannot write {}: {}", file.path, error));
-          continue;
-        }
+      std::string error;
+      if (stdin_ != nullptr && file.path == line_.stdin_filename) {
+        stdin_ = Source::own(file.path, file.text);
+      } else if (!replace_unchanged(file.path, file.before->bytes(), file.text, &error)) {
+        trouble(fmt::format("cannot write {}: {}", file.path, error));
+        continue;
       }
       made += file.made;
       ++files;
     }
-    if (stdin_ != nullptr) {
-      const auto own = std::ranges::find(fixed, line_.stdin_filename, &FixedFile::path);
-      std::cout << (own == fixed.end() ? std::string(stdin_->bytes()) : own->text);
-    }
-    if (!line_.quiet) std::cerr << fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file"));
+    if (stdin_ != nullptr) std::cout << stdin_->bytes();
+    const bool whole = files == fixed.size();
+    if (!line_.quiet && (whole || files > 0)) std::cerr << fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file"));
+    return whole;
   }
 
   int suppress_all() {
     size_t suppressed = 0;
+    std::string standard(stdin_ == nullptr ? std::string_view() : stdin_->bytes());
     for (const FileReport& report : result_.reports) {
       // What is found in other files than those that were named is not written into them.
       if (report.findings.empty() || std::ranges::find(files_, report.source->path()) == files_.end()) continue;
       const std::vector<Edit> edits = suppression_comments(*report.source, report.findings, line_.reason);
       std::string error;
-      const std::string text = apply_edits(report.source->bytes(), edits);
+      std::string text = apply_edits(report.source->bytes(), edits);
       if (stdin_ != nullptr && report.source->path() == line_.stdin_filename) {
-        std::cout << text;
+        standard = std::move(text);
       } else if (!replace_unchanged(report.source->path(), report.source->bytes(), text, &error)) {
         trouble(fmt::format("cannot write {}: {}", report.source->path(), error));
         continue;
       }
       suppressed += report.findings.size();
     }
+    std::cout << standard;
     if (!line_.quiet) std::cerr << "suppressed " << plural(suppressed, "finding") << '\n';
     return status_;
   }
@@ -201,30 +205,25 @@ class Check {
     for (const std::string& note : result_.notes) complain(note);
   }
 
-  bool use_color() const {
-    if (line_.color != "auto") return line_.color == "always";
-    const char* no_color = std::getenv("NO_COLOR");
-    return line_.output.empty() && (no_color == nullptr || *no_color == '\0') && ::isatty(STDOUT_FILENO) != 0;
-  }
-
   bool write_report() const {
     std::ofstream file;
     if (!line_.output.empty()) {
       file.open(line_.output, std::ios::binary | std::ios::trunc);
       if (!file) {
-        complain("cannot write " + line_.output);
+        complain(fmt::format("cannot write {}: {}", line_.output, std::strerror(errno)));
         return false;
       }
     }
     // Where the fixed program goes to standard output, what is left goes beside it.
     const bool program_is_out = stdin_ != nullptr && line_.fix;
     std::ostream& out = !line_.output.empty() ? file : program_is_out ? std::cerr : std::cout;
+    const int stream = !line_.output.empty() ? -1 : program_is_out ? STDERR_FILENO : STDOUT_FILENO;
     std::error_code ignored;
     const Format& format = *find_format(line_.format);
-    format.write(out, result_.reports, {use_color(), std::filesystem::current_path(ignored).string()});
-    out.flush();
-    if (!out) {
-      complain("cannot write the report");
+    format.write(out, result_.reports, {use_color(line_.color, stream), std::filesystem::current_path(ignored).string(), columns_of(stream)});
+    file.close();
+    if (!line_.output.empty() && !file) {
+      complain(fmt::format("cannot write {}: {}", line_.output, std::strerror(errno)));
       return false;
     }
     const Summary summary = summarize(result_.reports);
@@ -241,16 +240,17 @@ class Check {
     return true;
   }
 
-  bool fails() const {
+  bool fails() {
     return std::ranges::any_of(result_.reports, [&](const FileReport& report) {
-      return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.severity >= fail_on_; });
+      if (report.findings.empty()) return false;
+      const Severity level = configuration_.fail_on(report.source->path());
+      return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.severity >= level; });
     });
   }
 
   const CommandLine& line_;
   std::unordered_set<std::string> without_ini_;
   Configuration configuration_;
-  Severity fail_on_{};
   int status_ = kClean;
   std::vector<std::string> files_;
   std::shared_ptr<const Source> stdin_;

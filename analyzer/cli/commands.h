@@ -12,11 +12,12 @@ enum ExitStatus : int { kClean = 0, kFindings = 1, kUsage = 2, kInternal = 3 };
 int check_command(const CommandLine& line);
 int graph_command(const CommandLine& line, const std::string& format);
 int lsp_command();
-/// `check`: change nothing, exit with 1 where something would change; `diff`: print the changes instead of making them.
+/// `check`: change nothing, exit with 1 if something would change; `diff`: print the changes instead of making them.
 int format_command(const CommandLine& line, bool check, bool diff);
-/// The settings for each of `line.paths` and where they come from; `check`: only whether configuration files are right.
+/// Prints the settings for each of `line.paths` and where they come from; `check`: only checks the configuration files.
 int config_command(const CommandLine& line, bool check);
-int explain_command(const std::string& code_or_name);
+/// `color`: as --color says.
+int explain_command(const std::string& code_or_name, const std::string& color);
 int rules_command(const std::string& format);
 int rule_pages_command(const std::string& folder);
 

@@ -11,14 +11,13 @@
 namespace owlint::cli {
 namespace {
 
-/// A folder stands for a program in it.
+/// For a folder, a program in it.
 std::string program_in(const std::string& path) {
   std::error_code problem;
   return std::filesystem::is_directory(path, problem) ? path + "/program.ngc" : path;
 }
 
 int check_files(const std::vector<std::string>& paths) {
-  Configuration configuration(CommandLine{});
   int status = kClean;
   for (const std::string& path : paths) {
     std::error_code problem;
@@ -30,7 +29,7 @@ int check_files(const std::vector<std::string>& paths) {
     if (std::filesystem::is_directory(file, problem)) {
       complain(fmt::format("no owlint.toml in {}", path));
       status = kUsage;
-    } else if (!configuration.check_file(file, &error)) {
+    } else if (read_configuration_file(file, &error) == nullptr) {
       complain(error);
       status = kUsage;
     } else {
@@ -51,6 +50,11 @@ int config_command(const CommandLine& line, bool check) {
   for (const std::string& path : paths) {
     Settings settings;
     std::string error;
+    if (std::error_code problem; !std::filesystem::exists(path, problem)) {
+      complain(fmt::format("there is no {}", path));
+      status = kUsage;
+      continue;
+    }
     if (!configuration.settings_for(program_in(path), &settings, &error)) {
       complain(error);
       status = kUsage;
@@ -60,6 +64,7 @@ int config_command(const CommandLine& line, bool check) {
     const auto given = [&](std::string_view key) { return std::ranges::find(origins, key, &Origin::key) != origins.end(); };
     const Profile& profile = settings.profile;
     if (!given("ini")) origins.push_back({"ini", "none", "default"});
+    if (!given("fail-on")) origins.push_back({"fail-on", "error", "default"});
     if (!given("linuxcnc")) origins.push_back({"linuxcnc", std::string(version_text(profile.version)), "default"});
     origins.push_back({"FEATURE 0x20", profile.warn_only() ? "in effect" : "not in effect", given("feature") ? "feature" : profile.setup != nullptr ? "INI" : "default"});
     const auto rules = std::ranges::count_if(catalogue(), [&](const Rule* rule) { return selected(*rule, settings.options); });

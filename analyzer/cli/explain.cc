@@ -1,49 +1,42 @@
 // `owlint explain`, `owlint rules`, `owlint graph`: what the catalogue and a program's structure say.
+#include <unistd.h>
+
+#include <algorithm>
 #include <iostream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "analyzer/cli/commands.h"
+#include "analyzer/cli/terminal.h"
 #include "analyzer/report/graph.h"
+#include "analyzer/report/markdown.h"
 #include "analyzer/report/pages.h"
 #include "analyzer/text/printable.h"
+#include "analyzer/text/width.h"
 #include "rules/rule.h"
 
 namespace owlint::cli {
 namespace {
 
-void indented(std::string_view program) {
-  while (!program.empty()) {
-    const size_t feed = program.find('\n');
-    std::cout << "    " << program.substr(0, feed) << '\n';
-    program = feed == std::string_view::npos ? std::string_view{} : program.substr(feed + 1);
-  }
+/// How wide text for people is; lines that go on for ever are hard to read.
+size_t text_width() {
+  constexpr size_t kWidest = 100;
+  const size_t terminal = columns_of(STDOUT_FILENO);
+  return terminal == 0 ? kWidest : std::min(terminal, kWidest);
 }
 
 }  // namespace
 
 void complain(const std::string& message) { std::cerr << "owlint: " << printable_text(message) << '\n'; }  // names of files may steer terminals
 
-int explain_command(const std::string& code_or_name) {
+int explain_command(const std::string& code_or_name, const std::string& color) {
   const Rule* rule = find_rule(code_or_name);
   if (rule == nullptr) {
-    const std::string_view near = nearest_rule(code_or_name);
-    complain(fmt::format("there is no rule `{}`{}", code_or_name,
-                         near.empty() ? "; `owlint rules` lists them" : fmt::format(", did you mean `{}`", near)));
+    complain(unknown_rule(code_or_name));
     return kUsage;
   }
-  const Page& page = rule->page;
-  std::cout << fmt::format("{} {} ({})\n\n{}\n\n{}\n\n", rule->code, rule->name,
-                           rule->level == Severity::kInfo ? "info, off unless selected" : severity_text(rule->level), page.what, page.why);
-  if (!page.interpreter.empty()) std::cout << fmt::format("LinuxCNC says: {}\n\n", page.interpreter);
-  std::cout << "Found here" << (page.options.empty() ? "" : fmt::format(" with {}", page.options)) << ":\n\n";
-  indented(page.bad);
-  if (!page.moves.empty()) std::cout << fmt::format("\nThe last rapid move goes to {}.\n", page.moves);
-  std::cout << "\nUse instead:\n\n";
-  indented(page.good);
-  if (!page.moves_good.empty()) std::cout << fmt::format("\nThe last rapid move goes to {}.\n", page.moves_good);
-  std::cout << fmt::format("\n{}\n", page.fix);
+  std::cout << render_markdown(rule_page(*rule), use_color(color, STDOUT_FILENO), text_width());
   return kClean;
 }
 
@@ -61,7 +54,7 @@ int rules_command(const std::string& format) {
       list.push_back({{"code", rule->code}, {"name", rule->name}, {"summary", rule->summary}, {"group", group_title(rule->group)},
                       {"severity", severity_text(rule->level)}, {"default", rule->level != Severity::kInfo},
                       {"what", rule->page.what}, {"why", rule->page.why}, {"bad", rule->page.bad}, {"good", rule->page.good},
-                      {"fix", rule->page.fix}, {"options", rule->page.options}, {"interpreter", rule->page.interpreter},
+                      {"fix", rule->page.fix}, {"level_reason", rule->page.level_reason}, {"options", rule->page.options}, {"interpreter", rule->page.interpreter},
                       {"moves", rule->page.moves}, {"moves_good", rule->page.moves_good}});
     }
     std::cout << list.dump(2) << '\n';
@@ -83,7 +76,10 @@ int rules_command(const std::string& format) {
     if (markdown) {
       std::cout << fmt::format("| {} | {} | {} | {} |\n", rule->code, rule->name, severity_text(rule->level), rule->summary);
     } else {
-      std::cout << fmt::format("  {}  {:<25} {:<8} {}\n", rule->code, rule->name, severity_text(rule->level), rule->summary);
+      const std::string row = fmt::format("  {}  {:<25} {:<8} ", rule->code, rule->name, severity_text(rule->level));
+      const size_t width = columns_of(STDOUT_FILENO);
+      const std::string indent(width < 2 * row.size() ? 9 : row.size(), ' ');  // below the name, where there is no room beside it
+      std::cout << row << (indent.size() < row.size() && width > 0 ? "\n" + indent : "") << wrapped(rule->summary, width, indent, indent.size()) << '\n';
     }
   }
   return kClean;

@@ -8,7 +8,7 @@
 namespace owlint::cli {
 namespace {
 
-// One finding fixed can make another one possible; a chain longer than this goes round in a circle.
+// A fix can make another finding possible; a chain longer than this never ends.
 constexpr int kMaxRounds = 50;
 
 class Fixer {

@@ -18,13 +18,13 @@ struct FixedFile {
 };
 
 struct FixResult {
-  RunResult run;  ///< what is found in the fixed texts
+  RunResult run;  ///< the findings in the fixed texts
   std::vector<FixedFile> fixed;
-  std::vector<std::string> unfinished;  ///< files in which fixing did not come to an end; they are left as they are
+  std::vector<std::string> unfinished;  ///< files in which fixing did not end; they are left unchanged
 };
 
-/// As run_checks(), with the fixes of all findings made: the safe ones, or with `unsafe` all. A fixed file that others
-/// call counts for them as it will be.
+/// Like run_checks(), but makes the fixes of all findings: the safe ones, or with `unsafe` all. Programs that call a fixed
+/// file are checked with the fixed text.
 FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe);
 
 }  // namespace owlint::cli

@@ -14,7 +14,8 @@
 namespace owlint::cli {
 
 int format_command(const CommandLine& line, bool check, bool diff) {
-  const Walk found = walk(line.paths, line.walk);
+  Configuration configuration(line);
+  const Walk found = walk(line.paths, line.walk, [&](const std::string& folder) { return configuration.patterns_in(folder); });
   int status = kClean;
   const auto trouble = [&](const std::string& message) {
     complain(message);

@@ -9,8 +9,8 @@ class App;
 
 namespace owlint::cli {
 
-/// Writes `man1/owlint*.1`, `bash/owlint`, `zsh/_owlint` and `fish/owlint.fish` into a folder. False and a message where that
-/// fails.
+/// Writes `man1/owlint*.1`, `bash/owlint`, `zsh/_owlint` and `fish/owlint.fish` into a folder. Returns false and a message on
+/// failure.
 bool generate(const CLI::App& app, const std::string& folder, std::string* error);
 
 }  // namespace owlint::cli

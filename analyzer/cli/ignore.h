@@ -1,6 +1,6 @@
-// Which paths an ignore file leaves out, in the language of `.gitignore`: a pattern a line, `#` comments, `!` takes back,
-// `/` at the end means folders, a `/` elsewhere ties it to the file's own folder, `**` is any number of folders. The last
-// pattern that fits decides. Source: gitignore(5).
+// Which paths an ignore file leaves out. The syntax is that of `.gitignore`: one pattern on each line, `#` for comments, `!`
+// includes again, `/` at the end means folders, a `/` elsewhere makes the pattern relative to the file's own folder, `**` is
+// any number of folders. The last pattern that matches decides. Source: gitignore(5).
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@ namespace owlint::cli {
 
 class IgnorePatterns {
  public:
-  /// Adds what a file says.
+  /// Adds the patterns of a file.
   void add(std::string_view text);
   bool empty() const { return patterns_.empty(); }
-  /// Whether a path, seen from the folder of the patterns, is left out (true) or taken back (false); nothing where no
-  /// pattern fits.
+  /// Whether a path, relative to the folder of the patterns, is left out (true) or included again (false); nothing if no
+  /// pattern matches.
   std::optional<bool> decide(std::string_view relative, bool folder) const;
 
  private:

@@ -35,6 +35,15 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
+bool write_all(int fd, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(fd, text.data(), text.size());
+    if (written <= 0) return false;
+    text.remove_prefix(static_cast<size_t>(written));
+  }
+  return true;
+}
+
 /// Where the line begins that lies `lines` above the one of `at`.
 size_t lines_up(std::string_view text, size_t at, int lines) {
   for (;; --lines) {
@@ -54,22 +63,26 @@ bool replace_file(const std::string& path, std::string_view text, std::string* e
     *error = problem.message();
     return false;
   }
+  // Who may write in its folder could replace a program that is write-protected, and shall not.
+  struct stat info {};
+  if (::stat(target.c_str(), &info) != 0 || ::access(target.c_str(), W_OK) != 0) {
+    *error = std::strerror(errno);
+    return false;
+  }
   std::string fresh = target + ".owlint-XXXXXX";
   const int fd = ::mkstemp(fresh.data());
-  struct stat info {};
-  bool good = fd >= 0 && ::stat(target.c_str(), &info) == 0 && ::fchmod(fd, info.st_mode & 07777) == 0;
-  for (size_t at = 0; good && at < text.size();) {
-    const ssize_t written = ::write(fd, text.data() + at, text.size() - at);
-    good = written > 0;
-    if (good) at += static_cast<size_t>(written);
+  if (fd < 0) {
+    *error = fmt::format("no file can be made in its folder: {}", std::strerror(errno));
+    return false;
   }
-  good = good && ::fsync(fd) == 0;
-  if (fd >= 0) ::close(fd);
-  good = good && std::rename(fresh.c_str(), target.c_str()) == 0;
+  // Its owner stays where that is allowed.
+  [[maybe_unused]] const int owned = ::fchown(fd, info.st_uid, info.st_gid);
+  const bool good = ::fchmod(fd, info.st_mode & 07777) == 0 && write_all(fd, text) && ::fsync(fd) == 0 && std::rename(fresh.c_str(), target.c_str()) == 0;
   if (!good) {
     *error = std::strerror(errno);
-    if (fd >= 0) ::unlink(fresh.c_str());
+    ::unlink(fresh.c_str());
   }
+  ::close(fd);
   return good;
 }
 
@@ -86,6 +99,7 @@ bool write_text_file(const std::string& path, std::string_view text, std::string
 bool replace_unchanged(const std::string& path, std::string_view old, std::string_view text, std::string* error) {
   const auto now = Source::map(path, error);
   if (now == nullptr) return false;
+  if (now->bytes() == text) return true;  // by another name of the file
   if (now->bytes() != old) {
     *error = "it has changed meanwhile, and is left as it is";
     return false;

@@ -6,14 +6,14 @@
 
 namespace owlint::cli {
 
-/// Puts `text` in the place of a file at once, with the old one's permissions: whoever reads it sees the old text or the new
-/// one. Links are followed. False and a message where that fails; then the file is as it was.
+/// Replaces a file by `text` in one step, with the same permissions: a reader sees the old text or the new one. Follows
+/// links. On failure returns false and a message, and the file is unchanged.
 bool replace_file(const std::string& path, std::string_view text, std::string* error);
 
-/// The same, unless the file is not `old` any more.
+/// The same, unless the file has changed and is no longer `old`.
 bool replace_unchanged(const std::string& path, std::string_view old, std::string_view text, std::string* error);
 
-/// Writes a file that may be there or not, at once where it is.
+/// Writes a file that may exist or not; if it exists, in one step.
 bool write_text_file(const std::string& path, std::string_view text, std::string* error);
 
 /// `diff -u` between two texts of a file.

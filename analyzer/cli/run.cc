@@ -78,7 +78,7 @@ std::vector<FileReport> check_machines(const std::vector<const Settings*>& setti
 RunResult put_together(const std::vector<std::string>& files, std::vector<Checked> checked, std::vector<FileReport> machines,
                        std::set<std::string> called) {
   RunResult result;
-  // Files that others turned out to call are no programs, whatever else stands in them.
+  // Files that other files call are not programs, whatever else is in them.
   for (size_t i = 0; i < files.size(); ++i) {
     for (const std::string& path : checked[i].report.calls) {
       if (file_key(path) != file_key(files[i])) called.insert(file_key(path));

@@ -4,88 +4,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <toml++/toml.h>
-
-#include "rules/stops.h"
 
 namespace owlint::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::vector<std::string> kKeys = {"ini", "find-ini", "sub-path", "feature", "linuxcnc", "select", "ignore", "extend-select", "severity", "overrides"};
-const std::vector<std::string> kOverrideKeys = {"files", "select", "ignore", "extend-select", "severity"};
-
-/// The part of a configuration that `[[overrides]]` may change.
-struct Selection {
-  std::optional<std::vector<std::string>> select, ignore, extend_select;
-  std::map<std::string, Severity, std::less<>> severity;
-};
-
-bool check_keys(const toml::table& table, const std::vector<std::string>& known, std::string* error) {
-  for (const auto& [key, value] : table) {
-    const std::string name(key.str());
-    if (std::ranges::find(known, name) != known.end()) continue;
-    const std::string near = rules::nearest(name, known);
-    *error = fmt::format("line {}: unknown key `{}`{}", value.source().begin.line, name, near.empty() ? "" : ", did you mean `" + near + "`?");
-    return false;
-  }
-  return true;
-}
-
-/// A list of texts; `what` says of what, for people.
-bool read_list(const toml::table& table, std::string_view key, std::string_view what, std::optional<std::vector<std::string>>* list, std::string* error) {
-  const toml::node* node = table.get(key);
-  if (node == nullptr) return true;
-  const toml::array* array = node->as_array();
-  list->emplace();
-  for (size_t i = 0; array != nullptr && i < array->size(); ++i) {
-    if (const auto text = array->get(i)->value<std::string>(); text && !text->empty()) (*list)->push_back(*text);
-  }
-  if (array != nullptr && (*list)->size() == array->size()) return true;
-  *error = fmt::format("line {}: `{}` is a list of {}", node->source().begin.line, key, what);
-  return false;
-}
-
-bool check_code(const std::string& code, std::string* error) {
-  if (known_prefix(code)) return true;
-  const std::string_view near = nearest_rule(code);
-  *error = fmt::format("`{}` is not a code of owlint{}", code, near.empty() ? "" : fmt::format(", did you mean `{}`?", near));
-  return false;
-}
-
-bool read_codes(const toml::table& table, std::string_view key, std::optional<std::vector<std::string>>* codes, std::string* error) {
-  if (!read_list(table, key, "codes", codes, error)) return false;
-  return !*codes || std::ranges::all_of(**codes, [&](const std::string& code) { return check_code(code, error); });
-}
-
-bool read_selection(const toml::table& table, Selection* selection, std::string* error) {
-  if (!read_codes(table, "select", &selection->select, error) || !read_codes(table, "ignore", &selection->ignore, error) ||
-      !read_codes(table, "extend-select", &selection->extend_select, error)) {
-    return false;
-  }
-  const toml::node* node = table.get("severity");
-  if (node == nullptr) return true;
-  const toml::table* levels = node->as_table();
-  if (levels == nullptr) {
-    *error = fmt::format("line {}: `severity` is a table of codes and levels", node->source().begin.line);
-    return false;
-  }
-  for (const auto& [key, value] : *levels) {
-    const std::string code(key.str());
-    Severity severity{};
-    if (!check_code(code, error)) return false;
-    if (!severity_from_text(value.value_or(std::string()), &severity)) {
-      *error = fmt::format("line {}: the severity of `{}` is one of off, info, warning, error", value.source().begin.line, code);
-      return false;
-    }
-    selection->severity[code] = severity;
-  }
-  return true;
-}
 
 /// `select` replaces what was selected before; the others add to it.
 void apply(const Selection& selection, LintOptions* options) {
@@ -100,110 +27,51 @@ void apply(const Selection& selection, LintOptions* options) {
 
 }  // namespace
 
-struct Configuration::File {
-  std::string path;
-  std::string folder;
-  std::map<std::string, uint32_t, std::less<>> lines;  // of the keys
-  std::optional<std::string> ini, linuxcnc;
-  std::optional<std::vector<std::string>> sub_path;
-  bool find_ini = true;
-  std::optional<uint32_t> feature;
-  Selection base;
-  struct Override {
-    std::vector<std::string> patterns;
-    Selection selection;
-    uint32_t line;
-  };
-  std::vector<Override> overrides;
-};
-
-const Configuration::File* Configuration::load(const std::string& path, std::string* error) {
-  if (const auto known = files_.find(path); known != files_.end()) return known->second.get();
-  auto file = std::make_shared<File>();
-  std::error_code ignored;
-  file->folder = fs::absolute(path, ignored).parent_path().string();
-  toml::table table;
-  try {
-    table = toml::parse_file(path);
-  } catch (const toml::parse_error& problem) {
-    *error = fmt::format("{}: line {}: {}", path, problem.source().begin.line, problem.description());
-    return nullptr;
-  }
-  std::error_code outside;
-  file->path = fs::proximate(path, outside).string();
-  for (const auto& [key, value] : table) file->lines.emplace(key.str(), value.source().begin.line);
-  const auto text = [&](std::string_view key, std::optional<std::string>* value) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return true;
-    *value = node->value<std::string>();
-    if (!*value) *error = fmt::format("line {}: `{}` is a text in quotes", node->source().begin.line, key);
-    return value->has_value();
-  };
-  bool good = check_keys(table, kKeys, error) && text("ini", &file->ini) && text("linuxcnc", &file->linuxcnc) &&
-              read_list(table, "sub-path", "folders", &file->sub_path, error) && read_selection(table, &file->base, error);
-  if (const toml::node* node = table.get("find-ini"); good && node != nullptr) {
-    good = node->is_boolean();
-    if (!good) *error = fmt::format("line {}: `find-ini` is true or false", node->source().begin.line);
-    file->find_ini = node->value_or(true);
-  }
-  if (const toml::node* node = table.get("feature"); good && node != nullptr) {
-    if (const auto number = node->value<int64_t>(); number && *number >= 0) {
-      file->feature = static_cast<uint32_t>(*number);
-    } else {
-      file->feature = parse_mask(node->value_or(std::string()));
-    }
-    if (!file->feature) {
-      *error = fmt::format("line {}: `feature` is a number, as 32 or 0x20", node->source().begin.line);
-      good = false;
-    }
-  }
-  if (const toml::node* node = table.get("overrides"); good && node != nullptr) {
-    const toml::array* list = node->as_array();
-    good = list != nullptr && list->is_array_of_tables();
-    if (!good) *error = fmt::format("line {}: `overrides` is a list of tables, written `[[overrides]]`", node->source().begin.line);
-    for (size_t i = 0; good && i < list->size(); ++i) {
-      const toml::table& entry = *list->get(i)->as_table();
-      std::vector<std::string> patterns;
-      if (const toml::array* files = entry["files"].as_array()) {
-        for (const toml::node& pattern : *files) patterns.push_back(pattern.value_or(std::string()));
-      }
-      Selection selection;
-      good = check_keys(entry, kOverrideKeys, error) && read_selection(entry, &selection, error);
-      if (good && (patterns.empty() || std::ranges::find(patterns, "") != patterns.end())) {
-        *error = fmt::format("line {}: an override needs `files`, a list of patterns", entry.source().begin.line);
-        good = false;
-      }
-      file->overrides.push_back({std::move(patterns), std::move(selection), entry.source().begin.line});
-    }
-  }
-  if (good && file->linuxcnc && *file->linuxcnc != "all" && !version_from_text(*file->linuxcnc)) {
-    *error = fmt::format("`linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, all, not `{}`", *file->linuxcnc);
-    good = false;
-  }
-  if (!good) {
-    *error = path + ": " + *error;
-    return nullptr;
-  }
-  return files_.emplace(path, std::move(file)).first->second.get();
+std::shared_ptr<const ConfigurationFile> Configuration::load(const std::string& path, std::string* error) {
+  if (const auto known = files_.find(path); known != files_.end()) return known->second;
+  auto file = read_configuration_file(path, error);
+  if (file != nullptr) files_.emplace(path, file);
+  return file;
 }
 
-const Configuration::File* Configuration::nearest(const std::string& program, std::string* error) {
-  std::error_code ignored;
-  fs::path folder = fs::absolute(program, ignored).parent_path();
+std::string Configuration::nearest(const std::string& program) {
+  fs::path folder = folder_of(file_key(program));
   const std::string key = folder.string();
-  if (const auto known = nearest_.find(key); known != nearest_.end()) {
-    return known->second.empty() ? nullptr : load(known->second, error);
-  }
+  if (const auto known = nearest_.find(key); known != nearest_.end()) return known->second;
   std::string found;
   for (;; folder = folder.parent_path()) {
     for (const char* name : {"owlint.toml", ".owlint.toml"}) {
+      std::error_code ignored;
       if (fs::is_regular_file(folder / name, ignored)) found = (folder / name).string();
       if (!found.empty()) break;
     }
     if (!found.empty() || folder == folder.parent_path()) break;
   }
-  nearest_[key] = found;
-  return found.empty() ? nullptr : load(found, error);
+  return nearest_[key] = found;
+}
+
+std::shared_ptr<const ConfigurationFile> Configuration::file_for(const std::string& program, std::string* error) {
+  error->clear();
+  if (line_.config) return load(*line_.config, error);
+  const std::string path = line_.isolated ? std::string() : nearest(program);
+  return path.empty() ? nullptr : load(path, error);
+}
+
+Severity Configuration::fail_on(const std::string& path) {
+  Severity severity = Severity::kError;
+  if (line_.fail_on) {
+    severity_from_text(*line_.fail_on, &severity);
+    return severity;
+  }
+  std::string error;  // reported with the program
+  const auto file = file_for(path, &error);
+  return file == nullptr ? severity : file->fail_on.value_or(severity);
+}
+
+std::shared_ptr<const FilePatterns> Configuration::patterns_in(const std::string& folder) {
+  std::string error;  // reported with the programs in the folder
+  const auto file = file_for(folder + "/program.ngc", &error);
+  return file == nullptr ? nullptr : file->patterns;
 }
 
 bool Configuration::read_machine_ini(const std::string& path, Profile* profile, std::string* error) {
@@ -213,6 +81,10 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
     auto setup = read_setup(path, error, profile->sub_path);
     if (setup == nullptr) {
       *error = fmt::format("cannot read the INI {}: {}", path, *error);
+      return false;
+    }
+    if (!setup->ini.has_sections()) {
+      *error = fmt::format("{} is no INI of a machine: it has no [SECTION]", path);
       return false;
     }
     for (const Ini::Entry& missing : setup->ini.missing_includes()) {
@@ -250,6 +122,11 @@ std::vector<std::string> Configuration::machine_inis(const std::string& folder) 
 
 /// The one machine INI in the nearest folder above a program that has any.
 std::string Configuration::ini_above(const std::string& program) {
+  const auto near = [](const std::string& path) {  // seen from the working folder where it is below it
+    std::error_code ignored;
+    const std::string seen = fs::proximate(path, ignored).string();
+    return seen.starts_with("..") || seen == "." ? path : seen;
+  };
   std::vector<std::string> passed;
   std::string found;
   for (std::string folder(folder_of(file_key(program)));; folder = folder_of(folder)) {
@@ -261,11 +138,10 @@ std::string Configuration::ini_above(const std::string& program) {
     const std::vector<std::string> candidates = machine_inis(folder);
     if (candidates.size() == 1) {
       found = candidates[0];
-      std::error_code ignored;
-      const std::string near = fs::proximate(found, ignored).string();
-      notes_.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", near.starts_with("../") ? found : near));
+      used_inis_.push_back(near(found));
     } else if (candidates.size() > 1) {
-      notes_.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", candidates.size(), folder));
+      if (undecided_.empty()) first_undecided_ = candidates.size();
+      undecided_.push_back(near(folder));
     }
     if (!candidates.empty() || folder == "/") break;
   }
@@ -273,12 +149,32 @@ std::string Configuration::ini_above(const std::string& program) {
   return found;
 }
 
+std::vector<std::string> Configuration::notes() const {
+  const auto some = [](const std::vector<std::string>& names) {
+    const size_t most = 3;
+    const std::string text = fmt::format("{}", fmt::join(names | std::views::take(most), ", "));
+    return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
+  };
+  std::vector<std::string> notes = notes_;
+  if (used_inis_.size() == 1) {
+    notes.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", used_inis_[0]));
+  } else if (used_inis_.size() > 1) {
+    notes.push_back(fmt::format("using {} machine INIs, each for the programs in and below its folder: {} (--no-find-ini turns this off)", used_inis_.size(), some(used_inis_)));
+  }
+  if (undecided_.size() == 1) {
+    notes.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", first_undecided_, undecided_[0]));
+  } else if (undecided_.size() > 1) {
+    notes.push_back(fmt::format("{} folders have several machine INIs each, and none of these is used: {}; choose one with --ini, or with `ini` in an owlint.toml there", undecided_.size(), some(undecided_)));
+  }
+  return notes;
+}
+
 std::string Configuration::shown_path(const std::string& path, const std::string& program) const {
   std::error_code ignored;
   return line_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
 }
 
-bool Configuration::find_sub_path(const File* file, const std::string& program, Settings* settings, std::string* error) const {
+bool Configuration::find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings, std::string* error) const {
   std::vector<std::string>& folders = settings->profile.sub_path;
   const auto add = [&](const std::string& path, const std::string& from) {
     std::error_code problem;
@@ -295,7 +191,7 @@ bool Configuration::find_sub_path(const File* file, const std::string& program, 
   }
   for (const std::string& folder : file != nullptr && file->sub_path ? *file->sub_path : std::vector<std::string>()) {
     const std::string path = (fs::path(file->folder) / expand_home(folder)).string();
-    if (!add(shown_path(path, program), fmt::format("{}:{}", file->path, file->lines.find("sub-path")->second))) return false;
+    if (!add(shown_path(path, program), file->place_of("sub-path"))) return false;
   }
   return true;
 }
@@ -305,20 +201,14 @@ std::shared_ptr<const Settings> Configuration::shared_settings(const std::string
   if (last_shared_ != nullptr && folder == last_folder_) return last_shared_;
   auto settings = std::make_shared<Settings>();
   if (!settings_for(path, settings.get(), error)) return nullptr;
-  const File* file = line_.config ? load(*line_.config, error) : line_.isolated ? nullptr : nearest(path, error);
+  const auto file = file_for(path, error);
   last_folder_ = folder;
   last_shared_ = file == nullptr || file->overrides.empty() ? settings : nullptr;
   return settings;
 }
 
 bool Configuration::settings_for(const std::string& path, Settings* settings, std::string* error) {
-  const File* file = nullptr;
-  error->clear();
-  if (line_.config) {
-    file = load(*line_.config, error);
-  } else if (!line_.isolated) {
-    file = nearest(path, error);
-  }
+  const auto file = file_for(path, error);
   if (!error->empty()) return false;
 
   const auto note = [&](std::string_view key, const std::string& value, const std::string& from) {
@@ -334,7 +224,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     codes("ignore", selection.ignore);
     for (const auto& [code, level] : selection.severity) note("severity." + code, std::string(severity_text(level)), where("severity"));
   };
-  const auto line_of = [&](std::string_view key) { return fmt::format("{}:{}", file->path, file->lines.find(key)->second); };
+  const auto line_of = [&](std::string_view key) { return file->place_of(key); };
   std::optional<std::string> ini = line_.ini;
   if (ini && line_.absolute) ini = file_key(*ini);
   if (ini) note("ini", *ini, "command line");
@@ -353,12 +243,15 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     if (file->feature) note("feature", fmt::format("{:#x}", *file->feature), line_of("feature"));
     if (!file->find_ini) note("find-ini", "false", line_of("find-ini"));
     note_selection(file->base, line_of);
+    if (file->fail_on) note("fail-on", std::string(severity_text(*file->fail_on)), line_of("fail-on"));
+    if (file->exclude) note("exclude", fmt::format("{}", fmt::join(*file->exclude, " ")), line_of("exclude"));
+    if (file->include) note("include", fmt::format("{}", fmt::join(*file->include, " ")), line_of("include"));
     profile.feature = file->feature;
     apply(file->base, &options);
     std::error_code ignored;
     const std::string relative = fs::absolute(path, ignored).lexically_relative(file->folder).string();
-    for (const File::Override& entry : file->overrides) {
-      if (std::ranges::any_of(entry.patterns, [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {
+    for (const ConfigurationFile::Override& entry : file->overrides) {
+      if (std::ranges::any_of(entry.files, [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {
         apply(entry.selection, &options);
         note_selection(entry.selection, [&](const char*) { return fmt::format("{}:{} [[overrides]]", file->path, entry.line); });
       }
@@ -379,11 +272,11 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   if (line_.feature) {
     profile.feature = parse_mask(*line_.feature);
     if (!profile.feature) {
-      *error = fmt::format("`--feature {}` is not a number, as 32 or 0x20", *line_.feature);
+      *error = fmt::format("--feature: `{}` is not a number, as 32 or 0x20", *line_.feature);
       return false;
     }
   }
-  if (!find_sub_path(file, path, settings, error)) return false;
+  if (!find_sub_path(file.get(), path, settings, error)) return false;
   if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
     if (const std::string above = ini_above(path); !above.empty()) {
       ini = shown_path(above, path);
@@ -392,30 +285,33 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   }
   if (ini && !read_machine_ini(*ini, &profile, error)) return false;
 
-  for (const auto* codes : {&line_.select, &line_.extend_select, &line_.ignore}) {
-    for (const std::string& code : *codes) {
-      if (!check_code(code, error)) return false;
+  Selection given;
+  const auto take = [&](std::vector<std::string> codes, std::optional<std::vector<std::string>>* into) {
+    if (codes.empty()) return true;
+    for (std::string& code : codes) {
+      if (!take_code(&code, error)) return false;
     }
-  }
-  const Selection given{line_.select.empty() ? std::nullopt : std::optional(line_.select), line_.ignore.empty() ? std::nullopt : std::optional(line_.ignore),
-                        line_.extend_select.empty() ? std::nullopt : std::optional(line_.extend_select), {}};
+    *into = std::move(codes);
+    return true;
+  };
+  if (!take(line_.select, &given.select) || !take(line_.extend_select, &given.extend_select) || !take(line_.ignore, &given.ignore)) return false;
   note_selection(given, [](const char*) { return "command line"; });
   if (line_.linuxcnc) note("linuxcnc", *line_.linuxcnc, "command line");
   if (line_.feature) note("feature", *line_.feature, "command line");
-  if (!line_.select.empty()) options.select = line_.select;
-  for (const std::string& code : line_.extend_select) options.extend_select.push_back(code);
-  for (const std::string& code : line_.ignore) options.ignore.push_back(code);
+  if (line_.fail_on) note("fail-on", *line_.fail_on, "command line");
+  apply(given, &options);
   for (const std::string& text : line_.severity) {
     const size_t equals = text.find('=');
     Severity severity{};
     if (equals == std::string::npos || !severity_from_text(text.substr(equals + 1), &severity)) {
-      *error = fmt::format("`--severity {}`: write CODE=LEVEL, with a level of off, info, warning, error", text);
+      *error = fmt::format("--severity: `{}` is no CODE=LEVEL, with a level of off, info, warning, error", text);
       return false;
     }
-    if (!check_code(text.substr(0, equals), error)) return false;
-    options.severity[text.substr(0, equals)] = severity;
+    std::string code = text.substr(0, equals);
+    if (!take_code(&code, error)) return false;
+    options.severity[code] = severity;
     // Giving an info rule a severity asks for it.
-    if (severity != Severity::kOff) options.extend_select.push_back(text.substr(0, equals));
+    if (severity != Severity::kOff) options.extend_select.push_back(code);
   }
   return true;
 }

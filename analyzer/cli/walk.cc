@@ -11,6 +11,7 @@
 #include <ctime>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <unordered_set>
@@ -18,7 +19,6 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "analyzer/cli/ignore.h"
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/source.h"
 
@@ -47,6 +47,52 @@ bool has_program_ending(std::string_view name) {
 
 using FileId = std::pair<dev_t, ino_t>;
 
+/// Patterns, and how a path that is walked looks from the folder that they are seen from.
+class View {
+ public:
+  View(std::shared_ptr<const FilePatterns> patterns, const std::string& root) : patterns_(std::move(patterns)), prefix_(root.size()) {
+    const std::string from = fs::path(file_key(root.empty() ? "." : root)).lexically_relative(patterns_->folder).string();
+    if (from != ".") lead_ = from.ends_with('/') ? from : from + '/';
+  }
+
+  std::optional<bool> excludes(std::string_view path, bool folder) const { return decide(patterns_->exclude, path, folder); }
+  /// Whether a file or one of the folders that it lies in is left out.
+  bool excludes_from_above(std::string_view file) const {
+    const std::string path = lead_ + std::string(file.substr(prefix_));
+    for (size_t slash = path.find('/'); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+      if (patterns_->exclude.decide(path.substr(0, slash), true).value_or(false)) return true;
+    }
+    return patterns_->exclude.decide(path, false).value_or(false);
+  }
+  bool includes(std::string_view path) const { return decide(patterns_->include, path, false).value_or(false); }
+
+ private:
+  std::optional<bool> decide(const IgnorePatterns& patterns, std::string_view path, bool folder) const {
+    if (patterns.empty()) return std::nullopt;
+    return patterns.decide(lead_ + std::string(path.substr(prefix_)), folder);
+  }
+
+  std::shared_ptr<const FilePatterns> patterns_;
+  std::string lead_;  // from the folder of the patterns to the one that is walked
+  size_t prefix_;     // of a path: the folder that is walked, with the slash
+};
+
+/// All that hold in a folder.
+struct Views {
+  std::vector<View> given;         ///< by options: they decide first
+  std::optional<View> configured;
+
+  std::optional<bool> excludes(std::string_view path, bool folder) const {
+    for (const View& view : given) {
+      if (const auto decided = view.excludes(path, folder)) return decided;
+    }
+    return configured ? configured->excludes(path, folder) : std::nullopt;
+  }
+  bool includes(std::string_view path) const {
+    return std::ranges::any_of(given, [&](const View& view) { return view.includes(path); }) || (configured && configured->includes(path));
+  }
+};
+
 /// What the ignore files of a folder say, and of those above it.
 struct Ignored {
   std::shared_ptr<const Ignored> above;
@@ -63,7 +109,20 @@ struct Ignored {
 
 struct Folder {
   std::string path;  ///< with a slash at its end, empty for the working folder
+  std::shared_ptr<const Views> views;
   std::shared_ptr<const Ignored> ignored;
+
+  bool takes(const std::string& file, bool is_folder) const {
+    if (const auto decided = views->excludes(file, is_folder)) return !*decided;
+    return ignored == nullptr || !ignored->leaves_out(file, is_folder);
+  }
+};
+
+bool is_program(const std::string& file, const Views& views) { return has_program_ending(std::string_view(file).substr(file.rfind('/') + 1)) || views.includes(file); }
+
+struct Link {
+  std::string path;
+  std::shared_ptr<const Views> views;
 };
 
 /// What is in one folder.
@@ -71,29 +130,44 @@ struct Content {
   std::optional<FileId> id;
   std::vector<WalkedFile> files;
   std::vector<Folder> folders;
-  std::vector<std::string> links;
+  std::vector<Link> links;
   std::string problem;
   std::string without_ini;  ///< the folder's file_key, where it has no *.ini
+};
+
+/// The names in a folder that matter.
+struct Listing {
+  struct Entry {
+    std::string name;
+    unsigned char type;
+  };
+  std::vector<Entry> entries;
+  bool has_ini = false, has_ignore_file = false, has_configuration = false;
+
+  void add(const dirent& entry) {
+    const std::string_view name(static_cast<const char*>(entry.d_name));
+    if (name.ends_with(".ini")) has_ini = true;
+    if (name == ".gitignore" || name == ".owlintignore") has_ignore_file = true;
+    if (name == "owlint.toml" || name == ".owlint.toml") has_configuration = true;
+    if (!name.starts_with('.')) entries.push_back({std::string(name), entry.d_type});
+  }
 };
 
 /// Walks one tree after the other, the folders of a level over all cores; remembers what it has seen.
 class Walker {
  public:
-  Walker(const WalkOptions& options, Walk& out) : options_(options), out_(out) {
-    for (const std::string& pattern : options.exclude) excluded_.add(pattern);
-    for (const std::string& pattern : options.include) included_.add(pattern);
-  }
+  Walker(const WalkOptions& options, const PatternsIn& patterns, Walk& out) : options_(options), patterns_(patterns), out_(out) {}
 
   void tree(const std::string& root) {
     const size_t before = out_.files.size();
     walk_tree(root);
     // Links come after everything that is no link, so that a program is known by its own path.
     for (size_t next = 0; next < links_.size(); ++next) {
-      const std::string link = links_[next];
+      const Link link = links_[next];
       struct stat info {};
-      if (::stat(link.c_str(), &info) != 0) continue;  // it leads nowhere
+      if (::stat(link.path.c_str(), &info) != 0) continue;  // it leads nowhere
       if (S_ISDIR(info.st_mode)) {
-        if (options_.follow_links) walk_tree(link);
+        if (options_.follow_links) walk_tree(link.path);
       } else if (S_ISREG(info.st_mode)) {
         add_linked(link, info);
       }
@@ -101,17 +175,44 @@ class Walker {
     links_.clear();
     // Folder by folder they are nearly in order: merging is faster than partitioning.
     std::ranges::stable_sort(out_.files.begin() + static_cast<std::ptrdiff_t>(before), out_.files.end(), {}, &WalkedFile::path);
-    if (out_.files.size() == before) out_.empty.push_back(root);
+    if (out_.files.size() == before && !options_.allow_empty) {
+      out_.problems.push_back("no programs in " + root + " (*.ngc *.nc *.tap *.cnc *.gcode); `--include` takes other names, and `--allow-empty` a folder without any");
+    }
+  }
+
+  /// Whether a file that is named is excluded, by options or by its configuration.
+  bool excludes(const std::string& file) {
+    const std::string folder = file.substr(0, file.rfind('/') + 1);
+    const auto views = views_in(folder, given_views(folder));
+    return std::ranges::any_of(views->given, [&](const View& view) { return view.excludes_from_above(file); }) ||
+           (views->configured && views->configured->excludes_from_above(file));
   }
 
  private:
+  /// What holds in a folder with a configuration of its own, or in the one that is walked.
+  std::shared_ptr<const Views> views_in(const std::string& folder, std::vector<View> given) {
+    auto views = std::make_shared<Views>(Views{std::move(given), std::nullopt});
+    const std::lock_guard lock(asking_);
+    if (auto patterns = patterns_ ? patterns_(folder.empty() ? "." : folder) : nullptr) views->configured.emplace(std::move(patterns), folder);
+    return views;
+  }
+
+  /// The patterns of the options, as they are seen from the folder that is walked and from the working folder.
+  std::vector<View> given_views(const std::string& root) const {
+    if (options_.exclude.empty() && options_.include.empty()) return {};
+    FilePatterns given{file_key("."), {}, {}};
+    for (const std::string& pattern : options_.exclude) given.exclude.add(pattern);
+    for (const std::string& pattern : options_.include) given.include.add(pattern);
+    FilePatterns below = given;
+    below.folder = file_key(root.empty() ? "." : root);
+    return {View(std::make_shared<FilePatterns>(std::move(below)), root), View(std::make_shared<FilePatterns>(std::move(given)), root)};
+  }
+
   void walk_tree(const std::string& root) {
     std::string path = fs::path(root).lexically_normal().string();
     if (path == "." || path == "./") path.clear();
     if (!path.empty() && !path.ends_with('/')) path += '/';
-    std::shared_ptr<const Ignored> ignored;
-    if (!excluded_.empty()) ignored = std::make_shared<Ignored>(Ignored{nullptr, path.size(), excluded_});
-    std::vector<Folder> level = {{path, ignored}};
+    std::vector<Folder> level = {{path, views_in(path, given_views(path)), nullptr}};
     while (!level.empty()) {
       std::vector<Content> contents(level.size());
       for_each(level.size(), [&](size_t i) { contents[i] = read(level[i]); });
@@ -127,7 +228,7 @@ class Walker {
     }
   }
 
-  Content read(const Folder& folder) const {
+  Content read(Folder folder) {
     Content content;
     DIR* const open = ::opendir(folder.path.empty() ? "." : folder.path.c_str());
     if (open == nullptr) {
@@ -136,71 +237,65 @@ class Walker {
     }
     struct stat info {};
     if (::fstat(::dirfd(open), &info) == 0) content.id = {info.st_dev, info.st_ino};
-    const std::shared_ptr<const Ignored> ignored = options_.ignore_files ? ignored_in(folder, ::dirfd(open)) : folder.ignored;
-    bool has_ini = false;
-    while (const dirent* entry = ::readdir(open)) {
-      has_ini = has_ini || std::string_view(static_cast<const char*>(entry->d_name)).ends_with(".ini");
-      take(folder, ignored, ::dirfd(open), *entry, &content);
-    }
+    Listing listing;
+    while (const dirent* entry = ::readdir(open)) listing.add(*entry);
+    if (listing.has_ignore_file && options_.ignore_files) folder.ignored = ignored_in(folder);
+    if (listing.has_configuration) folder.views = views_in(folder.path, folder.views->given);
+    for (const Listing::Entry& entry : listing.entries) take(folder, ::dirfd(open), entry, &content);
     ::closedir(open);
-    if (!has_ini) content.without_ini = file_key(folder.path.size() > 1 ? folder.path.substr(0, folder.path.size() - 1) : folder.path.empty() ? "." : folder.path);
+    if (!listing.has_ini) content.without_ini = file_key(folder.path.size() > 1 ? folder.path.substr(0, folder.path.size() - 1) : folder.path.empty() ? "." : folder.path);
     return content;
   }
 
-  void take(const Folder& folder, const std::shared_ptr<const Ignored>& ignored, int fd, const dirent& entry, Content* content) const {
-    const std::string_view name(static_cast<const char*>(entry.d_name));
-    if (name.starts_with('.')) return;
-    unsigned char type = entry.d_type;
+  static void take(const Folder& folder, int fd, const Listing::Entry& entry, Content* content) {
+    unsigned char type = entry.type;
     struct stat info {};
     if (type == DT_UNKNOWN) {  // some file systems do not say
-      if (::fstatat(fd, entry.d_name, &info, AT_SYMLINK_NOFOLLOW) != 0) return;
+      if (::fstatat(fd, entry.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) return;
       type = S_ISDIR(info.st_mode) ? DT_DIR : S_ISLNK(info.st_mode) ? DT_LNK : S_ISREG(info.st_mode) ? DT_REG : DT_UNKNOWN;
     }
-    if (type == DT_REG && !is_program(name)) return;
     if (type != DT_REG && type != DT_DIR && type != DT_LNK) return;
-    std::string path = folder.path + std::string(name);
-    if (ignored != nullptr && ignored->leaves_out(path, type == DT_DIR)) return;
+    std::string path = folder.path + entry.name;
+    if (type == DT_REG && !is_program(path, *folder.views)) return;
+    if (!folder.takes(path, type == DT_DIR)) return;
     if (type == DT_DIR) {
-      content->folders.push_back({path + '/', ignored});
+      content->folders.push_back({path + '/', folder.views, folder.ignored});
     } else if (type == DT_LNK) {
-      content->links.push_back(std::move(path));
-    } else if (::fstatat(fd, entry.d_name, &info, AT_SYMLINK_NOFOLLOW) == 0) {
+      content->links.push_back({std::move(path), folder.views});
+    } else if (::fstatat(fd, entry.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0) {
       content->files.push_back({std::move(path), stamp(info), static_cast<uint64_t>(info.st_size)});
     }
   }
 
-  static std::shared_ptr<const Ignored> ignored_in(const Folder& folder, int fd) {
+  static std::shared_ptr<const Ignored> ignored_in(const Folder& folder) {
     IgnorePatterns patterns;
     for (const char* name : {".gitignore", ".owlintignore"}) {
       std::string error;
-      if (::faccessat(fd, name, F_OK, 0) != 0) continue;
       if (const auto file = Source::map(folder.path + name, &error)) patterns.add(file->bytes());
     }
     if (patterns.empty()) return folder.ignored;
     return std::make_shared<Ignored>(Ignored{folder.ignored, folder.path.size(), std::move(patterns)});
   }
 
-  bool is_program(std::string_view name) const { return has_program_ending(name) || (!included_.empty() && included_.decide(name, false).value_or(false)); }
-
-  void add_linked(const std::string& link, const struct stat& info) {
-    const std::string_view name = std::string_view(link).substr(link.rfind('/') + 1);
-    if (!is_program(name)) return;
+  void add_linked(const Link& link, const struct stat& info) {
+    if (!is_program(link.path, *link.views)) return;
     // A link to a program that is walked itself says nothing new, unless it is called by the link's name.
     if (options_.follow_links) {
       std::error_code problem;
-      const std::string target = fs::canonical(link, problem).string();
+      const std::string target = fs::canonical(link.path, problem).string();
       if (known_.empty()) {
         for (const WalkedFile& file : out_.files) known_.insert(fs::weakly_canonical(file_key(file.path), problem).string());
       }
       if (!known_.insert(target).second) return;
     }
-    out_.files.push_back({link, stamp(info), static_cast<uint64_t>(info.st_size)});
+    out_.files.push_back({link.path, stamp(info), static_cast<uint64_t>(info.st_size)});
   }
 
   const WalkOptions& options_;
+  const PatternsIn& patterns_;
+  std::mutex asking_;
   Walk& out_;
-  IgnorePatterns excluded_, included_;
-  std::vector<std::string> links_;
+  std::vector<Link> links_;
   std::set<FileId> folders_;
   std::unordered_set<std::string> known_;  // where links to files lead, and what is no link
 };
@@ -212,14 +307,14 @@ uint64_t stamp_of(const std::string& path) {
   return ::stat(path.c_str(), &info) == 0 ? stamp(info) : 0;
 }
 
-Walk walk(const std::vector<std::string>& paths, const WalkOptions& options) {
+Walk walk(const std::vector<std::string>& paths, const WalkOptions& options, const PatternsIn& patterns) {
   Walk out;
-  Walker walker(options, out);
+  Walker walker(options, patterns, out);
   for (const std::string& path : paths) {
     std::error_code problem;
     if (path != "-" && fs::is_directory(path, problem)) {
       walker.tree(path);
-    } else {
+    } else if (path == "-" || !options.force_exclude || !walker.excludes(path)) {
       struct stat info {};
       const bool there = path != "-" && ::stat(path.c_str(), &info) == 0;
       out.files.push_back({path, there ? stamp(info) : 0, there ? static_cast<uint64_t>(info.st_size) : 0});

@@ -1,5 +1,5 @@
 // Findings that are known and accepted for now: a shop with old programs begins with these, and only new ones are reported.
-// The file is JSON, sorted, a finding an entry, so that people can read what changes in it (share/owlint-baseline-1.schema.json).
+// The file is sorted JSON with an entry for each finding, so that people can read changes in it (share/owlint-baseline-1.schema.json).
 #pragma once
 
 #include <map>
@@ -14,14 +14,14 @@ namespace owlint {
 
 class Baseline {
  public:
-  /// False and a message where the file is not there or is not a baseline.
+  /// Returns false and a message if the file does not exist or is not a baseline.
   bool read(const std::string& path, std::string* error);
   void write(std::ostream& out) const;
 
   void add(const Source& source, const std::vector<Finding>& findings);
-  /// Takes out the findings of a file that are known; how many that were. What is known once is taken out once.
+  /// Removes the known findings of a file, and returns how many. A finding that is known once is removed once.
   size_t take_out(const Source& source, std::vector<Finding>& findings);
-  /// Of the files that take_out() has seen, how many entries no finding was for.
+  /// How many entries for files that take_out() has seen had no finding.
   size_t gone() const;
 
  private:

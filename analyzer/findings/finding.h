@@ -21,7 +21,7 @@ bool severity_from_text(std::string_view text, Severity* severity);
 
 std::string_view reach_text(Reach reach);
 
-/// Another place that belongs to a finding.
+/// Another line that a finding is about.
 struct Related {
   Span span;
   std::string message;
@@ -41,7 +41,7 @@ struct Fix {
   bool if_all_stop = false;  ///< safe only where every run stops at the finding: skipped, the line was no O-word before
 };
 
-/// Another stop of the interpreter that the same mistake leads to, on other runs. Not a finding of its own.
+/// Another stop that the same mistake causes, on other runs. Not a finding of its own.
 struct Consequence {
   std::string_view code;
   Span span;
@@ -53,20 +53,24 @@ struct Finding {
   std::string_view rule;
   Severity severity = Severity::kWarning;
   Span span;                 ///< bytes of the file
-  std::shared_ptr<const Source> source;  ///< the file, where it is another one than the report's
+  std::shared_ptr<const Source> source;  ///< the file, if it is not the report's
   std::string scope;         ///< the sub and the block that its line belongs to, `o<probe> o100`; empty in the main program
-  std::string message;       ///< what was seen; lower case, no full stop
+  std::string message;       ///< what is wrong; lower case, no full stop
   std::string help;          ///< how to fix it; may be empty
   std::string interpreter;   ///< the message that LinuxCNC prints; may be empty
   Reach reach = Reach::kMaybe;
   bool stops = false;        ///< the interpreter stops here with this error on some path
   bool unproven = false;     ///< it may not happen on the real machine: never more than a warning
   bool never_ends = false;   ///< it hangs or crashes here on some path
+  bool runs_other = false;   ///< on some path other lines run here than those that are written
+  bool remark = false;       ///< true, but nothing that an author has to change: info, and off unless its code is selected
   std::vector<Related> related;
-  std::vector<Related> path;  ///< the branch outcomes that lead here; shown behind `related`
+  std::vector<Related> path;  ///< the branch outcomes that lead here, or the line that keeps every run away; shown behind `related`
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
-  std::vector<std::string> versions;  ///< the LinuxCNC versions that it is about, where not all that were asked for
+  std::string group;         ///< findings of one rule and group, wherever they are in a run, are one mistake: see cli/groups.h
+  std::string block_delete;  ///< `on` or `off` if it is about runs with that setting only; empty: both
+  std::vector<std::string> versions;  ///< the LinuxCNC versions that have it, if not all that were checked
 };
 
 }  // namespace owlint

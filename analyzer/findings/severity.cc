@@ -25,10 +25,14 @@ Severity decide_severity(const Finding& finding, Severity level, bool abort_list
   Severity severity = level;
   if (abort_list && policy.warn_only && !finding.stops) {
     severity = Severity::kWarning;
-  } else if (finding.stops || finding.never_ends) {
+  } else if (finding.stops || finding.never_ends || finding.runs_other) {
     severity = finding.unproven ? Severity::kWarning : Severity::kError;
   } else if (level == Severity::kError) {
     severity = Severity::kWarning;  // the mistake is there, but no run meets it
+  }
+  if (finding.remark) {
+    const bool wanted = std::ranges::any_of(policy.selected, [&](const std::string& prefix) { return finding.code.starts_with(prefix); });
+    severity = wanted ? Severity::kInfo : Severity::kOff;
   }
   size_t longest = 0;
   for (const auto& [prefix, chosen] : policy.overrides) {

@@ -16,14 +16,15 @@ struct Word {
   Span span;
 };
 
-/// Words up to `--`, separated by blanks and commas.
+/// Words up to `--`, separated by blanks and punctuation.
 std::vector<Word> words_of(std::string_view text, uint64_t offset) {
   std::vector<Word> words;
+  constexpr std::string_view kBetween = " \t\r,;:";
   size_t at = 0;
   while (at < text.size()) {
-    const size_t from = text.find_first_not_of(" \t\r,", at);
+    const size_t from = text.find_first_not_of(kBetween, at);
     if (from == std::string_view::npos) break;
-    size_t to = text.find_first_of(" \t\r,", from);
+    size_t to = text.find_first_of(kBetween, from);
     if (to == std::string_view::npos) to = text.size();
     const std::string_view word = text.substr(from, to - from);
     if (word.starts_with("--")) break;
@@ -35,7 +36,7 @@ std::vector<Word> words_of(std::string_view text, uint64_t offset) {
 
 }  // namespace
 
-std::vector<Suppression> parse_suppressions(const Source& source, Span words, uint32_t line, bool own_line) {
+std::vector<Suppression> parse_suppressions(const Source& source, Span words, uint32_t line, bool own_line, const CodeOf& code_of) {
   std::vector<Suppression> out;
   const std::vector<Word> list = words_of(source.slice(words), words.begin);
   Suppression base;
@@ -49,10 +50,11 @@ std::vector<Suppression> parse_suppressions(const Source& source, Span words, ui
   if (list[0].text == "ignore") base.line = own_line ? line + 1 : line;
   if (list.size() == 1) out.push_back(base);  // everything
   for (size_t i = 1; i < list.size(); ++i) {
+    std::optional<std::string> code = code_of(list[i].text, i == 1);
+    if (!code) break;  // the reason
     Suppression one = base;
     one.span = list[i].span;
-    one.code = std::string(list[i].text);
-    std::ranges::transform(one.code, one.code.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    one.code = std::move(*code);
     out.push_back(std::move(one));
   }
   return out;

@@ -60,6 +60,12 @@ std::string whole_message(const Finding& finding, std::string_view separator) {
   return text;
 }
 
+std::vector<Related> related_lines(const Finding& finding) {
+  std::vector<Related> lines = finding.related;
+  if (finding.reach == Reach::kNever) lines.insert(lines.end(), finding.path.begin(), finding.path.end());
+  return lines;
+}
+
 const Source& source_of(const FileReport& file, const Finding& finding) { return finding.source == nullptr ? *file.source : *finding.source; }
 
 }  // namespace owlint

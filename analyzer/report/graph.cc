@@ -115,7 +115,7 @@ Drawing draw(const Linked& linked) {
       }
       out.links.push_back({scope_id(f, call.caller), std::move(to), fmt::format("line {}", p.at(call.statement).line), true});
     }
-    // What stands outside of a called file's subs is not run; it is drawn only where something leads there.
+    // Lines outside the subs of a called file do not run; they are drawn only if something leads there.
     if (f > 0) {
       const bool used = std::ranges::any_of(out.links, [&](const Link& link) { return link.from == file.scopes[0].node.id || link.to == file.scopes[0].node.id; });
       if (!used && file.scopes.size() > 1) file.scopes.erase(file.scopes.begin());

@@ -1,4 +1,4 @@
-// The block graph of a program and the call graph of all files that it calls, for other tools and for the eye.
+// The block graph of a program and the call graph of all files that it calls, for other tools and for people.
 #pragma once
 
 #include <ostream>
@@ -14,7 +14,7 @@ namespace owlint {
 void write_graph_dot(std::ostream& out, const Linked& linked, const std::vector<Finding>& findings);
 void write_graph_mermaid(std::ostream& out, const Linked& linked);
 void write_graph_json(std::ostream& out, const Linked& linked);
-/// Drawn by Graphviz. Returns what went wrong, or nothing.
+/// Drawn by Graphviz. Returns an error message, or nothing.
 std::string write_graph_svg(std::ostream& out, const Linked& linked, const std::vector<Finding>& findings);
 
 }  // namespace owlint

@@ -58,6 +58,7 @@ Json finding_json(const Source& source, const Finding& f) {
       json["consequences"].push_back(std::move(entry));
     }
   }
+  if (!f.block_delete.empty()) json["block_delete"] = f.block_delete;
   if (!f.versions.empty()) json["versions"] = f.versions;
   return json;
 }

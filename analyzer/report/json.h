@@ -1,4 +1,4 @@
-// A finding as owlint-report-1 has it; see share/owlint-report-1.schema.json.
+// A finding in the form of owlint-report-1; see share/owlint-report-1.schema.json.
 #pragma once
 
 #include <nlohmann/json.hpp>

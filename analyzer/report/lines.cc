@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/report/formats.h"
+#include "analyzer/text/width.h"
 
 namespace owlint {
 namespace {
@@ -29,7 +30,8 @@ void write_grouped(std::ostream& out, const Reports& files, const ReportStyle& s
     out << fmt::format("{}{}{}\n", bold, shown_path(*file.source, style), reset);
     for (const Finding& f : file.findings) {
       const Position at = source_of(file, f).position(f.span.begin);
-      out << fmt::format("  {:>5}:{:<3} {:<7} {}  {}\n", at.line, at.column, severity_text(f.severity), f.code, printable(f.message));
+      const std::string row = fmt::format("  {:>5}:{:<3} {:<7} {}  {}", at.line, at.column, severity_text(f.severity), f.code, printable(f.message));
+      out << wrapped(row, style.width, "        ") << '\n';
     }
     out << '\n';
   }

@@ -13,17 +13,18 @@ namespace fs = std::filesystem;
 std::string rule_page(const Rule& rule) {
   const Page& page = rule.page;
   std::string out = fmt::format("# {} {}\n\n{}.\n\n{} · {}{}\n\n{}\n\n{}\n", rule.code, rule.name, rule.summary, group_title(rule.group), severity_text(rule.level),
-                                rule.level == Severity::kInfo ? ", off unless selected" : "", page.what, page.why);
+                                rule.level == Severity::kInfo ? ", off unless you select it" : "", page.what, page.why);
   if (!page.interpreter.empty()) out += fmt::format("\nLinuxCNC says: `{}`\n", page.interpreter);
   const auto goes = [](std::string_view to) { return to.empty() ? std::string() : fmt::format("\nThe last rapid move goes to **{}**.\n", to); };
   out += fmt::format("\n## Found here{}\n\n```\n{}```\n{}\n## Use instead\n\n```\n{}```\n{}\n{}\n",
                      page.options.empty() ? "" : fmt::format(" with `{}`", page.options), page.bad, goes(page.moves), page.good, goes(page.moves_good), page.fix);
-  out += fmt::format("\nTo suppress it: `(owlint: ignore {} -- reason)` on the line before.\n", rule.code);
+  out += fmt::format("\nTo suppress this finding, write `(owlint: ignore {} -- reason)` on the line before.\n", rule.code);
+  out += fmt::format("\n## Level\n\n{}\n", page.level_reason);
   return out;
 }
 
 std::string rule_index() {
-  std::string out = "# Rules\n\nMade from the catalogue that owlint works with; `owlint explain OW104` tells the same on the command line.\n";
+  std::string out = "# Rules\n\nGenerated from owlint's own list of rules. `owlint explain OW104` shows the same page on the command line.\n";
   std::string_view group;
   for (const Rule* rule : catalogue()) {
     if (group_title(rule->group) != group) {

@@ -12,10 +12,10 @@ std::string rule_page(const Rule& rule);
 /// The rules by group, each with a link to its page.
 std::string rule_index();
 
-/// Writes one page a rule, `OW104.md`, and the index `README.md` into a folder that is made if needed. False and a message if that fails.
+/// Writes one page for each rule, `OW104.md`, and the index `README.md` into a folder, which is made if needed. Returns false and a message on failure.
 bool write_rule_pages(const std::string& folder, std::string* error);
 
-/// Where the page of a rule is installed beside this program; empty if it is not.
+/// Where the page of a rule is installed with this program; empty if it is not.
 std::string installed_rule_page(std::string_view code);
 
 }  // namespace owlint

@@ -26,7 +26,7 @@ Json diagnostic(const FileReport& file, const Finding& f, const ReportStyle& sty
     if (fix.edits.size() != 1) continue;  // a suggestion is one replacement
     out["suggestions"].push_back({{"range", range(source, fix.edits[0].span)}, {"text", printable_text(fix.edits[0].text)}});
   }
-  for (const Related& related : f.related) {
+  for (const Related& related : related_lines(f)) {
     const Source& place = related.source == nullptr ? source : *related.source;
     out["relatedLocations"].push_back({{"message", printable(related.message)}, {"location", {{"path", json_path(place, style)}, {"range", range(place, related.span)}}}});
   }

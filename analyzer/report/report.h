@@ -1,4 +1,4 @@
-// Findings to output. Every format writes to a stream; nothing here decides anything.
+// Writes findings. Every format writes to a stream; nothing here decides anything.
 #pragma once
 
 #include <ostream>
@@ -29,10 +29,10 @@ std::string summary_text(const Summary& summary);
 
 /// `owlint-report-1`, see share/owlint-report-1.schema.json.
 void write_json(std::ostream& out, const std::vector<FileReport>& files);
-/// One finding an object, one object a line, with its `path`.
+/// One object for each finding, on a line of its own, with its `path`.
 void write_jsonl(std::ostream& out, const FileReport& file);
 
-/// How often each rule was found, most often first; how many files were parsed, and how often called.
+/// The number of findings by rule, the largest first; how many files were parsed, and how often called.
 void write_statistics(std::ostream& out, const std::vector<FileReport>& files, const Library& library);
 
 }  // namespace owlint

@@ -57,7 +57,7 @@ class Writer {
     return {{"uri", percent_encoded(below)}, {"uriBaseId", "%SRCROOT%"}};
   }
 
-  /// A byte order mark is no part of the text there: the columns of its line begin behind it.
+  /// In SARIF a byte order mark is not part of the text: the columns of its line begin after it.
   static Json region(const Source& source, Span span) {
     const bool marked = has_mark(source);
     const auto column = [&](const Position& at) { return marked && at.line == 1 && at.column > 1 ? at.column - 1 : at.column; };
@@ -116,12 +116,12 @@ class Writer {
     Json location{{"physicalLocation", physical(source, f.span)}};
     if (!f.scope.empty()) location["logicalLocations"] = Json::array({{{"fullyQualifiedName", printable(f.scope)}, {"kind", "function"}}});
     Json out{{"ruleId", f.code}, {"ruleIndex", index_.at(f.code)}, {"level", level(f.severity)}, {"message", text(whole_message(f))}, {"locations", Json::array({std::move(location)})}};
-    for (const Related& related : f.related) {
+    for (const Related& related : related_lines(f)) {
       Json entry = place(source, related);
       entry["id"] = out.contains("relatedLocations") ? out["relatedLocations"].size() : 0;
       out["relatedLocations"].push_back(std::move(entry));
     }
-    if (!f.path.empty()) out["codeFlows"] = Json::array({code_flow(source, f)});
+    if (f.reach != Reach::kNever && !f.path.empty()) out["codeFlows"] = Json::array({code_flow(source, f)});
     for (const Fix& one : f.fixes) out["fixes"].push_back(fix(source, one));
     out["partialFingerprints"] = {{"owlint/v1", print}};
     out["properties"] = {{"reach", reach_text(f.reach)}, {"stops", f.stops}};

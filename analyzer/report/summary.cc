@@ -41,7 +41,7 @@ std::string summary_text(const Program& program, const flow::Summary& summary) {
   if (!summary.writes.empty()) out += "; writes " + list(texts(program, summary.writes));
   switch (summary.returns) {
     case flow::Returns::kNothing: return out + "; returns no value";
-    case flow::Returns::kSometimes: return out + "; returns a value on some paths only";
+    case flow::Returns::kSometimes: return out + "; returns a value on some paths";
     case flow::Returns::kValue: return out + "; returns a value on every path";
   }
   return out;

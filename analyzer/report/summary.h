@@ -9,9 +9,9 @@
 
 namespace owlint {
 
-/// `reads #1, #2; writes #<_result>; returns a value on every path`. Empty where nothing is known.
+/// `reads #1, #2; writes #<_result>; returns a value on every path`. Empty if nothing is known.
 std::string summary_text(const Program& program, const flow::Summary& summary);
-/// Null where nothing is known.
+/// Null if nothing is known.
 nlohmann::ordered_json summary_json(const Program& program, const flow::Summary& summary);
 
 }  // namespace owlint

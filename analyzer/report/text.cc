@@ -1,16 +1,21 @@
 #include <algorithm>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analyzer/report/formats.h"
+#include "analyzer/report/snippet.h"
+#include "analyzer/text/width.h"
 
 namespace owlint {
 namespace {
 
-constexpr size_t kWidest = 120;  // longer source lines are cut around the finding
+constexpr size_t kMostPlaces = 6;  // related ones that are shown; a finding of many places names some
+constexpr size_t kWidest = 120;   // longer source lines are cut around the finding
+constexpr size_t kNarrowest = 24;  // of a source line; a terminal that has no room for it breaks lines itself
 
 struct Colors {
   std::string_view bold, red, yellow, blue, cyan, dim, reset;
@@ -22,27 +27,19 @@ std::string_view severity_color(const Colors& c, Severity severity) {
   return severity == Severity::kError ? c.red : severity == Severity::kWarning ? c.yellow : c.blue;
 }
 
-/// A source line with the span underlined by `mark`, and words behind the underline.
-void write_snippet(std::ostream& out, const Source& source, Span span, char mark, std::string_view words,
-                   std::string_view color, const Colors& c) {
-  const Position start = source.position(span.begin);
-  Span line = source.line(start.line);
-  if (source.slice(line).ends_with('\r')) --line.end;  // a line end, not part of the line
-  uint64_t from = line.begin;
-  if (span.begin > from + kWidest / 2 && line.end - line.begin > kWidest) from = span.begin - kWidest / 2;
-  const uint64_t to = std::min<uint64_t>(line.end, from + kWidest);
-  std::string text = printable(source.slice({from, to}));
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.pop_back();
-  std::string pad;
-  const uint64_t shown = std::min(span.begin, to);
-  for (const char ch : source.slice({from, shown})) {
-    if ((static_cast<unsigned char>(ch) & 0xC0) != 0x80) pad += ch == '\t' ? '\t' : ' ';
+/// The lines that show the same mistake as soon as this one is fixed.
+std::string unreached_text(const Source& source, const Finding& f) {
+  constexpr size_t kShown = 5;
+  std::vector<uint32_t> lines;
+  for (const Consequence& c : f.consequences) {
+    if (c.interpreter.empty()) lines.push_back(source.position(c.span.begin).line);
   }
-  const uint64_t end = std::clamp(span.end, shown, to);
-  const size_t width = std::max<size_t>(1, count_code_points(source.slice({shown, end})));
-  out << fmt::format("{}{:>5} |{} {}\n", c.dim, start.line, c.reset, text);
-  out << fmt::format("{}      |{} {}{}{}{}{}\n", c.dim, c.reset, pad, color, std::string(width, mark), c.reset,
-                     words.empty() ? "" : " " + std::string(words));
+  if (lines.empty()) return {};
+  std::ranges::sort(lines);
+  const size_t more = lines.size() > kShown ? lines.size() - kShown : 0;
+  lines.resize(lines.size() - more);
+  return fmt::format("the same mistake is on line{} {}{}, which no run reaches before this is fixed", lines.size() + more > 1 ? "s" : "",
+                     fmt::join(lines, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 /// `... is true and ... is false`: the branches that lead to a finding.
@@ -59,6 +56,69 @@ std::string path_text(const Finding& f) {
   if (first > 0) text += fmt::format(" (and {} more)", first);
   return text;
 }
+
+/// A report on its way to a stream, wrapped where its reader's terminal is narrow.
+class Writer {
+ public:
+  Writer(std::ostream& out, const ReportStyle& style) : out_(out), style_(style), c_(style.color ? kAnsi : kPlain) {}
+
+  void finding(const FileReport& file, const Finding& f) {
+    const Source& source = *file.source;
+    const Position at = source.position(f.span.begin);
+    const std::string_view tint = severity_color(c_, f.severity);
+    const std::string head = fmt::format("{}{}:{}:{}:{} {}{}{} {}{}{} {}[{} {}]{}", c_.bold, shown_path(source, style_), at.line, at.column, c_.reset, tint,
+                                         severity_text(f.severity), c_.reset, c_.bold, printable(f.message), c_.reset, c_.dim, f.code, f.rule, c_.reset);
+    out_ << wrapped(head, style_.width, "      ") << '\n';
+    line_of(source, f.span, '^', "", tint);
+    const Source* shown = &source;
+    const size_t listed = f.related.size() > kMostPlaces ? kMostPlaces - 1 : f.related.size();
+    for (const Related& related : std::span(f.related).first(listed)) {
+      const Source& place = related.source == nullptr ? source : *related.source;
+      if (&place != std::exchange(shown, &place)) out_ << fmt::format("{}  in {}:{}\n", c_.dim, shown_path(place, style_), c_.reset);
+      line_of(place, related.span, '-', printable(related.message), c_.blue);
+    }
+    if (listed < f.related.size()) out_ << fmt::format("{}  and {} more places{}\n", c_.dim, f.related.size() - listed, c_.reset);
+    labelled(f.reach == Reach::kNever ? "not reached" : "when", path_text(f));
+    labelled("LinuxCNC says", f.interpreter);
+    if (!f.versions.empty()) labelled("versions", fmt::format("only in LinuxCNC {}", fmt::join(f.versions, ", ")));
+    for (const Consequence& consequence : f.consequences) {
+      if (consequence.interpreter.empty()) continue;
+      labelled("other runs", fmt::format("the program stops because of line {} instead: {}", source.position(consequence.span.begin).line, consequence.interpreter));
+    }
+    labelled("also", unreached_text(source, f));
+    labelled("fix", f.help);
+    out_ << '\n';
+  }
+
+ private:
+  /// A source line with the span underlined by `mark`, and words behind the underline or, where there is no room, below it.
+  void line_of(const Source& source, Span span, char mark, std::string_view words, std::string_view color) {
+    const std::string number = fmt::format("{:>5}", source.position(span.begin).line);
+    const size_t gutter = number.size() + 3;
+    const Snippet shown = snippet(source, span, style_.width == 0 ? kWidest : std::clamp(style_.width, gutter + kNarrowest, gutter + kWidest) - gutter);
+    const std::string below = fmt::format("{}{} |{} ", c_.dim, std::string(number.size(), ' '), c_.reset);
+    out_ << fmt::format("{}{} |{} {}\n", c_.dim, number, c_.reset, shown.text);
+    out_ << fmt::format("{}{}{}{}{}", below, std::string(shown.pad, ' '), color, std::string(shown.marked, mark), c_.reset);
+    const size_t used = gutter + shown.pad + shown.marked + 1;
+    if (!words.empty() && (style_.width == 0 || used + columns(words) <= style_.width)) {
+      out_ << ' ' << words;
+    } else if (!words.empty()) {
+      const std::string indent = below + "  ";
+      out_ << '\n' << indent << wrapped(words, style_.width, indent, columns(indent));
+    }
+    out_ << '\n';
+  }
+
+  void labelled(std::string_view label, std::string_view words) {
+    if (words.empty()) return;
+    const std::string text = fmt::format("      {}= {}:{} {}", c_.cyan, label, c_.reset, printable(words));
+    out_ << wrapped(text, style_.width, "        ") << '\n';
+  }
+
+  std::ostream& out_;
+  const ReportStyle& style_;
+  const Colors& c_;
+};
 
 }  // namespace
 
@@ -78,34 +138,8 @@ Summary summarize(const std::vector<FileReport>& files) {
 }
 
 void write_text(std::ostream& out, const FileReport& file, const ReportStyle& style) {
-  const Colors& c = style.color ? kAnsi : kPlain;
-  const Source& source = *file.source;
-  for (const Finding& f : file.findings) {
-    const Position at = source.position(f.span.begin);
-    const std::string_view tint = severity_color(c, f.severity);
-    out << fmt::format("{}{}:{}:{}:{} {}{}{} {}{}{} {}[{} {}]{}\n", c.bold, shown_path(source, style), at.line, at.column,
-                       c.reset, tint, severity_text(f.severity), c.reset, c.bold, printable(f.message), c.reset, c.dim,
-                       f.code, f.rule, c.reset);
-    write_snippet(out, source, f.span, '^', "", tint, c);
-    const Source* shown = &source;
-    for (const Related& related : f.related) {
-      const Source& place = related.source == nullptr ? source : *related.source;
-      if (&place != std::exchange(shown, &place)) out << fmt::format("{}  in {}:{}\n", c.dim, shown_path(place, style), c.reset);
-      write_snippet(out, place, related.span, '-', printable(related.message), c.blue, c);
-    }
-    const auto line = [&](std::string_view label, std::string_view words) {
-      if (!words.empty()) out << fmt::format("      {}= {}:{} {}\n", c.cyan, label, c.reset, printable(words));
-    };
-    line("when", path_text(f));
-    line("LinuxCNC says", f.interpreter);
-    if (!f.versions.empty()) line("versions", fmt::format("only in LinuxCNC {}", fmt::join(f.versions, ", ")));
-    for (const Consequence& consequence : f.consequences) {
-      line("other runs", fmt::format("the program stops because of line {} instead: {}", source.position(consequence.span.begin).line, consequence.interpreter));
-    }
-    if (f.reach == Reach::kNever && f.severity != Severity::kInfo && f.code != "OW316") line("not reached", "no run gets here");
-    line("fix", f.help);
-    out << '\n';
-  }
+  Writer writer(out, style);
+  for (const Finding& f : file.findings) writer.finding(file, f);
 }
 
 std::string summary_text(const Summary& summary) {

@@ -1,0 +1,28 @@
+// The commands of owlint and their options, as they are declared to CLI11.
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "analyzer/cli/audit.h"
+#include "analyzer/cli/settings.h"
+
+namespace owlint::cli {
+
+/// What the command line said, by command.
+struct Said {
+  CommandLine check, graph, format, config;
+  AuditLine audit;
+  std::string graph_format = "dot", rules_format = "text";
+  std::string code;       ///< to explain
+  std::string pages;      ///< folder for the rules' pages
+  std::string generated;  ///< folder for manual pages and completions
+  bool format_check = false, format_diff = false;
+  bool config_show = false, config_check = false;
+};
+
+/// Declares everything; parsing then fills `said`, which must live as long as `app`.
+void add_commands(CLI::App& app, Said& said);
+
+}  // namespace owlint::cli

@@ -1,0 +1,81 @@
+#include "analyzer/cli/usage.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "analyzer/cli/values.h"
+#include "rules/stops.h"
+
+namespace owlint::cli {
+namespace {
+
+/// The command that was meant, with its own command: `owlint audit list`.
+struct Meant {
+  const CLI::App* app;
+  std::string name;
+};
+
+Meant meant_command(const CLI::App& app) {
+  Meant meant{&app, app.get_name()};
+  while (true) {
+    const auto parsed = meant.app->get_subcommands();
+    if (parsed.empty()) return meant;
+    meant.app = parsed.front();
+    meant.name += " " + meant.app->get_name();
+  }
+}
+
+std::string unknown_option(const Meant& meant, const std::string& text) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : options_of(*meant.app)) {
+    for (const std::string& spelling : spellings(*option)) known.push_back(spelling);
+  }
+  const std::string near = rules::nearest(text.substr(0, text.find('=')), known);
+  return fmt::format("unknown option `{}`{}", text, near.empty() ? "; `--help` lists all, and what comes after `--` is a path" : ", did you mean `" + near + "`?");
+}
+
+/// An option that got too many values or too few.
+std::string wrong_count(const CLI::Option& option, const std::string& name) {
+  if (!takes_value(option)) return fmt::format("{} takes no value", name);
+  if (option.results().size() > 1) return fmt::format("{} is given more than once", name);
+  return fmt::format("{} needs a value: {}", name, value_name(option));
+}
+
+}  // namespace
+
+std::string usage_problem(const CLI::App& app, const CLI::ParseError& problem) {
+  const Meant meant = meant_command(app);
+  // Said first: PATH may be missing only because an unknown option took its place.
+  const std::vector<std::string> left = app.remaining(true);
+  for (const std::string& text : left) {
+    if (text.starts_with('-')) return unknown_option(meant, text);
+  }
+  const std::string text = problem.what();
+  for (const CLI::Option* option : meant.app->get_options()) {
+    if (dynamic_cast<const CLI::RequiredError*>(&problem) != nullptr && option->get_required() && option->count() == 0) {
+      return fmt::format("`{}` needs {}: {}", meant.name, option->get_positional() ? option->get_name(true) : option->get_name(), description_of(*option));
+    }
+    for (const std::string& name : spellings(*option)) {
+      const bool about = text.starts_with(name) && text.size() > name.size() && std::string(": ").find(text[name.size()]) != std::string::npos;
+      if (about && dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) return wrong_count(*option, name);
+    }
+  }
+  if (!left.empty()) return fmt::format("`{}` does not take `{}`; see `{} --help`", meant.name, left.front(), meant.name);
+  return text;
+}
+
+std::string misspelt_command(const CLI::App& app, const std::string& argument) {
+  std::error_code problem;
+  if (argument.starts_with('-') || std::filesystem::exists(argument, problem)) return {};
+  std::vector<std::string> known;
+  for (const Command& command : commands_of(app)) known.push_back(command.path);
+  std::string near = rules::nearest(argument, known);
+  // What other programs call them.
+  if (argument == "lint") near = "check";
+  if (argument == "format") near = "fmt";
+  return near.empty() ? near : fmt::format("there is no command and no file `{}`, did you mean `owlint {}`?", argument, near);
+}
+
+}  // namespace owlint::cli

@@ -1,0 +1,122 @@
+#include "analyzer/cli/values.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analyzer/cli/configuration_file.h"
+#include "analyzer/machine/setup.h"
+#include "rules/stops.h"
+
+namespace owlint::cli {
+
+// Of all validators only this one has a description: CLI11 puts it behind the name of the value, where words_of() finds it.
+CLI::Validator one_of(std::vector<std::string> words) {
+  const std::string description = fmt::format("{}", fmt::join(words, "|"));
+  const auto check = [words = std::move(words)](std::string& value) {
+    if (std::ranges::find(words, value) != words.end()) return std::string();
+    const std::string near = rules::nearest(value, words);
+    return fmt::format("`{}` is none of {}{}", value, fmt::join(words, ", "), near.empty() ? "" : "; did you mean `" + near + "`?");
+  };
+  return CLI::Validator(check, description);
+}
+
+CLI::Validator rule_code() {
+  const auto check = [](std::string& value) {
+    std::string code = value;
+    std::string error;
+    take_code(&code, &error);
+    return error;
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator code_level() {
+  const auto check = [](std::string& value) {
+    const size_t equals = value.find('=');
+    Severity severity{};
+    std::string code = value.substr(0, equals);
+    std::string error;
+    if (equals == std::string::npos || !severity_from_text(value.substr(equals + 1), &severity)) {
+      error = fmt::format("`{}` is no CODE=LEVEL, with a level of off, info, warning, error", value);
+    } else {
+      take_code(&code, &error);
+    }
+    return error;
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator count() {
+  const auto check = [](std::string& value) {
+    unsigned number = 0;
+    const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), number);
+    return problem == std::errc() && end == value.data() + value.size() ? std::string() : fmt::format("`{}` is not a number, as 4", value);
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator mask() {
+  const auto check = [](std::string& value) { return parse_mask(value) ? std::string() : fmt::format("`{}` is not a number, as 32 or 0x20", value); };
+  return CLI::Validator(check, "");
+}
+
+bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0 && option.get_type_size() != 0; }
+
+std::string value_name(const CLI::Option& option) {
+  const std::string type = option.get_type_name();  // behind it the validators
+  return type.substr(0, type.find(':'));
+}
+
+std::vector<std::string> words_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const size_t colon = type.find(':');
+  return colon == std::string::npos || colon + 1 == type.size() ? std::vector<std::string>() : CLI::detail::split(type.substr(colon + 1), '|');
+}
+
+std::vector<std::string> spellings(const CLI::Option& option) {
+  std::vector<std::string> out;
+  for (const std::string& name : option.get_snames()) out.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) out.push_back("--" + name);
+  return out;
+}
+
+std::string description_of(const CLI::Option& option) {
+  std::string text = option.get_description();
+  if (const auto words = words_of(option); !words.empty()) text += fmt::format(": {}", fmt::join(words, ", "));
+  if (const std::string given = option.get_default_str(); !given.empty()) text += fmt::format(" (default: {})", given);
+  return text;
+}
+
+std::vector<const CLI::Option*> options_of(const CLI::App& command) {
+  std::vector<const CLI::Option*> out;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_group().empty() && !option->get_positional()) out.push_back(option);
+  }
+  return out;
+}
+
+std::vector<const CLI::Option*> positionals_of(const CLI::App& command) {
+  return command.get_options([](const CLI::Option* option) { return option->get_positional(); });
+}
+
+Commands commands_of(const CLI::App& app, const std::string& path) {
+  Commands out;
+  for (const CLI::App* one : app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); })) {
+    out.push_back({path + (path.empty() ? "" : " ") + one->get_name(), one});
+  }
+  return out;
+}
+
+Commands all_commands(const CLI::App& app) {
+  Commands out;
+  for (const Command& command : commands_of(app)) {
+    out.push_back(command);
+    for (const Command& own : commands_of(*command.app, command.path)) out.push_back(own);
+  }
+  return out;
+}
+
+}  // namespace owlint::cli
