@@ -30,7 +30,7 @@ ParameterId parameter_of(ParameterKey key) {
   return plain >= names ? ParameterId{plain - names, true} : ParameterId{plain, false};
 }
 
-AccessTable::AccessTable(const Program& program, std::span<const uint32_t> statements) {
+AccessTable::AccessTable(const Program& program, std::span<const uint32_t> statements, std::span<const ShownRead> shown) {
   any_.reserve(statements.size());
   first_read_.reserve(statements.size() + 1);
   first_write_.reserve(statements.size() + 1);
@@ -38,7 +38,12 @@ AccessTable::AccessTable(const Program& program, std::span<const uint32_t> state
   writes_.reserve(std::min(statements.size(), program.syntax.items.size()));
   first_read_.push_back(0);
   first_write_.push_back(0);
-  for (const StatementId id : statements) add(program, id);
+  for (const StatementId id : statements) {
+    add(program, id);
+    add_shown(shown, id);
+    first_read_.push_back(static_cast<uint32_t>(reads_.size()));
+    first_write_.push_back(static_cast<uint32_t>(writes_.size()));
+  }
 }
 
 Accesses AccessTable::lines(size_t first, size_t count) const {
@@ -85,8 +90,10 @@ void AccessTable::add(const Program& program, StatementId id) {
     writes_.push_back({key_of_target(syntax, item), i});
     if (item.target != kNoExpr) read(syntax, item.target);
   }
-  first_read_.push_back(static_cast<uint32_t>(reads_.size()));
-  first_write_.push_back(static_cast<uint32_t>(writes_.size()));
+}
+
+void AccessTable::add_shown(std::span<const ShownRead> shown, StatementId id) {
+  for (const ShownRead& read : std::ranges::equal_range(shown, id, {}, &ShownRead::statement)) reads_.push_back(read.key);
 }
 
 }  // namespace owlint::flow

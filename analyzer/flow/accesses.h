@@ -1,4 +1,4 @@
-// What lines read of parameters, and then assign.
+// Which parameters lines read, and which they then assign.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace owlint::flow {
 
-/// A parameter as a key: those of parameters.h, with kGlobalKey for what all subs share.
+/// A parameter as a key: the keys of parameters.h, with kGlobalKey for globals.
 using ParameterKey = uint64_t;
 inline constexpr ParameterKey kGlobalKey = 1ULL << 32;
 inline constexpr ParameterKey kComputedKey = UINT64_MAX;  ///< a number that is known only at run time
@@ -31,12 +31,18 @@ struct Write {
   uint32_t item;  ///< of the statement's items
 };
 
+/// A parameter that a comment reads, counted as read by a statement (see shown.h).
+struct ShownRead {
+  StatementId statement;
+  ParameterKey key;
+};
+
 /// What the lines of a sub read and assign: a part of an AccessTable, which has to outlive it.
 class Accesses {
  public:
   std::span<const ParameterKey> reads(size_t line) const { return reads_.subspan(first_read(line), first_read(line + 1) - first_read(line)); }
   std::span<const Write> writes(size_t line) const { return writes_.subspan(first_write(line), first_write(line + 1) - first_write(line)); }
-  /// The place of a line's first one among all; `line` may be one behind the last.
+  /// The index of a line's first read; `line` may be one past the last.
   uint32_t first_read(size_t line) const { return first_read_[line] - first_read_[0]; }
   uint32_t first_write(size_t line) const { return first_write_[line] - first_write_[0]; }
   std::span<const ParameterKey> all_reads() const { return reads_; }
@@ -60,15 +66,16 @@ class Accesses {
 /// What lines read and assign, one after the other.
 class AccessTable {
  public:
-  /// Of these lines, in their order.
-  AccessTable(const Program& program, std::span<const uint32_t> statements);
+  /// Of these lines, in their order. `shown`: what comments read as well, by statement.
+  AccessTable(const Program& program, std::span<const uint32_t> statements, std::span<const ShownRead> shown = {});
 
-  /// Of `count` of the lines, from the one in place `first` on.
+  /// For `count` lines, from index `first` on.
   Accesses lines(size_t first, size_t count) const;
 
  private:
   void read(const Syntax& syntax, ExprId id);
   void add(const Program& program, StatementId id);
+  void add_shown(std::span<const ShownRead> shown, StatementId id);
 
   std::vector<ParameterKey> reads_;
   std::vector<Write> writes_;

@@ -18,7 +18,7 @@ void Analysis::start() {
     state.skip = machine_.full_label(kGlobalScope, program_.entry);
     state.seek = true;
     state.parameters.outside = true;
-    machine_.evaluator().expect_from_outside(state.parameters);
+    machine_.evaluator().expect_from_outside(program_.name(program_.entry), state.parameters);
   }
   frames_.push_back(std::move(main));
   successor(std::move(state));
@@ -65,11 +65,13 @@ void Analysis::successor(State state) {
 
 Analysis::Group& Analysis::group_at(const State& state) {
   constexpr uint32_t kFew = 8;  // more groups than this at one place are not gone through one by one
-  const auto hash = [](const auto& mode, StatementId position) {
-    return mix(mix(mix(position, mode.context), mode.skip), static_cast<uint64_t>(mode.defining) << 2 | static_cast<uint64_t>(mode.seek) << 1 | static_cast<uint64_t>(mode.looped));
+  const auto executed = [](const auto& mode) { return mode.skip == kNoLabel ? uint8_t{0} : mode.executed; };
+  const auto hash = [&](const auto& mode, StatementId position) {
+    const uint64_t where = mix(mix(mix(position, mode.context), mode.skip), mode.defining);
+    return mix(where, static_cast<uint64_t>(executed(mode)) << 2 | static_cast<uint64_t>(mode.seek) << 1 | static_cast<uint64_t>(mode.looped));
   };
   const auto fits = [&](const Group& g) {
-    return g.position == state.position && g.context == state.context && g.skip == state.skip && g.defining == state.defining && g.seek == state.seek && g.looped == state.looped;
+    return g.position == state.position && g.context == state.context && g.skip == state.skip && g.defining == state.defining && g.seek == state.seek && g.looped == state.looped && g.executed == executed(state);
   };
   uint32_t& head = heads_[state.position];
   const uint32_t rank = head == UINT32_MAX ? 0 : groups_[head].rank + 1;
@@ -84,7 +86,7 @@ Analysis::Group& Analysis::group_at(const State& state) {
     }
   }
   const auto number = static_cast<uint32_t>(groups_.size());
-  groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped, head, std::pmr::vector<std::pair<uint64_t, RecordId>>(&memory_), nullptr, std::pmr::vector<std::pair<RecordId, uint8_t>>(&memory_), false});
+  groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped, executed(state), head, std::pmr::vector<std::pair<uint64_t, RecordId>>(&memory_), nullptr, std::pmr::vector<std::pair<RecordId, uint8_t>>(&memory_), false});
   head = number;
   if (rank == kFew) {
     for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) crowds_.emplace(hash(groups_[i], state.position), i);
@@ -215,10 +217,11 @@ void Analysis::mark_executed(const CalmStretch& stretch) {
 ContextId Analysis::context_for(const Context& callee, const State& entry, bool* merged) {
   State key_state = entry;
   key_state.context = 0;
-  const auto key = std::make_tuple(callee.sub, callee.depth, callee.fanuc, callee.passed, key_state.hash());
+  const CallKind kind{callee.sub, callee.depth, callee.fanuc, callee.passed, callee.contour};
+  const auto key = std::make_pair(kind, key_state.hash());
   *merged = false;
   if (const auto found = contexts_.find(key); found != contexts_.end()) return found->second;
-  auto& [count, shared] = context_counts_.try_emplace({callee.sub, callee.depth, callee.fanuc, callee.passed}, 0, 0).first->second;
+  auto& [count, shared] = context_counts_.try_emplace(kind, 0, 0).first->second;
   if (joins(entry, region_at(entry.position), count, patience().contexts)) {
     *merged = true;
     if (shared != 0) return shared;
@@ -275,7 +278,7 @@ void Analysis::resume_one(const Caller& caller, const State& exit, Frame& frame)
   after.record = trace_->add({shared ? caller.state.record : exit.record, kNoStatement, 0, false, true});
   if (shared) trace_->link(exit.record, after.record);
   trace_->come_back(caller.state.record, after.record);
-  // M98 with L: the call is made again. A few times are counted; more, or an unknown number, run the line anew.
+  // M98 with L: the call is made again. A few times are counted; more, or an unknown number, run the line again.
   constexpr int kCountedRepeats = 8;
   if (caller.repeats > 1 && caller.repeats <= kCountedRepeats) {
     const FullLabel label = machine_.full_label(kGlobalScope, frame.info.sub);
@@ -332,7 +335,7 @@ std::vector<std::string> Analysis::computed_calls() const {
 
 /// A call that begins like none before in this analysis: its outcome may be known from an earlier one.
 void Analysis::recall(ContextId context, const State& at, const State& entry) {
-  if (!memory_of_calls_ || level_ >= kCoarse) return;
+  if (!memory_of_calls_ || level_ >= kCoarse || frames_[context].info.contour) return;
   std::optional<std::string> key = memory_of_calls_->keys.of(frames_[context].info, entry, level_);
   if (!key) return;
   Frame& frame = frames_[context];

@@ -1,5 +1,5 @@
-// The analysis in progress: which states wait, which were seen, which calls were made, what was found. Used by
-// analysis.cc, which runs it, and results.cc, which draws the conclusions.
+// The analysis in progress: the waiting states, the states seen, the calls made, the results so far. Used by
+// analysis.cc, which runs it, and results.cc, which makes the results.
 #pragma once
 
 #include <algorithm>
@@ -22,17 +22,17 @@
 
 namespace owlint::flow {
 
-// How many states are kept apart at one place. Small programs are followed almost path by path; the further an
-// analysis goes on, the more it joins.
+// How many states are kept separate at one line. Small programs are followed almost path by path; the longer an
+// analysis runs, the more states it joins.
 struct Patience {
   uint64_t steps;
   size_t states;
   size_t contexts;
 };
 inline constexpr Patience kPatience[] = {{10'000, 128, 256}, {40'000, 64, 32}, {100'000, 8, 4}, {UINT64_MAX, 1, 1}};
-inline constexpr size_t kCoarse = 3;  // from this level on, constants are not told apart either
-// Programs with more statements are analysed like that from the start: most of their lines would be so anyway, and what
-// has been told apart by then would have to be carried through all of them.
+inline constexpr size_t kCoarse = 3;  // from this level on, constants are joined too
+// Programs with more statements are analysed at this level from the start: most of their lines would be anyway, and
+// states that are separate by then would have to be carried through all of them.
 inline constexpr size_t kTooLarge = 250'000;
 
 inline constexpr uint32_t kNormalEnd = 0;
@@ -55,7 +55,7 @@ class Analysis final : public Listener {
 
   void successor(State state) override;
   void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) override;
-  void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) override;
+  void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message, StatementId other) override;
   void end(const State& at) override { trace_->terminate(at.record, kNormalEnd); result_.ends = true; }
   void call(const State& at, State entry, Context callee, int repeats) override;
   void leave(const State& at) override;
@@ -71,10 +71,11 @@ class Analysis final : public Listener {
     NameId defining;
     bool seek;
     bool looped;
+    uint8_t executed;  ///< while lines are skipped: the branch that was taken has assigned what the others have not
     uint32_t next;
     std::pmr::vector<std::pair<uint64_t, RecordId>> seen;
     std::unique_ptr<State> joined;
-    std::pmr::vector<std::pair<RecordId, uint8_t>> parents;  ///< records whose states wait in `joined`, and by which branch
+    std::pmr::vector<std::pair<RecordId, uint8_t>> parents;  ///< records whose states wait in `joined`, and their branches
     bool dirty;
 
     RecordId find(uint64_t hash) const {
@@ -86,13 +87,13 @@ class Analysis final : public Listener {
     State state;
     int repeats;
   };
-  /// A call whose outcome may be worth keeping, see KnownCalls.
+  /// A call whose outcome may be kept, see KnownCalls.
   struct Watch {
     std::string key;
     State entry;
     size_t level;
     uint64_t steps = 0;
-    bool disturbed = false;  ///< it has come to something that cannot be kept
+    bool disturbed = false;  ///< its outcome cannot be kept
     std::vector<bool> lines;
   };
   struct Frame {
@@ -108,7 +109,7 @@ class Analysis final : public Listener {
     std::unique_ptr<State> joined_entry;
     RecordId entry = kNoRecord;
     std::unique_ptr<Watch> watch;
-    bool known = false;  ///< its exit comes from KnownCalls, its lines are not gone through
+    bool known = false;  ///< its exit comes from KnownCalls, and its lines are not analysed
   };
   struct Pending {
     StatementId position;
@@ -122,7 +123,7 @@ class Analysis final : public Listener {
     StatementId statement;
     StopKind kind;
     std::string detail;
-    uint32_t file;  // tells stops without a statement apart
+    uint32_t file;  // for stops without a statement
     auto operator<=>(const StopKey&) const = default;
   };
   struct StopInfo {
@@ -155,6 +156,9 @@ class Analysis final : public Listener {
   bool recursion_comes_back(ContextId context) const;
   StopKind why_not_found(NameId sub, StatementId call) const;
   void endless_loops();
+  bool conditional(StatementId id) const;
+  bool leaves_work(ContextId context, StatementId call, int depth) const;
+  void ends_in_subs();
   std::vector<uint32_t> passed_well() const;
   void idle_loops();
   RegionId region_at(StatementId position) const;
@@ -168,17 +172,18 @@ class Analysis final : public Listener {
   size_t level_;
   PersistentMap::Pool pool_;
   Machine machine_;
-  // Groups and frames are many and small, and all are let go at once.
+  // Groups and frames are many and small, and are freed all at once.
   std::pmr::monotonic_buffer_resource memory_;
   std::vector<uint32_t> heads_;
   std::deque<Group> groups_;  // a deque: growing moves nothing
   std::unordered_multimap<uint64_t, uint32_t> crowds_;  // groups by mode, at places where there are many
   std::unordered_map<RegionId, std::vector<ExprId>> fragile_;
-  std::unordered_map<uint64_t, bool> failing_;  // by hash of region and parameters: what Evaluator::will_fail() said
-  std::unordered_map<ContextId, std::vector<const Group*>> seeking_;  // groups that seek a sub, by call; made at the end
+  std::unordered_map<uint64_t, bool> failing_;  // by hash of region and parameters: the result of Evaluator::will_fail()
+  std::unordered_map<ContextId, std::vector<const Group*>> seeking_;  // groups that look for a sub, by call; made at the end
   std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
-  std::pmr::map<std::tuple<NameId, int, bool, int, uint64_t>, ContextId> contexts_{&memory_};
-  std::pmr::map<std::tuple<NameId, int, bool, int>, std::pair<size_t, ContextId>> context_counts_{&memory_};
+  using CallKind = std::tuple<NameId, int, bool, int, bool>;  ///< what a Context has
+  std::pmr::map<std::pair<CallKind, uint64_t>, ContextId> contexts_{&memory_};
+  std::pmr::map<CallKind, std::pair<size_t, ContextId>> context_counts_{&memory_};
   std::priority_queue<Pending> queue_;
   std::vector<State> waiting_;
   std::vector<uint32_t> free_;
@@ -202,7 +207,7 @@ class Analysis final : public Listener {
   FlowResult result_;
 };
 
-/// Cuts the result for a joined program into those of its files.
+/// Splits the result for a joined program into those of its files.
 std::vector<FlowResult> by_file(const Linked& linked, FlowResult result);
 
 }  // namespace owlint::flow

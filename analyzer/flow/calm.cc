@@ -28,7 +28,7 @@ struct Piece {
 
 /// What a calm sub does to its caller.
 struct CalmSub {
-  bool calm_definition = false;  ///< passing over it does nothing but define it
+  bool calm_definition = false;  ///< skipping it only defines it
   bool calm = false;             ///< so is a call of it
   bool tests = false;
   uint32_t arguments = 0;        ///< the highest of #1 to #30 that it reads
@@ -143,7 +143,7 @@ class CalmBuilder {
     out_.writes_.push_back({p, certain});
   }
 
-  /// What was assigned in a branch is not certain any more behind it, unless all of them assign it.
+  /// After a branch its assignments are no longer certain, unless all branches make them.
   void leave_branch() {
     Branches& open = branches_.back();
     if (open.first) {
@@ -180,7 +180,7 @@ class CalmBuilder {
     out_.stretches_.push_back(stretch);
   }
 
-  /// Notes what the lines read, write, call and define, behind what is in the lists of `out_`.
+  /// Notes what the lines read, write, call and define, after what is in the lists of `out_`.
   void go_through(StatementId first, StatementId last, CalmStretch* stretch) {
     ++stretch_;
     undo_.clear();
@@ -262,7 +262,7 @@ class CalmBuilder {
     return p.named ? !is_global_name(program.name(p.id)) : p.id < static_cast<uint32_t>(kFirstGlobalNumber);
   }
 
-  /// Whether passing over a definition does nothing but define the sub.
+  /// Whether skipping a definition only defines the sub.
   bool is_calm_definition(const Region& region) const {
     if (!structure_.regular || region.opener == kNoStatement || region.enclosing != kNoBlock || region.name >= program_.by_label.size()) return false;
     if (defined_again_[region.name]) return false;
@@ -274,7 +274,7 @@ class CalmBuilder {
     const auto lines = program_.by_label[region.name];
     const auto own = std::ranges::lower_bound(lines, region.opener);
     if (own == lines.end() || own + 1 == lines.end() || own[1] != region.end) return false;
-    // The value is computed when the definition is passed over, too: harmless where nothing is computed.
+    // The value is computed when the definition is skipped too: harmless if nothing is computed.
     if (end.value_count == 0) return true;
     const Operator op = program_.syntax.exprs[program_.syntax.values[end.first]].op;
     return (op == Operator::kNumber || op == Operator::kNamed || op == Operator::kParameter) && lines_.look(program_.syntax.values[end.first]).safe;

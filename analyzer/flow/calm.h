@@ -1,7 +1,6 @@
-// Stretches of lines in which nothing can go wrong, whatever the outcome of their conditions: they cannot stop, never
-// end or jump out, and all that they leave behind are assigned parameters and defined subs. Most lines of a large
-// program are in one. Where the analysis does not tell constants apart any more (kCoarse), it passes over such a stretch
-// in one step.
+// Stretches of lines in which nothing can go wrong, whatever their conditions are: they cannot stop, run for ever or jump
+// out, and their only effects are assigned parameters and defined subs. Most lines of a large program are in one. When
+// the analysis joins constants (kCoarse), such a stretch is one step.
 #pragma once
 
 #include <span>
@@ -14,7 +13,7 @@ namespace owlint::flow {
 
 struct CalmWrite {
   ParameterId parameter;
-  bool certain = false;  ///< on every way through the stretch
+  bool certain = false;  ///< on every path through the stretch
 };
 
 struct CalmStretch {
@@ -22,7 +21,7 @@ struct CalmStretch {
   StatementId last = 0;  ///< one past the last line
   bool tests = false;    ///< has an `if`: afterwards, "a branch has been taken"
   bool calls = false;
-  bool ends_defining = false;  ///< a definition comes behind the last call
+  bool ends_defining = false;  ///< a definition comes after the last call
   // Into the lists of CalmStretches, up to those of the next stretch.
   uint32_t reads = 0;
   uint32_t writes = 0;
@@ -37,12 +36,12 @@ class CalmStretches {
 
   /// The stretch that begins at a statement; null if none does.
   const CalmStretch* at(StatementId id) const { return begins_[id] == kNone ? nullptr : &stretches_[begins_[id]]; }
-  /// What is read before the stretch itself has assigned it.
+  /// Parameters that are read before the stretch assigns them.
   std::span<const ParameterId> reads(const CalmStretch& s) const { return {reads_.data() + s.reads, reads_.data() + (&s + 1)->reads}; }
   std::span<const CalmWrite> writes(const CalmStretch& s) const { return {writes_.data() + s.writes, writes_.data() + (&s + 1)->writes}; }
-  /// Openers of the subs that the stretch calls, directly or not. They must be known, unless it defines them itself.
+  /// The first lines of the subs that the stretch calls, directly or not. They must be known, unless it defines them itself.
   std::span<const StatementId> called(const CalmStretch& s) const { return {called_.data() + s.called, called_.data() + (&s + 1)->called}; }
-  /// Openers of the subs that it defines, and that must not be known yet.
+  /// The first lines of the subs that it defines, and that must not be known yet.
   std::span<const StatementId> defined(const CalmStretch& s) const { return {defined_.data() + s.defined, defined_.data() + (&s + 1)->defined}; }
 
  private:

@@ -63,7 +63,7 @@ bool CalmLines::harmless(StatementId id) const {
 
 bool CalmLines::stop_when_skipped(StatementId id) const {
   const Statement& s = program_.at(id);
-  if (s.kind == LineKind::kPercent || s.kind == LineKind::kFileEnd) return true;
+  if (s.kind == LineKind::kPercent || s.kind == LineKind::kFileEnd || s.kind == LineKind::kM98) return true;
   return s.error != UINT32_MAX && program_.syntax.errors[s.error].kind < StopKind::kKeywordUnknown;
 }
 

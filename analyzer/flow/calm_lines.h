@@ -1,5 +1,5 @@
-// Which lines can do no harm by themselves, whatever the values of parameters: they cannot stop, and jump only within
-// their own loop. Used by calm.cc, which puts them together to stretches.
+// Which lines are harmless by themselves, whatever the values of parameters are: they cannot stop, and jump only within
+// their own loop. calm.cc joins them to stretches.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace owlint::flow {
 
-/// What an expression may do, with every parameter unknown.
+/// What an expression may do if every parameter is unknown.
 struct Look {
   bool safe = true;      ///< it cannot fail
   bool constant = false;
@@ -20,11 +20,11 @@ class CalmLines {
  public:
   CalmLines(const Program& program, const Structure& structure, const Evaluator& evaluator);
 
-  /// Of a part of a block: harmless if the whole block is. Calls and subs are not asked for here.
+  /// For a part of a block: harmless if the whole block is. Not for calls and subs.
   bool harmless(StatementId id) const;
-  /// Whether a line matters even where lines are skipped.
+  /// Whether a line matters even while lines are skipped.
   bool stop_when_skipped(StatementId id) const;
-  /// How far out the jumps in a block lead: the foremost opener of a loop that a line in it leaves or goes on with.
+  /// How far out the jumps in a block lead: the first line of the outermost loop that a line in it leaves or continues.
   StatementId jumps_to(BlockId block) const { return jumps_to_[block]; }
   Look look(ExprId id) const;
   /// The number of a parameter whose index is safe and constant.
@@ -37,7 +37,7 @@ class CalmLines {
   const Program& program_;
   const Structure& structure_;
   const Evaluator& evaluator_;
-  // `break` and `do` together leave flags behind (OW501, OW509): calm is only one of them, everywhere.
+  // `break` and `do` together leave flags (OW501, OW509), so a program's stretches have only one of the two.
   bool jumps_ = false;
   bool do_loops_ = false;
   std::vector<StatementId> jumps_to_;  // by block

@@ -1,12 +1,12 @@
-// What the outcome of a condition says of the values that it compares, for everything that follows branches.
+// What the outcome of a condition says about the values that it compares.
 #pragma once
 
 #include "analyzer/flow/ranges.h"
 
 namespace owlint::flow {
 
-/// Calls `visit(side, op, other, truth)` for all comparisons whose outcome follows from that of the condition, once for each
-/// side; `other` is kNoExpr for `[#1]`, which is compared with 0. Depth is bounded by the length of a line.
+/// Calls `visit(side, op, other, truth)` for all comparisons whose outcome follows from the outcome of the condition, once for
+/// each side; `other` is kNoExpr for `[#1]`, which is compared with 0. Depth is bounded by the length of a line.
 template <typename Visit>
 void for_known_comparisons(const ExprPool& exprs, ExprId condition, bool truth, const Visit& visit) {
   const Expr& expr = exprs[condition];

@@ -7,7 +7,7 @@ namespace {
 
 bool fits(const Program& program, const Structure& structure, RegionId region, StatementId id) {
   const Statement& s = program.at(id);
-  if (s.error != UINT32_MAX || s.refused || s.kind == LineKind::kM98 || s.kind == LineKind::kM99) return false;
+  if (s.error != UINT32_MAX || s.refused || s.kind == LineKind::kM98 || s.has_m99() || s.kind == LineKind::kContour) return false;
   if (s.kind != LineKind::kOWord) return true;
   if (s.label == kNoName && !s.is(Keyword::kCall)) return false;
   const bool of_sub = s.is(Keyword::kSub) || s.is(Keyword::kEndsub) || s.is(Keyword::kReturn) || s.is(Keyword::kCall);
@@ -36,7 +36,7 @@ NodeId ControlFlow::node_of(StatementId statement) const {
   return static_cast<NodeId>(std::ranges::lower_bound(nodes_, statement, {}, &Node::statement) - nodes_.begin());
 }
 
-/// Where the run goes on behind a line that was executed: from the end of one branch to the end of all.
+/// Where the run goes on after a line that was executed: from the end of one branch to the end of all.
 NodeId ControlFlow::after(NodeId id) const {
   if (id + 1 >= nodes_.size()) return kExit;
   const StatementId next = nodes_[id + 1].statement;

@@ -1,5 +1,5 @@
-// The control-flow graph of one sub, or of the main program: which of its lines can be executed after which. Only for those
-// whose blocks are whole, so that the lines say it; the O-word machine (machine.h) follows all others, and all calls.
+// The control-flow graph of one sub, or of the main program: which line can be executed after which. Only if all its
+// blocks are complete, so that the text shows it; the O-word machine (machine.h) handles all others, and all calls.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 namespace owlint::flow {
 
 using NodeId = uint32_t;
-inline constexpr NodeId kExit = UINT32_MAX;      ///< the way out: `return`, the end of the sub, of the program
-inline constexpr NodeId kNowhere = UINT32_MAX - 1;  ///< there is no such way
+inline constexpr NodeId kExit = UINT32_MAX;      ///< the exit: `return`, the end of the sub or of the program
+inline constexpr NodeId kNowhere = UINT32_MAX - 1;  ///< there is no such edge
 
 class ControlFlow {
  public:
   struct Node {
     StatementId statement = kNoStatement;
-    std::array<NodeId, 2> next{kNowhere, kNowhere};  ///< of a test: where it goes if true, and if false
+    std::array<NodeId, 2> next{kNowhere, kNowhere};  ///< of a condition: the next line if true, and if false
     bool tests = false;
   };
 
-  /// Of region `region`, in the order of the lines. Empty where the lines do not say it.
+  /// For region `region`, in the order of the lines. Empty if its blocks are not complete.
   ControlFlow(const Program& program, const Structure& structure, RegionId region, std::span<const uint32_t> statements);
 
   const std::vector<Node>& nodes() const { return nodes_; }

@@ -2,46 +2,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <unordered_set>
 
 namespace owlint::flow {
-namespace {
-
-/// Whether a comment prints the parameters in it: `(debug, …)`, `(print, …)`, `(log, …)`.
-bool prints(std::string_view comment) {
-  std::string word;
-  for (size_t i = comment.find_first_not_of(" \t"); i < comment.size() && comment[i] != ',' && word.size() < 8; ++i) word += static_cast<char>(std::tolower(static_cast<unsigned char>(comment[i])));
-  return word == "debug" || word == "print" || word == "log" || word == "abort";
-}
-
-/// Parameters that comments print.
-std::vector<ParameterKey> in_comments(const Program& program) {
-  const std::string_view text = program.source->bytes();
-  std::vector<ParameterKey> keys;
-  for (size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
-    const size_t feed = text.rfind('\n', at);
-    const std::string_view before = text.substr(feed + 1, at - feed - 1);  // a line at most; those that are read are short
-    const size_t open = before.rfind('(');
-    if (open == std::string_view::npos || before.find(')', open) != std::string_view::npos || !prints(before.substr(open + 1))) continue;
-    std::string name;
-    size_t end = at + 1;
-    if (end < text.size() && text[end] == '<') {
-      for (++end; end < text.size() && text[end] != '>' && text[end] != '\n'; ++end) {
-        if (text[end] != ' ' && text[end] != '\t') name += static_cast<char>(std::tolower(static_cast<unsigned char>(text[end])));
-      }
-      const NameId id = program.syntax.names.find(name);
-      if (id != kNoName) keys.push_back(key_of_name(program.syntax, id));
-    } else {
-      for (; end < text.size() && name.size() < 3 && std::isdigit(static_cast<unsigned char>(text[end])) != 0; ++end) name += text[end];
-      if (!name.empty()) keys.push_back(std::stoul(name));
-    }
-  }
-  std::ranges::sort(keys);
-  return keys;
-}
-
-}  // namespace
 
 std::string parameter_text(const Program& program, ParameterId parameter) {
   return parameter.named ? "#<" + program.name(parameter.id) + ">" : "#" + std::to_string(parameter.id);
@@ -52,6 +15,7 @@ struct DataFlow::Sub {
   std::optional<ControlFlow> flow;
   std::optional<Liveness> live;
   std::optional<Summary> summary;
+  std::optional<std::vector<std::pair<ParameterKey, StatementId>>> assignments;  ///< sorted
 };
 
 int Summary::last_argument() const { return arguments == 0 ? 0 : 31 - std::countl_zero(arguments); }
@@ -70,7 +34,7 @@ DataFlow::Sub& DataFlow::look(RegionId region) const {
   if (subs_.empty()) {
     subs_.resize(program_.regions.size());
     statements_.assign(program_.regions.size(), static_cast<uint32_t>(program_.size()), [&](StatementId id) { return program_.region_of[id]; });
-    table_.emplace(program_, statements_.all());
+    table_.emplace(program_, statements_.all(), flow::reads_of(program_, shown()));
     for (RegionId r = 0; r < subs_.size(); ++r) subs_[r].accesses = table_->lines(statements_.first(r), statements_[r].size());
   }
   return subs_[region];
@@ -135,16 +99,16 @@ void DataFlow::summarize(Sub& sub, RegionId region) const {
   out.returns = with ? (without ? Returns::kSometimes : Returns::kValue) : Returns::kNothing;
 }
 
-const std::vector<ParameterKey>& DataFlow::printed() const {
-  if (!printed_) printed_ = in_comments(program_);
-  return *printed_;
+const std::vector<Shown>& DataFlow::shown() const {
+  if (!shown_) shown_ = shown_in_comments(program_);
+  return *shown_;
 }
 
-bool DataFlow::printed(ParameterKey key) const { return std::ranges::binary_search(printed(), key); }
+const Accesses& DataFlow::accesses_of(RegionId region) const { return look(region).accesses; }
 
-int DataFlow::last_printed_argument() const {
-  const auto end = std::ranges::lower_bound(printed(), static_cast<ParameterKey>(kFirstGlobalNumber));
-  return end == printed().begin() ? 0 : static_cast<int>(end[-1]);
+std::span<const StatementId> DataFlow::lines_of(RegionId region) const {
+  look(region);
+  return statements_[region];
 }
 
 void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const {
@@ -158,25 +122,44 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
   // something that has a number or a name already is a remark as well.
   const auto never_read = [&](size_t line, const Write& write) {
     const Operator value = program_.syntax.exprs[program_.syntax.items[program_.at(statement(line)).first + write.item].value].op;
-    return !is_own_number(write.key) && value != Operator::kParameter && value != Operator::kNamed && !printed(write.key);
+    return !is_own_number(write.key) && value != Operator::kParameter && value != Operator::kNamed;
   };
   const auto overwritten = [&](size_t line, const Write& write) {
-    if (line + 1 >= accesses.size() || program_.at(statement(line + 1)).kind != LineKind::kWords) return false;
+    if (line + 1 >= accesses.size()) return false;
+    const Statement& next = program_.at(statement(line + 1));
+    if (next.kind != LineKind::kWords || next.block_delete) return false;
     if (std::ranges::none_of(accesses.writes(line + 1), [&](const auto& other) { return other.key == write.key; })) return false;
-    return std::ranges::count(accesses.reads(line + 1), write.key) == 0 && !printed(write.key);
+    return std::ranges::count(accesses.reads(line + 1), write.key) == 0;
+  };
+  // All that a line does is to assign what nothing reads.
+  const auto idle = [&](size_t line) {
+    const Statement& s = program_.at(statement(line));
+    return s.kind == LineKind::kWords && accesses.writes(line).size() == s.item_count &&
+           std::ranges::none_of(accesses.writes(line), [&](const auto& write) { return is_global(write.key) || std::ranges::binary_search(read, write.key); });
+  };
+  const auto ends_here = [&](ParameterKey key) {
+    if (region == kMainRegion || !is_own_number(key) || key == 0) return false;
+    for (size_t line = 0; line < accesses.size(); ++line) {
+      if (std::ranges::count(accesses.reads(line), key) > 0 && !idle(line)) return false;
+    }
+    return true;
   };
   std::unordered_set<ParameterKey> reported;
   for (size_t line = 0; line < accesses.size(); ++line) {
     for (const auto& write : accesses.writes(line)) {
       if (!interesting(write.key)) continue;
       if (!std::ranges::binary_search(read, write.key)) {
-        if (never_read(line, write) && flow_of(region).known() && reported.insert(write.key).second) out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement});
+        if (!never_read(line, write) || !flow_of(region).known() || !reported.insert(write.key).second) continue;
+        const auto argument = std::ranges::find_if(accesses.reads(line), ends_here);
+        out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement, argument == accesses.reads(line).end() ? 0 : static_cast<uint32_t>(*argument)});
       } else if (overwritten(line, write) && flow_of(region).known() && flow_of(region).nodes()[line].next[0] == line + 1) {
         out.push_back({statement(line), write.item, parameter_of(write.key), statement(line + 1)});
       }
     }
   }
 }
+
+std::span<const ParameterKey> DataFlow::reads_of(RegionId region) const { return look(region).accesses.all_reads(); }
 
 const std::vector<UnusedValue>& DataFlow::unused() const {
   if (!unused_) {
@@ -219,7 +202,7 @@ uint32_t DataFlow::left_behind(RegionId region) const {
   if (assigned == 0 || accesses.reads_any() || !live_in(region).known()) return 0;
   uint32_t out = 0;
   for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
-    if ((assigned >> n & 1) == 0 || printed(n)) continue;
+    if ((assigned >> n & 1) == 0) continue;
     const StatementId last = last_assignment(region, n);
     const auto line = static_cast<NodeId>(std::ranges::lower_bound(statements_[region], last) - statements_[region].begin());
     if (!live_in(region).after(line, n)) out |= 1U << n;
@@ -240,9 +223,62 @@ bool DataFlow::expects_from_call(StatementId call, uint32_t number) const {
   const Accesses& accesses = look(region).accesses;
   if (accesses.writes_any() || !flow_of(region).known()) return false;
   if (std::ranges::any_of(accesses.all_writes(), [&](const auto& write) { return write.key == number; })) return false;
-  // As nothing assigns it here, whatever reads it behind the call reads what the caller had.
+  // Nothing assigns it here, so what reads it after the call reads the caller's value.
   for (size_t line = accesses.size(); line-- > 0 && statements_[region][line] > call;) {
     if (std::ranges::count(accesses.reads(line), number) > 0) return true;
+  }
+  return false;
+}
+
+bool DataFlow::reads_after(StatementId line, ParameterKey key) const {
+  const RegionId region = program_.region_of[line];
+  const Accesses& accesses = look(region).accesses;
+  if (too_large_ || !flow_of(region).known()) return false;
+  const auto& nodes = flow_of(region).nodes();
+  std::vector<bool> seen(nodes.size());
+  std::vector<NodeId> todo;
+  const auto go_on = [&](NodeId from) {
+    for (const NodeId next : nodes[from].next) {
+      if (next < nodes.size() && !seen[next]) todo.push_back(next);
+    }
+  };
+  go_on(static_cast<NodeId>(std::ranges::lower_bound(statements_[region], line) - statements_[region].begin()));
+  while (!todo.empty()) {
+    const NodeId id = todo.back();
+    todo.pop_back();
+    if (seen[id]) continue;
+    seen[id] = true;
+    if (std::ranges::count(accesses.reads(id), key) > 0) return true;
+    if (std::ranges::count(accesses.writes(id), key, &Write::key) == 0) go_on(id);
+  }
+  return false;
+}
+
+std::span<const std::pair<ParameterKey, StatementId>> DataFlow::assignments(RegionId region, ParameterKey key) const {
+  using Assignment = std::pair<ParameterKey, StatementId>;
+  Sub& sub = look(region);
+  if (!sub.assignments) {
+    sub.assignments.emplace();
+    for (size_t line = 0; line < sub.accesses.size(); ++line) {
+      for (const Write& write : sub.accesses.writes(line)) sub.assignments->emplace_back(write.key, statements_[region][line]);
+    }
+    std::ranges::sort(*sub.assignments);
+  }
+  return std::span(std::ranges::equal_range(*sub.assignments, key, {}, &Assignment::first));
+}
+
+StatementId DataFlow::first_assignment(RegionId region, ParameterKey key) const {
+  const auto known = assignments(region, key);
+  return known.empty() ? kNoStatement : known.front().second;
+}
+
+bool DataFlow::assigned_before(RegionId region, StatementId place, ParameterKey key) const {
+  const auto known = assignments(region, key);
+  if (known.empty()) return false;
+  if (known.front().second < place) return true;
+  for (BlockId id = program_.open_above(region, place); id != kNoBlock; id = program_.blocks[id].parent) {
+    const Block& block = program_.blocks[id];
+    if (block.kind != Keyword::kIf && block.end != kNoStatement && known.front().second <= block.end) return true;
   }
   return false;
 }

@@ -1,6 +1,6 @@
-// What each sub, and the main program, does with parameters: what it reads of what it is given, what it assigns, whether it
-// returns a value; which assignments nothing reads; which conditions come out the same every time whatever is passed.
-// Found sub by sub, from the lines alone, whatever the calls: so it holds for every caller.
+// What each sub, and the main program, does with parameters: which arguments and globals it reads, what it assigns, whether
+// it returns a value, which assignments nothing reads, and which conditions are always the same. This is worked out for each
+// sub from its own lines, without its calls, so it is true for every caller.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,22 @@
 
 #include "analyzer/flow/fixed_conditions.h"
 #include "analyzer/flow/liveness.h"
+#include "analyzer/flow/shown.h"
 
 namespace owlint::flow {
 
-/// `#5`, `#<name>`: as it is written.
+/// `#5`, `#<name>`: as written.
 std::string parameter_text(const Program& program, ParameterId parameter);
 
-/// How a sub comes back: never with a value, on some ways only, on every way.
+/// How a sub returns: never with a value, on some paths, on every path.
 enum class Returns : uint8_t { kNothing, kSometimes, kValue };
 
 struct Summary {
-  bool known = false;       ///< otherwise nothing below holds
+  bool known = false;       ///< otherwise nothing below is valid
   uint32_t arguments = 0;   ///< bit n: the value that #n has at the call may be read
   bool any_number = false;  ///< reads a parameter whose number is computed: it may be any argument
-  std::vector<ParameterId> reads;   ///< globals, in the order of their first place
-  std::vector<ParameterId> writes;  ///< globals that it may assign itself, in the order of their first place
+  std::vector<ParameterId> reads;   ///< globals, in the order of their first line
+  std::vector<ParameterId> writes;  ///< globals that it may assign itself, in the order of their first line
   Returns returns = Returns::kNothing;
 
   /// The highest argument that is read; 0 for none.
@@ -35,30 +36,44 @@ struct UnusedValue {
   StatementId statement = kNoStatement;
   uint32_t item = 0;  ///< of the statement's items
   ParameterId parameter;
-  StatementId overwritten = kNoStatement;  ///< the next line, if it is assigned again there; else nothing reads it
+  StatementId overwritten = kNoStatement;  ///< the next line, if that assigns it again; else nothing reads it
+  uint32_t argument = 0;  ///< the number of an argument that is read for this value and for nothing else
 };
 
 class DataFlow {
  public:
-  /// Programs with more statements are not gone through: nothing is known of them.
+  /// Programs with more statements are not analysed: nothing is known about them.
   static constexpr size_t kTooLarge = 50'000;
 
-  /// `structure`: the program's, if it is known already.
+  /// `structure`: the program's, if it is already known.
   explicit DataFlow(const Program& program, std::shared_ptr<const Structure> structure = nullptr);
   ~DataFlow();
 
   const Summary& of(RegionId region) const;
-  /// Whether a sub reads #n and never assigns it: nothing more has to be found out then.
+  /// Whether a sub reads #n and never assigns it; that needs no further analysis.
   bool surely_reads(RegionId region, uint32_t number) const;
-  /// The numbers (by bits) that have a value of the sub's own when it comes back, which nothing reads.
+  /// The numbers (as bits) to which the sub assigned a value that nothing has read when it returns.
   uint32_t left_behind(RegionId region) const;
   /// The last line of a sub that assigns #n.
   StatementId last_assignment(RegionId region, uint32_t number) const;
-  /// The highest argument that `(debug, #1)` and the like print; 0 for none.
-  int last_printed_argument() const;
-  /// Whether a region reads #n behind one of its calls, and never assigns it.
+  /// Whether a region reads #n after one of its calls, and never assigns it.
   bool expects_from_call(StatementId call, uint32_t number) const;
+  /// Whether some run reads a parameter behind a line before the region assigns it again.
+  bool reads_after(StatementId line, ParameterKey key) const;
+  /// Whether a region may have assigned a parameter when a run comes to statement `place`, or would come to a line above it: in
+  /// lines above, or in a loop around it.
+  bool assigned_before(RegionId region, StatementId place, ParameterKey key) const;
+  /// The first line of a region that assigns a parameter.
+  StatementId first_assignment(RegionId region, ParameterKey key) const;
+  /// What each line of a region reads and assigns; the lines are those of lines_of().
+  const Accesses& accesses_of(RegionId region) const;
+  std::span<const StatementId> lines_of(RegionId region) const;
+  /// What comments show.
+  const std::vector<Shown>& shown() const;
+  bool too_large() const { return too_large_; }
   const std::vector<UnusedValue>& unused() const;
+  /// What the lines of a region read, in their order.
+  std::span<const ParameterKey> reads_of(RegionId region) const;
   const std::vector<FixedCondition>& fixed() const;
   const Structure& structure() const;
 
@@ -69,10 +84,9 @@ class DataFlow {
   const Liveness& live_in(RegionId region) const;
   void summarize(Sub& sub, RegionId region) const;
   void find_unused(RegionId region, std::vector<UnusedValue>& out) const;
-  bool printed(ParameterKey key) const;
-  const std::vector<ParameterKey>& printed() const;
+  std::span<const std::pair<ParameterKey, StatementId>> assignments(RegionId region, ParameterKey key) const;
 
-  // All of it is made when it is first asked for: most programs have nothing to ask.
+  // Everything is made when first needed: for most programs nothing is.
   const Program& program_;
   bool too_large_;
   mutable std::shared_ptr<const Structure> structure_;
@@ -81,7 +95,7 @@ class DataFlow {
   mutable std::vector<Sub> subs_;
   mutable std::optional<std::vector<UnusedValue>> unused_;
   mutable std::optional<std::vector<FixedCondition>> fixed_;
-  mutable std::optional<std::vector<ParameterKey>> printed_;  ///< parameters that comments print, sorted
+  mutable std::optional<std::vector<Shown>> shown_;
 };
 
 }  // namespace owlint::flow

@@ -1,5 +1,5 @@
-// What a sub can change at all, with everything that it calls. Used where calls are analysed together: what a sub
-// cannot have changed is taken from each caller.
+// What a sub, with everything that it calls, can change. Used when calls are analysed together: what the sub cannot have
+// changed is taken from each caller.
 #pragma once
 
 #include <unordered_map>
@@ -10,11 +10,11 @@
 namespace owlint::flow {
 
 struct Effects {
-  bool everything = false;               ///< not known: an open block or computed label leads anywhere
+  bool everything = false;               ///< not known: an open block or computed label may lead anywhere
   bool any_global = false;               ///< assigns a parameter whose number is computed
   bool jumps = false;                    ///< has `break` or `continue`
   bool tests = false;                    ///< has `if`
-  std::unordered_set<NameId> subs;       ///< subs whose labels, and which themselves, it may define
+  std::unordered_set<NameId> subs;       ///< subs that it may define, or whose labels it may define
   std::unordered_set<uint32_t> globals;  ///< keys of global parameters, as in Parameters
 };
 

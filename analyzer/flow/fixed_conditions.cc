@@ -106,7 +106,7 @@ class Solver {
     }
   }
 
-  /// What a line leaves behind, before it branches.
+  /// The values after a line, before it branches.
   void execute(const Statement& s, Ranges& ranges) const {
     if (s.is(Keyword::kCall)) return forget(ranges, true);
     const Ranges before = s.item_count > 1 ? ranges : Ranges();

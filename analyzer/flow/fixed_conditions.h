@@ -1,4 +1,4 @@
-// Conditions that come out the same every time, whatever a sub is called with and whatever its globals are.
+// Conditions that are the same every time, whatever the arguments and the globals of the sub are.
 #pragma once
 
 #include "analyzer/flow/accesses.h"
@@ -7,15 +7,15 @@
 
 namespace owlint::flow {
 
-/// A condition that has one outcome.
+/// A condition with only one outcome.
 struct FixedCondition {
   StatementId statement = kNoStatement;
   bool truth = false;
   StatementId same_as = kNoStatement;  ///< an earlier branch of its `if` with the same condition
 };
 
-/// Parameters that the program sets once, to a number that somebody has written: they are there to be changed by hand, so
-/// nothing is concluded from the number that they have today.
+/// Parameters that the program sets once, to a written number. The user may change that number by hand, so nothing is
+/// concluded from it.
 class Settings {
  public:
   explicit Settings(const Program& program);
@@ -25,7 +25,7 @@ class Settings {
   std::vector<ParameterKey> keys_;  // sorted
 };
 
-/// Adds those of one sub, or of the main program.
+/// Adds the conditions of one sub, or of the main program.
 void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings, std::vector<FixedCondition>& out);
 
 }  // namespace owlint::flow

@@ -1,5 +1,5 @@
-// The flow room: LinuxCNC's O-word state machine over all branch outcomes at once. Answers which lines stop the
-// interpreter, on some run or on every run, which lines no run reaches, and by which branches one gets there.
+// The flow room: a model of LinuxCNC's O-word state machine that follows every branch. It finds the lines at which the
+// interpreter stops, on some run or on every run, the lines that no run reaches, and the branches that lead to a line.
 // The machine itself is described in machine.h; this header is what rules see.
 #pragma once
 
@@ -14,13 +14,13 @@
 
 namespace owlint {
 
-/// A line of another file than the one that a result is about.
+/// A line in another file than the result's own.
 struct Elsewhere {
   const Program* program = nullptr;  ///< null: there is none
   StatementId statement = kNoStatement;
 };
 
-/// One branch outcome on the way to a stop.
+/// The outcome of one condition on the way to a stop.
 struct Decision {
   StatementId statement = kNoStatement;
   bool taken = false;  ///< the condition was true (a `repeat` had a pass left)
@@ -29,25 +29,29 @@ struct Decision {
 
 /// The interpreter stops at `statement` on some run.
 struct FlowStop {
-  StatementId statement = kNoStatement;  ///< for ends of file: the line that is to blame (see `kind`)
+  StatementId statement = kNoStatement;  ///< for ends of file: the line that causes it (see `kind`)
   StopKind kind = StopKind::kNone;
   Reach reach = Reach::kMaybe;
-  bool unproven = false;  ///< depends on what owlint cannot know: files elsewhere, how deep a guarded recursion goes
-  StatementId end_of = kNoStatement;     ///< for ends of file: the place of that end
-  StatementId other = kNoStatement;   ///< the line that the message speaks of (first definition, opener)
+  bool unproven = false;  ///< depends on something that owlint cannot know: files elsewhere, how deep a recursion with an exit goes
+  StatementId end_of = kNoStatement;     ///< for ends of file: that end
+  StatementId other = kNoStatement;   ///< the line that the message names (first definition, opener)
   StatementId call = kNoStatement;    ///< the call in which it happens, if in a sub
   Elsewhere other_elsewhere;          ///< instead of `other`, in another file
   Elsewhere call_elsewhere;           ///< instead of `call`, in another file
   const Program* file = nullptr;      ///< the file that was called and lacks the sub
   std::string interpreter;            ///< the interpreter's message
   std::string detail;                 ///< a name that the message is about
-  std::vector<Decision> path;         ///< branch outcomes without which it does not happen; empty when always
+  std::vector<Decision> path;         ///< the conditions that lead here; empty if every run stops here
 };
 
 /// Something that runs, but not as written.
 enum class HazardKind : uint8_t {
   kStaleBreak, kStaleRepeatCount, kArgumentNotPassed, kEndlessLoop, kStaleContinue, kContinueMeetsBreak,
-  kValueAtDefinition, kNestedDo, kCrash, kLookupCrash, kHang, kWarned, kValueNotReturned, kValueCleared, kRepeatCount,
+  kValueAtDefinition, kCrash, kLookupCrash, kHang, kWarned, kValueNotReturned, kValueCleared, kRepeatCount, kEndsInSub,
+  kOtherHelper,  ///< a call runs `other`, a sub of another file, and not the one of its own file
+  kSubInCall,    ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
+  kRunsIntoSub,  ///< the main program runs on into a Fanuc sub at `statement`, to the M99 at `other`
+  kForeignEnd,   ///< an `endsub` with another sub's label ends a call
 };
 
 struct Hazard {
@@ -60,7 +64,8 @@ struct Hazard {
   std::string interpreter;
   Elsewhere other_elsewhere;             ///< instead of `other`, in another file
   std::string detail;                    ///< the number of passes that a `repeat` is given
-  bool not_always = false;               ///< other runs get through the same lines well
+  bool not_always = false;               ///< other runs execute these lines without a problem
+  bool unproven = false;                 ///< seen only where paths were joined: it may be that no run does it
 };
 
 struct FlowStatistics {
@@ -79,8 +84,8 @@ struct Structure;
 struct FlowResult {
   std::vector<FlowStop> stops;    ///< ordered by statement
   std::vector<Hazard> hazards;    ///< ordered by statement
-  std::vector<bool> executed;     ///< by statement: some run executes it (does not merely pass it over)
-  bool ends = false;              ///< some run comes to a program end without an error
+  std::vector<bool> executed;     ///< by statement: some run executes it (and does not only skip it)
+  bool ends = false;              ///< some run gets to a program end without an error
   FlowStatistics statistics;
   std::shared_ptr<const flow::Trace> trace;
   StatementId first = 0;          ///< number of this file's first statement in the trace
@@ -91,21 +96,21 @@ struct FlowResult {
   Reach reach(StatementId statement) const;
 };
 
-/// How closely runs are followed.
+/// How exactly runs are followed.
 enum class Detail : uint8_t {
-  kBySize,    ///< what a program's size allows
+  kBySize,    ///< as exactly as the program's size allows
   kCoarse,    ///< as in a very large program; for tests
-  kStepwise,  ///< the same line by line, passing over nothing; what kCoarse is tested against
+  kStepwise,  ///< the same line by line, without skipping stretches; kCoarse is tested against it
 };
 
-/// Runs the machine through all files of `linked`, which grows by files whose names only the run knows. One result
-/// for each file, in the order of `linked.files()`; statement numbers in it are those of the file's own program.
-/// `known`: calls that earlier analyses have found; see remember() for what becomes of this one's.
+/// Runs the machine through all files of `linked`, and adds files whose names only the run knows. One result for each
+/// file, in the order of `linked.files()`; statement numbers are those of the file's own program. `known`: calls from
+/// earlier analyses; remember() adds those of this one.
 std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail = Detail::kBySize, flow::KnownCalls* known = nullptr);
 
-/// To be called when all questions about a result of analyze_flow() with `known` have been asked: keeps its calls for the
-/// next analysis. False if something was asked about lines that were not gone through: then what was answered is void,
-/// nothing is known any more, and the analysis must be made again.
+/// Call this when you need nothing more from a result of analyze_flow() with `known`: it keeps the calls for the next
+/// analysis. Returns false if you asked about lines that were not analysed: then the answers are not valid, nothing is
+/// known any more, and the analysis must be made again.
 bool remember(const FlowResult& result, flow::KnownCalls& known);
 
 }  // namespace owlint

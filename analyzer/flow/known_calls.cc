@@ -10,7 +10,7 @@ void add_number(std::string& key, uint64_t number) { key.append(reinterpret_cast
 }  // namespace
 
 void KnownCalls::next_check() {
-  // While a line is being written the program may stop early, and nothing behind it is called meanwhile.
+  // While a line is being written the program may stop early, and nothing after it is called meanwhile.
   constexpr uint64_t kLong = 256;
   if (++check_ % kLong != 0) return;
   std::erase_if(calls_, [&](const auto& known) { return known.second.used + kLong < check_; });

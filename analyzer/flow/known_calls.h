@@ -1,7 +1,7 @@
-// What calls of subs came to, kept from one check of a program to the next. An editor checks at every key, and all subs
-// but the one that is being written are as they were. A call is kept under everything that it depends on: the sub's
-// text, what its parameters are when it is entered, and what the rest of the program makes of them. Whoever finds it
-// there need not walk through the sub again. Findings are the same with and without (tests/known_calls_test.cc).
+// The outcomes of calls, kept from one check of a program to the next. An editor checks after every keystroke, and only
+// the sub that is being edited has changed. The key of a call is everything that it depends on: the sub's text, the values
+// of its parameters at the call, and how the rest of the program uses them. If a call is found here, the sub need not be
+// analysed again. Findings are the same with and without this memory (tests/known_calls_test.cc).
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace owlint::flow {
 
-/// A call that comes back in one way only, without a stop or a hazard in it, and leaves nothing behind but these.
+/// A call that returns in only one way, without a stop or a hazard, and has no other effects than these.
 struct CallOutcome {
   uint8_t executed = kNo;
   uint8_t returned = kNo;
@@ -31,10 +31,10 @@ struct LearnedCall {
   StatementId opener = 0;
 };
 
-/// The memory of one program. Not for several threads at a time.
+/// The memory for one program. Not thread-safe.
 class KnownCalls {
  public:
-  /// A new check begins; what no check has used for long is forgotten.
+  /// A new check begins; calls that no check has used for a long time are forgotten.
   void next_check();
   const CallOutcome* find(const std::string& key);
   void learn(LearnedCall call);
@@ -55,7 +55,7 @@ class CallKeys {
  public:
   CallKeys(const Linked& linked, const Machine& machine) : linked_(linked), program_(linked.program()), machine_(machine), circumstances_(machine.circumstances()), subs_(program_.regions.size()) {}
 
-  /// The key of a call that enters `entry`, at the sub's opener; none for calls that cannot be kept. `level`: how closely
+  /// The key of a call that enters `entry`, at the sub's first line; none for calls that cannot be kept. `level`: how exactly
   /// the analysis follows runs.
   std::optional<std::string> of(const Context& callee, const State& entry, size_t level);
 
@@ -63,7 +63,7 @@ class CallKeys {
   struct Sub {
     bool looked_at = false;
     bool fits = false;  ///< calls of it can be kept
-    std::string text;   ///< what it is, and what the rest of the program makes of its parameters
+    std::string text;   ///< its text, and how the rest of the program uses its parameters
     Dependence dependence;
   };
   void look_at(RegionId region, Sub& sub) const;

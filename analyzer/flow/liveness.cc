@@ -6,7 +6,7 @@ namespace owlint::flow {
 namespace {
 
 constexpr size_t kMaxWords = 1U << 22;  // of bits for all lines of a sub together
-constexpr int kMaxSweeps = 64;          // one for each loop that stands in another
+constexpr int kMaxSweeps = 64;          // one for each loop inside another
 constexpr uint32_t kNone = UINT32_MAX;
 
 }  // namespace
@@ -38,7 +38,7 @@ uint32_t Liveness::bit(ParameterKey key) const {
   return found != keys_.end() && *found == key ? static_cast<uint32_t>(found - keys_.begin()) : kNone;
 }
 
-/// One pass over all lines, the last first; whether something new was found.
+/// Goes over all lines once, the last first; returns whether something new was found.
 bool Liveness::sweep() {
   bool grew = false;
   std::vector<uint64_t> live(words_);

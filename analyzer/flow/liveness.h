@@ -8,10 +8,10 @@ namespace owlint::flow {
 
 class Liveness {
  public:
-  /// `keeps_numbers`: #1 to #30 are read after the way out, as those of the main program may be.
+  /// `keeps_numbers`: #1 to #30 may be read after the exit, as in the main program.
   Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps_numbers);
 
-  /// False where the graph is too large or too deeply nested to be gone through.
+  /// False if the graph is too large or too deeply nested for this analysis.
   bool known() const { return known_; }
   bool before(NodeId node, ParameterKey key) const;
   bool after(NodeId node, ParameterKey key) const;

@@ -111,12 +111,13 @@ void Machine::index() {
     }
     if (s.kind == LineKind::kPercent) percents_.push_back(id);
     if (s.kind == LineKind::kFileEnd) file_ends_.push_back(id);
-    if (refuses_fanuc(s)) {
-      always_errors_.push_back(id);
+    const bool m98 = s.kind == LineKind::kM98 && (error != nullptr || s.value_count > 0 || s.label_expr != kNoExpr);
+    if (refuses_fanuc(s) || m98) {
+      always_read_.push_back(id);
       continue;
     }
     if (error == nullptr) continue;
-    if (error->kind < StopKind::kKeywordUnknown) always_errors_.push_back(id);
+    if (error->kind < StopKind::kKeywordUnknown) always_read_.push_back(id);
     if (error->kind == StopKind::kKeywordUnknown) unknown_keywords_.push_back(id);
   }
 }
@@ -179,7 +180,7 @@ StatementId Machine::next_stop(const State& state, StatementId from) const {
   const NameId label = labels_[state.skip].second;
   if (label < program_.by_label.size()) look(program_.by_label[label]);
   look(computed_);
-  look(always_errors_);
+  look(always_read_);
   look(percents_);
   look(file_ends_);
   if (state.defining != kNoName) {

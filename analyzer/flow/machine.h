@@ -1,6 +1,6 @@
-// The O-word state machine, abstractly. A State is what the interpreter remembers between two lines, with sets
-// where paths were merged; `Machine::step` is one line. The transitions follow the measured table in
-// docs/interpreter.md; where a set has several members, a step has several successors.
+// The abstract O-word state machine. A State is what the interpreter remembers between two lines, with sets of values
+// after paths were merged; `Machine::step` executes one line. The transitions follow the measured table in
+// docs/interpreter.md; if a set has several members, a step has several successors.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ inline constexpr int kMaxCallDepth = 9;  ///< measured: the tenth nested call is
 enum FlagSet : uint8_t {
   kNo = 1,
   kYes = 2,       // for breaking and continuing: set by the kind of loop that clears it
-  kStale = 4,     // set by the other kind of loop, which leaves it behind
+  kStale = 4,     // set by the other kind of loop, and not cleared
 };
 
 /// Remaining passes of a running `repeat`.
@@ -48,9 +48,9 @@ struct State {
   FullLabel skip = kNoLabel;
   NameId defining = kNoName;
   bool seek = false;
-  bool looped = false;          ///< arrived by the way back of a loop
-  bool joined = false;          ///< stands for several states whose differences are not known apart any more
-  bool mixed = false;           ///< such a state was taken apart again: it may be one that no run is in
+  bool looped = false;          ///< arrived by the jump back of a loop
+  bool joined = false;          ///< represents several states whose differences are lost
+  bool mixed = false;           ///< such a state was split again: perhaps no run is in it
   uint8_t executed = kNo;       ///< "a branch has been taken"
   uint8_t breaking = kNo;
   uint8_t continuing = kNo;
@@ -58,17 +58,17 @@ struct State {
   PersistentMap table;          ///< FullLabel -> definers, see Definers
   std::vector<std::pair<FullLabel, uint8_t>> counts;  ///< running repeats, sorted
   Parameters parameters;
-  uint32_t record = UINT32_MAX;  ///< the trace record that led here
+  uint32_t record = UINT32_MAX;  ///< the trace record before this state
   uint8_t branch = 0;            ///< 1: a condition was true on the step here, 2: false
 
   uint64_t hash() const;
 };
 
-/// Which opening lines a label may belong to, packed into a map value: undefined only (0), one line, or a set.
+/// Which first lines a label may belong to, packed into a map value: undefined only (0), one line, or a set.
 class Definers {
  public:
-  /// A label with more definers than kMost on merged paths is remembered by its first ones only; which line the message
-  /// names may then be another one of them, whether it stops does not change.
+  /// If a label has more definers than kMost on merged paths, only the first ones are kept. The message may then name another
+  /// of these lines; whether it stops does not change.
   class Lines {
    public:
     using value_type = StatementId;
@@ -100,12 +100,13 @@ class Definers {
   std::unordered_map<uint64_t, uint32_t> ids_;
 };
 
-/// A call being executed, merged over all calls that begin in the same state.
+/// A call in progress, merged over all calls that begin in the same state.
 struct Context {
   NameId sub = kNoName;
   int depth = 0;
   bool fanuc = false;  ///< made by M98
   int passed = 0;      ///< number of arguments of the call that made it
+  bool contour = false;  ///< within a G70, G71 or G72: lines are read for the contour, M2, M30 and `(abort, …)` do nothing (measured)
 };
 
 /// What a step reports besides successors.
@@ -114,7 +115,7 @@ class Listener {
   virtual ~Listener() = default;
   virtual void successor(State state) = 0;
   virtual void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) = 0;
-  virtual void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) = 0;
+  virtual void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message, StatementId other = kNoStatement) = 0;
   virtual void end(const State& at) = 0;                             ///< the program ends
   virtual void call(const State& at, State entry, Context callee, int repeats) = 0;  ///< repeats: -1 unknown
   virtual void leave(const State& at) = 0;                           ///< `return`, `endsub`, M99 in a call
@@ -124,35 +125,35 @@ class Machine {
  public:
   Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool);
 
-  /// Executes or passes over the line at `state.position`.
+  /// Executes or skips the line at `state.position`.
   void step(State state, const Context& context, Listener& out);
 
-  /// From now on constants are not told apart, and if `passes_over`, stretches of lines in which nothing can go wrong are
-  /// one step: for very large programs.
+  /// From now on constants are joined, and if `passes_over`, stretches of lines in which nothing can go wrong are one
+  /// step: for very large programs.
   void set_coarse(bool passes_over);
-  /// Passes over such a stretch. Null, and nothing done, where there is none.
+  /// Skips such a stretch. If there is none, returns null and does nothing.
   const CalmStretch* pass_over(State& state, const Context& context);
-  /// Openers of the subs that a stretch defines, and that it calls.
+  /// The first lines of the subs that a stretch defines, and that it calls.
   std::span<const StatementId> defined_in(const CalmStretch& stretch) const { return calm_->defined(stretch); }
   std::span<const StatementId> called_in(const CalmStretch& stretch) const { return calm_->called(stretch); }
 
   /// The next position at which a skipping state has something to do.
   StatementId next_stop(const State& state, StatementId from) const;
 
-  /// What the table says of a label; structured blocks are not kept in it.
+  /// The table's entry for a label; structured blocks have none.
   uint32_t entry(const State& state, FullLabel label) const;
 
   State join(const State& a, const State& b);
-  /// The state after a call: what the callee leaves behind, with the caller's own parameters back.
+  /// The state after a call: the callee's effects, with the caller's own parameters restored.
   /// `merged`: the exit stands for the calls of several callers.
   State resume(const State& caller, const State& exit, const Context& callee, bool merged);
 
-  /// Whether the line at which a skipping state stands is the one that it skips to.
+  /// Whether a skipping state is at the line that it skips to.
   bool is_target(const State& state, const Context& context) const;
 
-  /// Whether a sub that is nowhere to be found may be in a file, a module or a calling program that owlint does not know.
+  /// Whether a sub that is not found may be in a file, a module or a calling program that owlint does not know.
   bool may_be_elsewhere(NameId sub) const;
-  /// Where LinuxCNC looks for a called sub that the label table does not have.
+  /// Where LinuxCNC finds a called sub that the label table does not have.
   CallTarget target(NameId sub) const { return linked_.target(name(sub)); }
 
   /// Whether the machine's INI turns this Fanuc-style line off.
@@ -165,7 +166,7 @@ class Machine {
   const std::unordered_set<NameId>& computed_calls() const { return computed_calls_; }
 
   FullLabel full_label(NameId scope, NameId label);
-  /// A label as the interpreter names it: `100`, or `100#110` for a block's label in sub 100.
+  /// A label as the interpreter writes it: `100`, or `100#110` for a block's label in sub 100.
   std::string full_text(FullLabel label) const;
   NameId label_of(FullLabel label) const { return labels_[label].second; }
   Definers& definers() { return definers_; }
@@ -174,7 +175,7 @@ class Machine {
   const Evaluator& evaluator() const { return evaluator_; }
   const Structure& structure() const { return structure_; }
   NameId scope_of(FullLabel label) const { return labels_[label].first; }
-  /// What else a call depends on, besides lines and parameters, as a number.
+  /// Everything else that a call depends on, besides lines and parameters, as a number.
   uint64_t circumstances() const {
     uint64_t out = static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 | static_cast<uint64_t>(evaluator_.distrusts_globals());
     out = mix(out, evaluator_.machine_values());
@@ -196,17 +197,17 @@ class Machine {
   Evaluator evaluator_;
   Definers definers_;
   bool no_fanuc_;                 // DISABLE_FANUC_STYLE_SUB
-  bool reads_break_;              // only a `do` loop looks at the flag that `break` leaves behind
+  bool reads_break_;              // only a `do` loop reads the flag that `break` sets
   Structure structure_;
   EffectsOfSubs effects_;
-  std::optional<CalmStretches> calm_;  // there from set_coarse() on
+  std::optional<CalmStretches> calm_;  // exists from set_coarse() on
   std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
   std::unordered_map<uint64_t, FullLabel> label_ids_;  // by scope and label, but for subs
   std::vector<FullLabel> sub_labels_;                  // by label
   // Positions at which a skip may be interrupted, each sorted.
-  std::vector<StatementId> computed_, always_errors_, unknown_keywords_, definitions_, percents_, file_ends_;
+  std::vector<StatementId> computed_, always_read_, unknown_keywords_, definitions_, percents_, file_ends_;
   std::vector<bool> returns_value_;  // by label of a sub: some `return` or `endsub` has a value
-  Names computed_names_;  // numbered behind the program's own
+  Names computed_names_;  // numbered after the program's own
   std::unordered_set<NameId> computed_calls_;
 };
 

@@ -1,5 +1,5 @@
-// LinuxCNC's parameters: which there are, and whose they are. Source: its page on O-words and parameters, and
-// ../../docs/interpreter.md. What LinuxCNC keeps itself: ../machine/predefined.h.
+// LinuxCNC's parameters: which exist, and what they belong to. Source: its page on O-words and parameters, and
+// ../../docs/interpreter.md. Predefined ones: ../machine/predefined.h.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 
 namespace owlint::flow {
 
-/// #1 to #30 belong to the sub that is executed, named ones without `_` too; the rest is global.
+/// #1 to #30 and names without `_` belong to the sub that is running; the rest is global.
 inline constexpr long kFirstGlobalNumber = 31;
 inline constexpr long kLastNumber = 5601;
-/// From here on positions, offsets, probe results, tool data: the machine changes these between two lines.
+/// From here on: positions, offsets, probe results, tool data. The machine changes these between two lines.
 inline constexpr long kFirstVolatileNumber = 5061;
 
 /// A parameter by number or by name.
@@ -21,11 +21,11 @@ struct ParameterId {
   bool named = false;
 };
 
-/// Keys of parameters in maps: numbers are their own, names these plus the NameId.
+/// Keys of parameters in maps: a number is its own key, the key of a name is one of these plus the NameId.
 inline constexpr uint32_t kLocalNames = 32;
 inline constexpr uint32_t kGlobalNames = 8192;
 
-/// Whether a name begins with `_` and so is shared by all subs.
+/// Whether a name begins with `_` and so is global.
 inline bool is_global_name(std::string_view name) { return name.starts_with('_'); }
 
 }  // namespace owlint::flow

@@ -1,4 +1,4 @@
-// A map from small integers to small integers that is cheap to copy: states share what they have in common.
+// A map from small integers to small integers that is cheap to copy: states share equal parts.
 // Value 0 means "absent". Copies share nodes; nodes live as long as their pool.
 #pragma once
 
@@ -22,10 +22,10 @@ class PersistentMap {
  public:
   struct Node {
     union {
-      std::array<Node*, 16> children{};  // inner nodes
-      std::array<uint32_t, 16> values;   // leaves; all zero is all empty in both readings
+      std::array<Node*, 16> children{};  // of inner nodes
+      std::array<uint32_t, 16> values;   // of leaves; all zero means empty for both
     };
-    uint32_t batch = 0;  // in which it was made; 0: in none
+    uint32_t batch = 0;  // the batch in which it was made; 0: none
   };
 
   class Pool {
@@ -36,10 +36,10 @@ class PersistentMap {
       made->batch = batch_;
       return made;
     }
-    /// A node to write to: the same one where it was made in this batch and nobody else has it.
+    /// A node to write to: the same one if it was made in this batch and nothing else shares it.
     Node* own(Node* node) { return node != nullptr && batch_ != 0 && node->batch == batch_ ? node : copy(node); }
 
-    /// While it lives, several values are set in one map, which is not copied meanwhile: each node is copied once.
+    /// While it lives, several values are set in one map, which must not be copied meanwhile: each node is copied only once.
     class Batch {
      public:
       explicit Batch(Pool& pool) : pool_(pool) { pool_.batch_ = ++pool_.batches_; }
@@ -79,10 +79,10 @@ class PersistentMap {
     rehash(key, old, value);
   }
 
-  /// Equal content gives equal hashes, whatever the order in which it was written.
+  /// Equal content has equal hashes, in whatever order it was written.
   uint64_t hash() const { return hash_; }
 
-  /// The pointwise join of two maps; `join(key, a, b)` is asked where they differ. Shared parts cost nothing.
+  /// The pointwise join of two maps; `join(key, a, b)` is called where they differ. Shared parts cost nothing.
   template <typename Join>
   static PersistentMap merge(Pool& pool, PersistentMap a, PersistentMap b, const Join& join) {
     if (a.hash_ == b.hash_) return a;

@@ -1,5 +1,5 @@
-// Ranges of numbers: what is known of a value that is not one constant. Every operation gives a range that holds all
-// results that arithmetic.h can give for members of its operands; where nothing better is known, all numbers.
+// Ranges of numbers: what is known about a value that is not one constant. Every operation returns a range that contains all
+// results of arithmetic.h for members of its operands; if nothing better is known, all numbers.
 #pragma once
 
 #include <limits>
@@ -24,32 +24,32 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// The smallest range that holds both.
+/// The smallest range that contains both.
 Range hull(const Range& a, const Range& b);
 Range intersection(const Range& a, const Range& b);
 
-/// Applies an operator; `right` is ignored by those of one operand. Comparisons give 0, 1, or the range from 0 to 1.
+/// Applies an operator; `right` is ignored for operators with one operand. Comparisons return 0, 1, or the range from 0 to 1.
 Range apply(Operator op, const Range& left, const Range& right);
 /// The interpreter's message if the operation fails for all members, else null.
 const char* always_fails(Operator op, const Range& left, const Range& right);
 
-/// The members of `left` for which `left OP right` can come out as `truth`; OP is EQ, NE, GT, GE, LT or LE.
+/// The members of `left` for which `left OP right` can be `truth`; OP is EQ, NE, GT, GE, LT or LE.
 Range narrowed(const Range& left, Operator op, const Range& right, bool truth);
-/// The comparison with its sides changed over: `a LT b` is `b GT a`.
+/// The comparison with its sides swapped: `a LT b` is `b GT a`.
 Operator mirrored(Operator op);
 /// Whether `op` is one of the six comparisons.
 bool is_comparison(Operator op);
 
-/// Adds what a comparison with `number` tells apart: the number, and for EQ and NE all that counts as equal to it.
+/// Adds the limits of a comparison with `number`: the number, and for EQ and NE the limits of what counts as equal to it.
 void add_thresholds(Operator op, double number, std::vector<double>& out);
 
-/// Numbers at which ranges may begin and end. Widened to them, a range that grows from pass to pass of a loop comes to
-/// rest after a few.
+/// Numbers at which ranges may begin and end. Widened to them, a range that grows in every pass of a loop stops growing
+/// after a few passes.
 class Thresholds {
  public:
-  /// Of a program's conditions: what parameters are compared with.
+  /// From a program's conditions: the numbers that parameters are compared with.
   explicit Thresholds(std::vector<double> numbers);
-  /// More would only make ranges settle later: then there is only 0.
+  /// With more, ranges would stop growing too late: then only 0 is used.
   static constexpr size_t kMost = 64;
   Thresholds() : Thresholds(std::vector<double>{}) {}
   Range widened(const Range& range) const;

@@ -1,4 +1,4 @@
-// What the outcome of a condition tells of the parameters in it: behind `if [#1 GT 5]` #1 is greater than 5. Only where it
+// What the outcome of a condition says about the parameters in it: after `if [#1 GT 5]` #1 is greater than 5. Only where it
 // can matter: it tells states apart that a parameter compared once would not.
 #include <algorithm>
 #include <span>
@@ -17,7 +17,7 @@ constexpr size_t kMaxStatements = 100'000;
 
 }  // namespace
 
-/// The key of a parameter that stands alone on one side of a comparison; kComputedKey for anything else.
+/// The key of a parameter that is alone on one side of a comparison; kComputedKey for anything else.
 ParameterKey Evaluator::key_of(ExprId side) const {
   const Expr& expr = syntax_.exprs[side];
   if (expr.op == Operator::kNamed) return key_of_name(expr.name());
@@ -199,7 +199,7 @@ std::vector<uint32_t> Evaluator::result_keys() const {
 }
 
 void Evaluator::come_back(Parameters& p, const ValueId* value, bool never) const {
-  if (coarse_) return;  // calls are passed over there
+  if (coarse_) return;  // calls are skipped there
   if (value_returned_name_ != kNoName) p.globals.set(pool_, kGlobalNames + value_returned_name_, values_.intern(value != nullptr ? 1 : 0));
   if (value_name_ == kNoName) return;
   const uint32_t key = kGlobalNames + value_name_;

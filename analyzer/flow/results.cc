@@ -5,6 +5,16 @@
 #include "analyzer/flow/optional_arguments.h"
 
 namespace owlint::flow {
+namespace {
+
+/// LinuxCNC cuts its messages off (measured).
+std::string as_printed(std::string message) {
+  constexpr size_t kLongest = 254;
+  if (message.size() > kLongest) message.resize(kLongest);
+  return message;
+}
+
+}  // namespace
 
 void Analysis::end_of_file(const State& state) {
   const Frame& frame = frames_[state.context];
@@ -36,6 +46,7 @@ void Analysis::end_of_file(const State& state) {
 }
 
 void Analysis::add_stop(RecordId record, FlowStop stop) {
+  stop.interpreter = as_printed(std::move(stop.interpreter));
   // A stop without a line to blame is reported at the end of its file.
   const uint32_t file = stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
   const StopKey key{stop.statement, stop.kind, stop.detail, file};
@@ -67,7 +78,7 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   }
   stop.call = call_of(at.context, at.position);
   stop.unproven = at.mixed;
-  // A called file does not know whether the program that calls it stands between `%` lines.
+  // A called file does not know whether the program that calls it is between `%` lines.
   if (kind == StopKind::kBadCharacter && program_.sub_file && program_.at(at.position).kind == LineKind::kPercent) stop.unproven = true;
   if (kind == StopKind::kSubNotFound) {
     stop.kind = why_not_found(machine_.intern(stop.detail), at.position);
@@ -77,9 +88,10 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   add_stop(at.record, std::move(stop));
 }
 
-void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message) {
+void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message, StatementId other) {
   disturb(at.context);
-  Hazard hazard{kind, at.position, kNoStatement, number, Reach::kMaybe, warned, std::move(message), {}, {}};
+  Hazard hazard{kind, at.position, other, number, Reach::kMaybe, warned, as_printed(std::move(message)), {}, {}};
+  hazard.unproven = at.mixed;
   const auto executed = [&](Keyword keyword, Keyword loop) {
     return [this, keyword, loop](StatementId id) {
       if (!program_.at(id).is(keyword)) return false;
@@ -104,6 +116,7 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
     case HazardKind::kStaleContinue: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;
     case HazardKind::kContinueMeetsBreak: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;
     case HazardKind::kStaleRepeatCount: begins_at(trace_->nearest(at.record, executed(Keyword::kReturn, Keyword::kUnknown))); break;
+    case HazardKind::kRunsIntoSub: begins_at(other); break;
     case HazardKind::kArgumentNotPassed: not_passed_.emplace_back(at.context, number, at.position); return;
     case HazardKind::kValueNotReturned: case HazardKind::kValueCleared:
       hazard.other = trace_->nearest(at.record, [this](StatementId id) {
@@ -117,10 +130,11 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
     case HazardKind::kCrash: trace_->terminate(at.record, next_key_++); break;
     default: break;
   }
-  hazards_.emplace(std::make_tuple(kind, hazard.statement, hazard.other, static_cast<uint32_t>(warned)), std::move(hazard));
+  const auto [known, added] = hazards_.emplace(std::make_tuple(kind, hazard.statement, hazard.other, static_cast<uint32_t>(warned)), hazard);
+  if (!added) known->second.unproven = known->second.unproven && hazard.unproven;
 }
 
-/// The call that led to a line: into its file if it stands in a called one, else into its sub. None where many calls of that
+/// The call that led to a line: into its file if it is in a called one, else into its sub. None where many calls of that
 /// have been joined: it may not be the first one's.
 StatementId Analysis::call_of(ContextId context, StatementId at) const {
   StatementId call = kNoStatement;
@@ -217,10 +231,11 @@ void Analysis::finish() {
   idle_loops();
   const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
   if (!hangs) endless_loops();  // one mistake, one finding
+  ends_in_subs();
   std::optional<OptionalArguments> optional;
   for (const auto& [context, number, read] : not_passed_) {
     if (!optional) optional.emplace(program_);
-    if (optional->copies(read, number)) continue;
+    if (optional->optional(read, number)) continue;
     for (const Caller& caller : frames_[context].callers) {
       const StatementId call = caller.state.position;
       if (program_.at(call).value_count >= number) continue;
@@ -326,6 +341,8 @@ std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
     if (stop.statement != kNoStatement) stop.statement -= files[home].first;
     localize(home, &stop.other, &stop.other_elsewhere);
     localize(home, &stop.call, &stop.call_elsewhere);
+    Elsewhere end;  // of a file that was called: nobody asks
+    localize(home, &stop.end_of, &end);
     for (Decision& decision : stop.path) {
       const uint32_t file = linked.file_of(decision.statement);
       decision.statement -= files[file].first;

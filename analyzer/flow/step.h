@@ -1,5 +1,5 @@
-// One step of the O-word machine in progress: a line, and the state in which it is met. Used by the step_*.cc files
-// only, which hold the transitions, keyword by keyword.
+// One step of the O-word machine in progress: a line, and the state before it. Used only by the step_*.cc files,
+// which have the transitions, keyword by keyword.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,9 @@ struct Machine::Step {
   StatementId here;
   bool skipping;
   FullLabel label = kNoLabel;
-  Fact tested;  ///< the condition of this line, when its outcome can be remembered
+  Fact tested;  ///< the condition of this line, if its outcome can be remembered
   std::optional<ValueId> returned_value;  ///< the value on this `return` or `endsub`
-  bool decided = false;  ///< the condition has one outcome only here: going on is no branch
+  bool decided = false;  ///< the condition has only one outcome here, so going on is not a branch
   ReadLog reads;
 
   Step(Machine& machine, State start, const Context& ctx, Listener& listener)
@@ -38,7 +38,7 @@ struct Machine::Step {
 
   // --- leaving the line ---
 
-  /// `branch`: 1 when this outcome needs a true condition, 2 a false one.
+  /// `branch`: 1 if this outcome needs a true condition, 2 a false one.
   void go(State next, StatementId position, uint8_t branch = 0) {
     if (branch != 0 && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
       m.evaluator_.learn(next.parameters, tested, branch == 1);
@@ -56,7 +56,7 @@ struct Machine::Step {
   }
   void stop_error() { stop(error()->kind, error()->message); }
 
-  /// One of the eight documented errors: stops, or under FEATURE 0x20 becomes a message. True when it goes on.
+  /// One of the eight documented errors: stops, or under FEATURE 0x20 prints a message. True if the run goes on.
   bool documented(StopKind kind, std::string message, StatementId other = kNoStatement) {
     if (!warn_only()) {
       stop(kind, std::move(message), other);
@@ -68,7 +68,7 @@ struct Machine::Step {
 
   // --- evaluating ---
 
-  /// False when evaluation stops the interpreter on every merged path.
+  /// False if evaluation stops the interpreter on every merged path.
   bool settle(const Evaluation& e, bool at_definition = false) {
     const StopKind kind = e.fails != StopKind::kNone ? e.fails : e.may_fail;
     if (kind != StopKind::kNone) {
@@ -81,7 +81,7 @@ struct Machine::Step {
       if (at_definition) out.hazard(state, HazardKind::kValueAtDefinition, 0, kind, message);
       const bool merged = e.fails == StopKind::kNone;
       const bool mixed = state.mixed;
-      // On which of the merged paths, and whether one of them gets here, nobody knows.
+      // It is not known on which of the merged paths, nor whether one of them gets here.
       state.mixed = mixed || (kind == StopKind::kNameUndefined && (merged || state.joined));
       stop(kind, std::move(message), kNoStatement, std::move(detail));
       state.mixed = mixed;
@@ -107,7 +107,7 @@ struct Machine::Step {
   }
   void report_value_reads() {
     if (reads.no_value == kUnassigned) return;
-    // Where paths were joined, the outcomes of `#<_value_returned>` are not told apart any more.
+    // After paths were joined, the outcomes of `#<_value_returned>` are joined too.
     const bool guarded = reads.no_value == kMaybeNotReturned && m.program_.syntax.names.find("_value_returned") != kNoName;
     if (!guarded) out.hazard(state, reads.no_value == kCleared ? HazardKind::kValueCleared : HazardKind::kValueNotReturned, 0, StopKind::kNone, "");
     reads.no_value = kUnassigned;
@@ -115,14 +115,14 @@ struct Machine::Step {
 
   ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first + i]; }
 
-  /// The condition of `if`, `elseif`, `while`; false when it stops.
+  /// The condition of `if`, `elseif`, `while`; false if it stops.
   bool condition(Truth* truth, double* number = nullptr) {
     if (s.value_count == 0) {
       stop_error();
       return false;
     }
     const Evaluation e = evaluate(value(0));
-    reads.not_passed = 0;  // testing an argument that was not passed is how optional arguments are written
+    reads.not_passed = 0;  // optional arguments are written like this: the sub tests an argument that was not passed
     report_value_reads();
     if (!settle(e)) return false;
     const bool constant = m.values_.is_constant(e.value);
@@ -141,8 +141,8 @@ struct Machine::Step {
 
   // --- the table ---
 
-  /// Following the members of a set one by one: in a joined state some of them may not go with the rest of it.
-  /// `own`: this line, which counts as one with "undefined".
+  /// Follows the members of a set one by one: in a joined state some of them may not fit the rest of the state.
+  /// `own`: this line, which counts the same as "undefined".
   void take_apart(const Definers::Set& set, StatementId own = kNoStatement) {
     if (!state.joined) return;
     size_t outcomes = set.undefined ? 1 : 0;
@@ -150,7 +150,7 @@ struct Machine::Step {
     if (outcomes > 1) state.mixed = true;
   }
 
-  /// Structured blocks are in the table from their opener on, without being written there.
+  /// Structured blocks count as entered from their first line on, without an entry in the table.
   bool structured() const {
     const BlockId block = m.program_.block_of[here];
     return block != kNoBlock && m.structure_.structured[block] &&
@@ -169,11 +169,9 @@ struct Machine::Step {
   uint32_t line_of(StatementId id) const { return m.program_.at(id).line; }
   std::string line_text() const {
     const std::string_view text = m.linked_.source_of(here).slice(s.whole());
-    const size_t first = text.find_first_not_of(" \t\r");
-    const size_t last = text.find_last_not_of(" \t\r");
-    return first == std::string_view::npos ? std::string() : std::string(text.substr(first, last - first + 1));
+    return std::string(text.substr(0, text.find_last_not_of(" \t\r\v\f") + 1));
   }
-  /// `N: ` as the interpreter begins its messages about labels.
+  /// `N: `, the beginning of the interpreter's messages about labels.
   std::string at_line(const std::string& rest) const { return std::to_string(s.line) + ": " + rest; }
 
   void set_count(FullLabel of, int count) {
@@ -199,10 +197,14 @@ struct Machine::Step {
 
   void run();
   void plain();
+  void m98();
+  void m99();
   void o_word();
   bool resolve_label();
   void act(Truth truth, double number);
   bool enter_sub();
+  bool is_called_sub() const;
+  bool own_file_has(NameId sub) const;
   void sub();
   void bare();
   void leave_sub();

@@ -185,7 +185,7 @@ void Machine::Step::jump() {
       if (skipping && kind == Keyword::kDo && (state.continuing & (kYes | kStale)) != 0) {
         out.hazard(state, HazardKind::kContinueMeetsBreak, 0, StopKind::kNone, "");
       }
-      // The `while` that closes a `do` clears the flag; `endwhile` leaves it behind.
+      // The `while` that closes a `do` clears the flag; `endwhile` leaves it set.
       if (m.reads_break_) state.breaking = kind == Keyword::kDo ? kYes : kStale;
     } else if (!skipping) {
       state.continuing = kind == Keyword::kDo ? kStale : kYes;
@@ -204,7 +204,7 @@ void Machine::Step::if_(Truth truth) {
   const auto as = [&](StatementId opener) {
     state = before;
     set_entry(Definers::one(opener));
-    if (opener == here) set_count(label, -1);  // it makes its own entry anew each time, another one's it leaves alone
+    if (opener == here) set_count(label, -1);  // it makes its own entry again each time, and leaves the entries of others
     if (truth != Truth::kFalse) {
       State in = state;
       in.executed = kYes;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "analyzer/flow/step.h"
+#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
@@ -13,7 +14,8 @@ void Machine::step(State state, const Context& context, Listener& out) {
 
 void Machine::Step::run() {
   const LineError* e = error();
-  if (e != nullptr && e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) return stop_error();
+  const bool anywhere = e != nullptr && ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
+  if (anywhere) return stop_error();
   // Measured: `O…` and M98 stop where they are read, also where lines are skipped; M99 only where it would return.
   if (m.refuses_fanuc(s) || (m.no_fanuc_ && s.kind == LineKind::kM99 && called() && !skipping)) {
     return stop(StopKind::kFanucDisabled, s.kind == LineKind::kOWord ? "DISABLE_FANUC_STYLE_SUB disabled in INI file, but found bare O-word"
@@ -30,31 +32,11 @@ void Machine::Step::plain() {
     if (skipping) return stop(StopKind::kFileEnd, "Failed to find sub 'O" + m.full_text(state.skip) + "' before EOF");
     return out.end(state);
   }
+  if (s.kind == LineKind::kM98) return m98();
   if (skipping) return next_line();
-  if (s.kind == LineKind::kAbort) return out.end(state);
+  if (s.kind == LineKind::kAbort) return context.contour ? next_line() : out.end(state);
   if (s.kind == LineKind::kPercent) return stop(StopKind::kBadCharacter, "Bad character '%' used");
-  if (s.kind == LineKind::kM98 || s.kind == LineKind::kM99) {
-    if (error() != nullptr) return stop_error();
-    if (s.kind == LineKind::kM98) {
-      if (!resolve_label()) return;
-      if (label == kNoLabel) return next_line();
-      int repeats = 1;
-      if (s.value_count > 0) {
-        const Evaluation times = evaluate(value(0));
-        if (!settle(times)) return;
-        repeats = m.values_.is_constant(times.value)
-                      ? static_cast<int>(std::clamp(m.values_.value(times.value), 0.0, 1e6))
-                      : kUnknownRepeats;
-      }
-      return call(repeats, true);
-    }
-    if (!called()) return out.end(state);  // ends a run; the machine itself starts the program again
-    if (!context.fanuc) {
-      return stop(StopKind::kStyleNeedsEndsub, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
-    }
-    m.evaluator_.come_back(state.parameters, nullptr, true);
-    return out.leave(state);
-  }
+  if (s.kind == LineKind::kM99 && called()) return m99();
   Parameters after = state.parameters;
   Evaluation e = m.evaluator_.assign(s, after, &reads);
   while (e.may_fail == StopKind::kNameUndefined) {
@@ -70,8 +52,60 @@ void Machine::Step::plain() {
     const std::string& name = m.name(e.read_only);
     return stop(StopKind::kNameReadOnly, "Cannot assign to read-only parameter #<" + name + ">", kNoStatement, name);
   }
-  if (s.kind == LineKind::kProgramEnd) return out.end(state);
+  if (s.kind == LineKind::kM99Behind && called() && !context.contour) return stop(StopKind::kM99Behind, "Bug:  Reached convert_stop() from M99 as subprogram return");
+  if (s.has_m99()) {
+    const StatementId opener = m.program_.regions[m.program_.region_of[here]].opener;
+    if (opener != kNoStatement && m.program_.at(opener).is(Keyword::kBare)) out.hazard(state, HazardKind::kRunsIntoSub, 0, StopKind::kNone, "", opener);
+    return out.end(state);  // of a run of the main program; the machine itself starts it again
+  }
+  if (s.kind == LineKind::kProgramEnd && !context.contour) return out.end(state);
+  if (s.kind == LineKind::kContour && m.profile_.version >= Version::k2_9) {
+    if (!resolve_label()) return;
+    if (label != kNoLabel) return call(1, false);
+    Evaluator::call_outside(state.parameters);
+  }
   next_line();
+}
+
+/// Measured: M98 is read with all its values wherever it stands, and stops there; where lines are skipped it only does
+/// not call.
+void Machine::Step::m98() {
+  const auto computable = [&](const Evaluation& found, ExprId id) {
+    Evaluation e = found;
+    report_reads();
+    if (skipping && e.fails == StopKind::kNone && e.may_fail == StopKind::kNone) {
+      // A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
+      const Evaluation fresh = evaluate(id, true);
+      e.may_fail = fresh.fails;
+      e.message = fresh.message;
+    }
+    return settle(e);
+  };
+  int repeats = 1;
+  for (uint32_t i = 0; i < s.value_count; ++i) {
+    const Evaluation e = evaluate(value(i));
+    if (!computable(e, value(i))) return;
+    if (i > 0 || !s.repeats) continue;
+    repeats = kUnknownRepeats;
+    if (!m.values_.is_constant(e.value)) continue;
+    long times = 0;
+    if (!to_integer(m.values_.value(e.value), &times)) return stop(StopKind::kM98Words, "Non integer value for integer");
+    if (times < 0) return stop(StopKind::kM98Words, "Negative l word used");
+    repeats = static_cast<int>(std::min(times, 1'000'000L));
+  }
+  if (!resolve_label()) return;
+  if (skipping || label == kNoLabel) return next_line();
+  call(repeats, true);
+}
+
+/// M99 as the first word, in a sub.
+void Machine::Step::m99() {
+  if (s.rest_to > s.rest_from) return stop(StopKind::kM99Rest, "Unexpected character after O-word");
+  if (!context.fanuc) {
+    return stop(StopKind::kStyleNeedsEndsub, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
+  }
+  m.evaluator_.come_back(state.parameters, nullptr, true);
+  out.leave(state);
 }
 
 /// Finds the full label. False when evaluating it stops; `label` stays none when it cannot be known.
@@ -88,9 +122,9 @@ bool Machine::Step::resolve_label() {
       return false;
     }
     name = m.intern(text);
-    if (s.is(Keyword::kCall) || s.kind == LineKind::kM98) m.computed_calls_.insert(name);
+    if (s.calls()) m.computed_calls_.insert(name);
   }
-  const bool global = s.kind == LineKind::kM98 || global_label(s.keyword);
+  const bool global = s.kind != LineKind::kOWord || global_label(s.keyword);
   const NameId scope = global ? kGlobalScope : called() ? context.sub : state.defining;
   label = m.full_label(scope, name);
   return true;

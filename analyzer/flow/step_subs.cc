@@ -21,6 +21,16 @@ bool Machine::Step::enter_sub() {
   return true;
 }
 
+/// Whether the line's label is that of the sub that is being called.
+bool Machine::Step::is_called_sub() const { return m.name(m.label_of(label)) == called_label(m.name(context.sub), m.profile_.version); }
+
+/// Whether the file of this line defines a sub itself.
+bool Machine::Step::own_file_has(NameId sub) const {
+  if (sub >= m.program_.by_label.size()) return false;
+  const uint32_t file = m.linked_.file_of(here);
+  return std::ranges::any_of(m.program_.by_label[sub], [&](StatementId id) { return m.program_.at(id).opens_sub() && m.linked_.file_of(id) == file; });
+}
+
 void Machine::Step::sub() {
   if (called() && context.fanuc) {
     return stop(StopKind::kStyleNeedsCall, "'O.... sub' subroutine must be called with 'O.... call'");
@@ -35,6 +45,7 @@ void Machine::Step::sub() {
       return stop(StopKind::kSubNestedInCall, "Nested subroutine definition: 'O" + m.name(m.label_of(label)) +
                                                   " sub' found inside called subroutine 'O" + m.name(context.sub) + "'");
     }
+    if (!is_called_sub()) out.hazard(state, HazardKind::kSubInCall, 0, StopKind::kNone, "");
     return next_line();
   }
   if (!enter_sub()) return;
@@ -62,12 +73,15 @@ void Machine::Step::leave_sub() {
   const bool endsub = s.keyword == Keyword::kEndsub;
   if (called()) {
     if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
-    if (endsub) state.skip = kNoLabel;
+    if (endsub) {
+      state.skip = kNoLabel;
+      if (!is_called_sub()) out.hazard(state, HazardKind::kForeignEnd, 0, StopKind::kNone, "");
+    }
     come_back();
     return out.leave(state);
   }
   if (defining()) {
-    come_back();  // measured: passing over the definition is enough
+    come_back();  // measured: skipping the definition is enough
     if (endsub) {
       state.skip = kNoLabel;
       state.defining = kNoName;
@@ -98,7 +112,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
   std::vector<ValueId> arguments;
   arguments.reserve(s.value_count);
   if (!fanuc) {
-    for (uint32_t i = 0; i < s.value_count; ++i) {
+    for (uint32_t i = 0; i < s.value_count; ++i) {  // none on a line of words
       const Evaluation e = evaluate(value(i));
       report_reads();
       if (!settle(e)) return;
@@ -110,7 +124,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
 
   // Where no chain is too deep, calls at all depths are alike.
   const int depth = m.structure_.shallow_calls ? 1 : context.depth + 1;
-  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size())};
+  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size()), context.contour || s.kind == LineKind::kContour};
   State enter = state;
   enter.looped = false;
   enter.branch = 0;
@@ -132,16 +146,17 @@ void Machine::Step::call(int repeats, bool fanuc) {
     out.call(state, std::move(inside), callee, 1);
     if (repeats == 0) return;
   }
-  // A name with a path stands for its last part in the label table, but is the called sub's name for its own labels.
+  // A name with a path means its last part in the label table, but is the called sub's name for its own labels.
   const NameId plain = m.intern(std::string(called_label(m.name(callee.sub), m.profile_.version)));
   const FullLabel defined = plain == callee.sub ? label : m.full_label(kGlobalScope, plain);
   const Definers::Set set = m.definers_.get(state.table.get(defined));
   take_apart(set);
   enter.mixed = state.mixed;
   for (const StatementId line : set.lines) {
+    if (m.linked_.file_of(line) != m.linked_.file_of(here) && own_file_has(plain)) out.hazard(state, HazardKind::kOtherHelper, 0, StopKind::kNone, "", line);
     State known = enter;
     known.table.set(m.pool_, defined, Definers::one(line));
-    known.position = line;  // the definition's line is read again (measured: text behind it stops there)
+    known.position = line;  // the definition's line is read again (measured: text after it stops there)
     out.call(state, std::move(known), callee, repeats);
   }
   if (!set.undefined) return;

@@ -21,7 +21,7 @@ bool is_regular(const Program& program) {
   }
   for (StatementId id = 0; id < program.size(); ++id) {
     const Statement& s = program.at(id);
-    if (s.kind == LineKind::kM98) return false;
+    if (s.kind == LineKind::kM98 || s.kind == LineKind::kContour) return false;
     if (s.kind != LineKind::kOWord) continue;
     if (s.label == kNoName || program.syntax.error(s) != nullptr) return false;
     if (part_of_block(s) && program.block_of[id] == kNoBlock) return false;
@@ -54,7 +54,7 @@ bool has_shallow_calls(const Program& program) {
   return false;
 }
 
-/// A part or end of a block that stands inside another one, opened later, or that belongs to none at all: a skip can
+/// A part or end of a block that is inside another one, opened later, or that belongs to none at all: a skip can
 /// land there. So is what a sub begins or ends in.
 void mark_entered_sideways(const Program& program, std::vector<bool>& good) {
   struct Open {
@@ -66,7 +66,7 @@ void mark_entered_sideways(const Program& program, std::vector<bool>& good) {
   for (StatementId id = 0; id < program.size(); ++id) {
     const Statement& s = program.at(id);
     if (!part_of_block(s)) {
-      if (s.opens_sub() || s.is(Keyword::kEndsub) || s.kind == LineKind::kM99) ++subs;
+      if (s.opens_sub() || s.is(Keyword::kEndsub) || s.has_m99()) ++subs;
       continue;
     }
     if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) continue;  // these never end a skip
@@ -114,7 +114,7 @@ std::vector<bool> find_apart(const Program& program) {
   return apart;
 }
 
-/// Labels that stand on several blocks, or on lines of none, among the lines of one scope: `scope_of` a line, by name of
+/// Labels that are on several blocks, or on lines of none, among the lines of one scope: `scope_of` a line, by name of
 /// the sub or, for all else, their number. `bad` takes the blocks.
 template <typename ScopeOf, typename Bad>
 void find_shared_labels(const Program& program, const ScopeOf& scope_of, const Bad& bad) {
@@ -125,7 +125,7 @@ void find_shared_labels(const Program& program, const ScopeOf& scope_of, const B
     return part_of_block(s) && s.label != kNoName ? scope_of(id) : Grouped::kNone;
   });
   std::vector<BlockId> owner(names);       // by label: the only block that has it in this scope, else kNoBlock
-  std::vector<uint32_t> seen_in(names, UINT32_MAX);  // by label: the scope that `owner` speaks of
+  std::vector<uint32_t> seen_in(names, UINT32_MAX);  // by label: the scope that `owner` is for
   for (uint32_t scope = 0; scope <= names; ++scope) {
     bool shared = false;
     for (const StatementId id : scopes[scope]) {

@@ -1,5 +1,5 @@
-// What the flow analysis did, kept as a graph: one record per state that was processed. Answers afterwards how a
-// stop is reached: on every run or on some, by which branches, and where a run never ends.
+// A graph of what the flow analysis did, with one record for each state. Afterwards it answers whether every run or some
+// run gets to a stop, by which branches, and where a run never ends.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ class Trace {
     RecordId parent = kNoRecord;
     StatementId statement = kNoStatement;
     uint8_t branch = 0;     ///< of the step that led here: 1 true, 2 false
-    bool executed = false;  ///< not merely passed over
-    bool after_call = false;  ///< a call has come back here; the way is closed by come_back()
+    bool executed = false;  ///< not only skipped
+    bool after_call = false;  ///< a call has come back here; come_back() adds the edge
   };
   struct Link {
     RecordId from = kNoRecord;
@@ -35,11 +35,11 @@ class Trace {
     records_.push_back(record);
     return static_cast<RecordId>(records_.size() - 1);
   }
-  /// A state that came to a place where an equal state had been before.
+  /// A state is equal to an earlier one at the same line.
   void link(RecordId from, RecordId to, uint8_t branch = 0) { links_.push_back({from, to, branch}); }
   /// The call made at the record `call` has come back at `after`, a record made for that with `after_call`.
   void come_back(RecordId call, RecordId after) { calls_.push_back({call, after}); }
-  /// A run ends here; `key` tells different ends apart (0: a program end without error).
+  /// A run ends here; `key` is the kind of end (0: a program end without error).
   /// `unsure`: the record stands for several runs, and only some of them end here.
   void terminate(RecordId at, uint32_t key, bool unsure = false) {
     terminals_.emplace_back(at, key);
@@ -49,7 +49,7 @@ class Trace {
   const Record& at(RecordId id) const { return records_[id]; }
   size_t size() const { return records_.size(); }
 
-  /// Lines that were not gone through, because what calls of their sub come to was known before.
+  /// Lines that were not analysed, because the outcomes of calls of their sub were known.
   void leave_out(StatementId first, StatementId last) { left_out_.emplace_back(first, last); }
   bool leaves_out() const { return !left_out_.empty(); }
   /// A question cannot be answered without these lines.
@@ -68,11 +68,11 @@ class Trace {
   Reach reach(StatementId statement) const;
   /// Whether some run ends at all.
   bool ends() const { return !terminals_.empty(); }
-  /// The branch outcomes on the way to `stop` without which a run does not get to an end with `key`.
+  /// The conditions on the way to `stop` without which a run does not get to an end with `key`.
   std::vector<Decision> path(RecordId stop, uint32_t key) const;
   /// Records from which no end can be reached.
   const std::vector<bool>& hanging() const { return hanging_; }
-  /// Walks back from a record to the nearest one whose statement satisfies `wanted`.
+  /// Goes back from a record to the nearest one whose statement satisfies `wanted`.
   template <typename Wanted>
   StatementId nearest(RecordId from, const Wanted& wanted) const {
     for (RecordId id = from; id != kNoRecord; id = records_[id].parent) {
@@ -82,10 +82,10 @@ class Trace {
   }
   /// Edges besides those from a record's parent to it, for the search of endless loops.
   const std::vector<Link>& links() const { return links_; }
-  /// The ways round that need no condition to be true (as the ways round of loops do), so that nothing makes them end:
-  /// by record, the number of its group of such ways, or 0.
+  /// Cycles that need no condition to be true (as the cycles of loops do), so that nothing ends them: by record, the number
+  /// of its group of such cycles, or 0.
   std::vector<uint32_t> idle_cycles() const;
-  /// Ways round that nothing leads out of, numbered in the same way; edges that are `removed` are not there.
+  /// Cycles without an exit, numbered in the same way; `removed` edges do not count.
   std::vector<uint32_t> closed_cycles(const std::function<bool(RecordId from, RecordId to)>& removed) const;
   /// Calls `each` with all edges: from, to.
   template <typename Each>

@@ -6,6 +6,7 @@
 #include <memory_resource>
 #include <string_view>
 
+#include "analyzer/machine/remap_names.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -56,17 +57,18 @@ PersistentMap Evaluator::share_numbers(PersistentMap names, const PersistentMap&
   return names;
 }
 
-void Evaluator::expect_from_outside(Parameters& p) const {
+void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) const {
   for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
   // A remap passes named parameters: those that the file reads before any of its lines assigns them. Expressions
-  // stand in the order of the lines, so the ones before an assignment's own value come earlier.
+  // are in the order of the lines, so the ones before an assignment's own value come earlier.
   std::vector<ExprId> assigned(syntax_.names.size(), kNoExpr);
   for (const Item& item : syntax_.items) {
     if (item.target_name != kNoName) assigned[item.target_name] = std::min(assigned[item.target_name], item.value);
   }
   for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
     const Expr& expr = syntax_.exprs[id];
-    if (expr.op == Operator::kNamed && !expr.target && id < assigned[expr.name()]) set_name(p, expr.name(), kUnknown);
+    if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
+    if (global_name(expr.name()) || remap_gives(syntax_.names.text(expr.name()), sub, profile_)) set_name(p, expr.name(), kUnknown);
   }
 }
 
@@ -140,7 +142,7 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_whe
   }
   if (out.value >= kFirstConstant || out.value == kUnknown || out.value == kNotPassed) return out;
   if (defining) {
-    // Read all the same: as what happens to be in memory, mostly 0 or next to it (measured).
+    // It does not stop: the value is whatever is in memory, mostly 0 or near 0 (measured).
     out.value = zero_when_unassigned ? values_.intern(0) : kUnknown;
     return out;
   }
@@ -240,7 +242,7 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
   return out;
 }
 
-/// A name exists from where it stands before `=`, for its own value and for the rest of the line: new ones read 0 there, others
+/// A name exists as soon as it was read before `=`, for its own value and for the rest of the line: new ones are 0 there, others
 /// what they were before the line (measured).
 void Evaluator::begin_name(NameId name, Parameters& p) const {
   const bool global = global_name(name);

@@ -1,12 +1,13 @@
-// What is known of parameters: nothing, that something was assigned, a range of numbers, or one constant. Constants come
-// from literals and arithmetic on them, ranges from conditions and from constants that are joined; everything else is
-// unknown, so that both outcomes of a condition are followed.
+// What is known about parameters: nothing, that something was assigned, a range of numbers, or one constant. Constants come
+// from literals and arithmetic on them, ranges from conditions and from joined constants; everything else is unknown, so
+// that both outcomes of a condition are followed.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -24,9 +25,9 @@ using ValueId = uint32_t;
 inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
 inline constexpr ValueId kUnknown = 1;          ///< assigned, value not known
 inline constexpr ValueId kMaybeUnassigned = 2;  ///< assigned on some paths
-inline constexpr ValueId kNotPassed = 3;        ///< #n of a sub whose call passes fewer arguments: reads 0
-inline constexpr ValueId kNotReturned = 4;      ///< `#<_value>` after a call that returned nothing: reads 0
-inline constexpr ValueId kCleared = 5;          ///< the same where a call before that one had returned something
+inline constexpr ValueId kNotPassed = 3;        ///< #n of a sub whose call passes fewer arguments: it is 0
+inline constexpr ValueId kNotReturned = 4;      ///< `#<_value>` after a call that returned nothing: it is 0
+inline constexpr ValueId kCleared = 5;          ///< the same if an earlier call had returned something
 inline constexpr ValueId kMaybeNotReturned = 6;  ///< one of these on some paths
 inline constexpr ValueId kFirstConstant = 7;
 inline constexpr ValueId kFirstRange = 1U << 31;
@@ -35,12 +36,12 @@ inline constexpr ValueId kFirstRange = 1U << 31;
 class KnownValues {
  public:
   ValueId intern(double value);
-  /// A range is widened to the thresholds first; one that holds everything is kUnknown.
+  /// A range is widened to the thresholds first; one that contains all numbers is kUnknown.
   ValueId intern(const Range& range);
   static bool is_constant(ValueId id) { return id >= kFirstConstant && id < kFirstRange; }
   double value(ValueId id) const { return constants_[id - kFirstConstant]; }
   Range range(ValueId id) const;
-  /// What is known when two paths meet.
+  /// What is known after two paths are joined.
   ValueId join(ValueId a, ValueId b);
   void set_thresholds(std::vector<double> numbers) { thresholds_ = Thresholds(std::move(numbers)); }
   const Thresholds& thresholds() const { return thresholds_; }
@@ -69,18 +70,18 @@ struct Parameters {
   bool outside = false;   ///< an unknown sub has run: globals may have any value
 };
 
-/// The result of evaluating an expression in one state. What stops on some of the merged paths comes first: what is behind it
-/// is known only when it has been dealt with.
+/// The result of evaluating an expression in one state. A stop on some of the merged paths comes first: what comes after it
+/// is known only when that stop has been handled.
 struct Evaluation {
   ValueId value = kUnknown;
   StopKind fails = StopKind::kNone;      ///< evaluation always stops here
   StopKind may_fail = StopKind::kNone;   ///< on some of the merged paths it stops
   NameId name = kNoName;                 ///< the undefined name
   const char* message = nullptr;         ///< the interpreter's words for a failing operation
-  NameId read_only = kNoName;            ///< a line that assigns this name, which is noticed when all of it has been read (measured)
+  NameId read_only = kNoName;            ///< the line assigns this name; LinuxCNC notices after reading the whole line (measured)
 };
 
-/// What the evaluator tells about reads, besides the value.
+/// What the evaluator notes about reads, besides the value.
 struct ReadLog {
   uint32_t not_passed = 0;  ///< bit n: #n was read though the call did not pass it
   ValueId no_value = kUnassigned;  ///< `#<_value>` was read: kNotReturned, kCleared or kMaybeNotReturned
@@ -89,7 +90,7 @@ struct ReadLog {
 /// What the outcome of lines depends on, besides their text.
 struct Dependence {
   std::vector<uint32_t> locals, globals;  ///< parameters that they read or assign, by their keys in Parameters
-  std::string circumstances;  ///< what the evaluator tracks of these, because of other lines
+  std::string circumstances;  ///< what the evaluator tracks about them because of other lines
   bool global_facts = false;  ///< a condition on globals whose outcome is remembered
   bool known = true;          ///< false: there are more values, and they are not known
 };
@@ -98,13 +99,13 @@ class Evaluator {
  public:
   Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool);
 
-  /// Evaluates `id`. `zero_when_unassigned`: numbered parameters that the program never set read 0, as they do
-  /// in a freshly started interpreter; used only to tell whether a value can fail. `defining`: while a sub
-  /// definition is passed over, undefined names do not stop; with `zero_when_unassigned` they read 0 then.
+  /// Evaluates `id`. `zero_when_unassigned`: numbered parameters that the program never set are 0, as in a
+  /// newly started interpreter; used only to find out whether a value can fail. `defining`: while a sub definition is
+  /// skipped, undefined names do not stop; with `zero_when_unassigned` they are 0 then.
   Evaluation evaluate(ExprId id, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const;
 
   /// Applies the assignments of a line, in order, after all its values were read.
-  /// Returns what stops it, if anything does.
+  /// Returns the stop, if there is one.
   Evaluation assign(const Statement& s, Parameters& parameters, ReadLog* log) const;
 
   /// From now on constants are only "assigned", and outcomes are not remembered: for very large programs.
@@ -120,25 +121,25 @@ class Evaluator {
   /// Assigns something, on every way or only perhaps.
   void assign_unknown(ParameterId p, bool certain, Parameters& parameters) const;
 
-  /// From now on nothing is known of global parameters: code that is not read as O-words may change them.
+  /// From now on nothing is known about global parameters: code that owlint does not follow may change them.
   void distrust_globals() { distrusts_globals_ = true; }
 
   Fact fact(ExprId condition) const;
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
-  /// Adds the operations of a line that can fail: `10/[#5-1]`, `SQRT[#5]`, `#[#5]`.
+  /// Adds the operations of a line that may fail: `10/[#5-1]`, `SQRT[#5]`, `#[#5]`.
   void note_fragile(const Statement& s, std::vector<ExprId>& out) const;
-  /// Whether one of them does for these values.
+  /// Whether one of them fails for these values.
   bool will_fail(std::span<const ExprId> operations, const Parameters& p) const;
   /// Adds the parameters that a condition reads, by their keys. Whether its outcomes are followed
   /// exactly: what it compares are parameters with numbers, and they keep their values.
   bool followed(ExprId condition, std::vector<ParameterKey>& reads) const;
-  /// A name was read without a stop, or EXISTS has found it. What this run has not assigned, one before it has; then that run
-  /// has assigned its other globals, too.
+  /// A name was read without a stop, or EXISTS has found it. If this run has not assigned it, an earlier run has, and that run
+  /// assigned its other globals too.
   void assume_there(NameId name, Parameters& p) const;
-  /// What the outcome of a condition tells of the parameters that it compares.
+  /// Applies what the outcome of a condition says about the parameters that it compares.
   void refine(Parameters& p, ExprId condition, bool truth) const;
-  /// Forgets all that an unknown sub may have changed.
+  /// Forgets everything that an unknown sub may have changed.
   static void call_outside(Parameters& p);
 
   /// Adds what the value of an expression depends on; of a condition, also whether its outcome is remembered.
@@ -146,14 +147,14 @@ class Evaluator {
   /// The same for a line of assignments and words. False if it may assign a global parameter.
   bool note_assignments(const Statement& s, Dependence& out) const;
   bool distrusts_globals() const { return distrusts_globals_; }
-  /// What the machine's INI says to the names that it decides about, as a number.
+  /// The effect of the machine's INI on the names that depend on it, as a number.
   uint64_t machine_values() const;
 
   KnownValues& values() const { return values_; }
   /// Keys of `#<_value>` and `#<_value_returned>`, as far as anything reads them.
   std::vector<uint32_t> result_keys() const;
   void set_number(Parameters& p, long number, ValueId value) const;
-  /// A sub comes back, or its definition is passed over: sets `#<_value>` and `#<_value_returned>`. `value`: null without
+  /// A sub returns, or its definition is skipped: sets `#<_value>` and `#<_value_returned>`. `value`: null without
   /// one; `never`: the sub has no line that returns a value.
   void come_back(Parameters& p, const ValueId* value, bool never) const;
   /// A call passes its arguments to a sub that has no parameters yet.
@@ -161,7 +162,7 @@ class Evaluator {
   /// M98 shares #1 to #30 with its sub, but not names: `names` with the numbers of `numbers`.
   PersistentMap share_numbers(PersistentMap names, const PersistentMap& numbers) const;
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
-  void expect_from_outside(Parameters& p) const;
+  void expect_from_outside(std::string_view sub, Parameters& p) const;
   void set_name(Parameters& p, NameId name, ValueId value) const;
 
  private:
@@ -199,7 +200,7 @@ class Evaluator {
   PersistentMap::Pool& pool_;
   std::vector<NameKind> kinds_;  // by name
   // Only parameters on which a condition, label, count, argument or value can depend are tracked: others would
-  // tell states apart that behave alike.
+  // separate states that behave alike.
   std::vector<bool> relevant_number_;
   std::vector<bool> relevant_name_;
   std::vector<bool> read_argument_;  // #1 to #30 that are read anywhere

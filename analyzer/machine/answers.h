@@ -1,5 +1,5 @@
-// What one program asks of the search path, and the answers: a later run asks the same questions, and where all
-// answers are the same the program's findings are, too.
+// What one program asks of the search path, and the answers: a later run asks the same questions. If all
+// answers are the same, the program's findings are the same too.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ struct Answer {
   bool operator==(const Answer&) const = default;
 };
 
-/// Asks a search path, and notes it if it is to. For one program, and so for one thread.
+/// Asks a search path, and notes the answers if wanted. For one program, and so for one thread.
 class Answers {
  public:
   Answers(std::shared_ptr<const SearchPath> path, bool notes) : path_(std::move(path)), notes_(notes) {}

@@ -19,7 +19,7 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-// Measured: what stands behind this many bytes counts as a line of its own, and a line can be continued so often.
+// Measured: the rest after this many bytes counts as a line of its own, and a line can be continued this often.
 constexpr size_t kLongestLine = 255;
 constexpr size_t kMaxContinued = 20;
 
@@ -109,7 +109,7 @@ void Ini::read_section(const std::vector<Line>& lines, size_t at) {
     }
     at = last + 1;
     if (text.empty() || text[0] == '#' || text[0] == ';') continue;
-    const size_t equals = text.find('=');  // a key without it, but with a blank behind it, is one without a value
+    const size_t equals = text.find('=');  // a key without it, but with a blank after it, is one without a value
     if (equals == std::string_view::npos && text.find_first_of(" \t") == std::string_view::npos && (last != at_first || !is_blank(first.text.back()))) continue;
     const std::string_view value = equals == std::string_view::npos ? std::string_view{} : trim(text.substr(equals + 1));
     const auto end_of = [](const Line& line) {

@@ -17,7 +17,7 @@ class Ini {
   struct Entry {
     std::string section;
     std::string key;
-    std::string value;  ///< without blanks around it; an empty one hides later ones, and counts as none
+    std::string value;  ///< without spaces around it; an empty one hides later ones, and counts as none
     std::shared_ptr<const Source> source;  ///< the INI, or a file that it includes
     Span span;                             ///< the value's bytes there
   };
@@ -32,6 +32,7 @@ class Ini {
   /// All values of a key that may repeat, in file order.
   std::vector<const Entry*> all(std::string_view section, std::string_view key) const;
   bool has_section(std::string_view section) const;
+  bool has_sections() const { return !sections_.empty(); }
 
   const std::shared_ptr<const Source>& source() const { return source_; }
   const std::vector<Entry>& entries() const { return entries_; }
@@ -53,7 +54,7 @@ class Ini {
   std::vector<std::string> sections_;
 };
 
-/// `~` and `~/…` with the home folder for `~`, as LinuxCNC expands them in paths of an INI; other text as it is.
+/// Replaces `~` and `~/…` by the home folder, as LinuxCNC does in paths of an INI; leaves other text.
 std::string expand_home(std::string_view path);
 
 }  // namespace owlint

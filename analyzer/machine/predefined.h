@@ -1,4 +1,4 @@
-// The parameters that are LinuxCNC's own: which there are in a version, and which its INI and its hardware add. Sources:
+// The parameters that LinuxCNC predefines: in each version, and from the INI and the hardware. Sources:
 // each was tried with `rs274` of 2.9.0; for other versions LinuxCNC's documentation, and the changes that added a name
 // (../../docs/interpreter.md, "Predefined parameters").
 #pragma once
@@ -13,24 +13,24 @@ namespace owlint {
 
 /// What a named parameter is on a machine.
 enum class NameKind : uint8_t {
-  kLocal,         ///< of the sub that is executed
+  kLocal,         ///< of the sub that is running
   kGlobal,        ///< begins with `_`: of all subs
-  kSomeReleases,  ///< LinuxCNC's own in some releases of the version, like any other global in the rest
-  kOfMachine,     ///< looked up in the machine, which is not known: an entry of its INI, a pin
-  kPredefined,    ///< LinuxCNC's own: it can be read at any time, and not be assigned
+  kSomeReleases,  ///< predefined in some releases of the version, an ordinary global in the others
+  kOfMachine,     ///< from the machine, which is not known: an entry of its INI, a pin
+  kPredefined,    ///< predefined: it can be read at any time, and cannot be assigned
 };
 
-/// `name`: in small letters and without blanks, as LinuxCNC keeps it. `#<_ini[section]entry>` is kPredefined where the INI
-/// is known and has a number there, and like any other global where it has none.
+/// `name`: in lower case and without blanks, as LinuxCNC keeps it. `#<_ini[section]entry>` is kPredefined if the INI
+/// is known and has a number there, and an ordinary global if it has none.
 NameKind name_kind(std::string_view name, const Profile& profile);
 
-/// The number that `#<_ini[section]entry>` reads, where the INI is known and has it.
+/// The number of `#<_ini[section]entry>`, if the INI is known and has it.
 std::optional<double> ini_number(std::string_view name, const Profile& profile);
 
-/// The version that LinuxCNC's own name `name` came with, if it is one.
+/// The version that introduced the predefined name `name`, if it is one.
 std::optional<Version> predefined_since(std::string_view name);
 
-/// Whether a name is LinuxCNC's own in any version, or looked up in the machine: nothing is known of its value.
+/// Whether a name is predefined in any version, or comes from the machine: its value is unknown.
 bool may_be_predefined(std::string_view name);
 
 /// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured; #5021-#5029 from 2.10 on).

@@ -22,6 +22,7 @@ std::string_view version_text(Version version);
 struct Profile {
   Version version = Version::k2_9;
   bool version_given = false;
+  bool block_delete = false;               ///< lines that begin with `/` are skipped: so LinuxCNC starts; off in rs274
   std::optional<uint32_t> feature;         ///< from --feature or the configuration
   std::shared_ptr<const MachineSetup> setup;  ///< what the INI says; null without one
   std::vector<std::string> sub_path;  ///< folders that users name for called files; the setup's search path has them already
@@ -30,7 +31,7 @@ struct Profile {
   bool warn_only() const;
   /// Whether LinuxCNC still reads the mask from the INI.
   bool mask_counts() const { return !version_given || version < Version::k2_8; }
-  /// Whether a called sub that is nowhere to be found may be a function of the machine's Python module.
+  /// Whether a called sub that is not found may be a function of the machine's Python module.
   bool may_be_python() const { return setup != nullptr && setup->has_python; }
 };
 

@@ -1,7 +1,7 @@
 // Where LinuxCNC looks for the file of a called sub: the current folder, PROGRAM_PREFIX, the folders of
 // SUBROUTINE_PATH in their order, and below WIZARD_ROOT; `name.ngc`, the first one found. Measured with `rs274 -i`.
-// Behind these come the folders of `--sub-path`, which users name where the INI is missing or does not fit this computer.
-// Nothing is expanded, and no name leads out of these folders, whatever LinuxCNC would do with it.
+// After these come the folders of `--sub-path`, for users whose INI is missing or does not fit this computer.
+// Unlike LinuxCNC, owlint expands nothing, and no name leads out of these folders.
 #pragma once
 
 #include <atomic>
@@ -18,8 +18,8 @@ namespace owlint {
 /// A file as a call finds it.
 struct FoundFile {
   std::string path;
-  bool regular = true;  ///< LinuxCNC opens folders and devices too, and finds no sub in them
-  size_t folder = 0;    ///< its place in the search path
+  bool regular = true;  ///< LinuxCNC opens folders and devices too, but finds no sub in them
+  size_t folder = 0;    ///< its index in the search path
 };
 
 /// A part of the search path.
@@ -37,11 +37,11 @@ class SearchPath {
 
   /// The file that a call of `name` reads.
   std::optional<FoundFile> find(std::string_view name) const;
-  /// All files with that name on the search path, the one that is read first.
+  /// All files with that name on the search path, the one that LinuxCNC reads first.
   std::vector<FoundFile> find_all(std::string_view name) const;
-  /// A file that is called `name.ngc` but for the case of its letters, and that no call therefore finds.
+  /// A file whose name differs from `name.ngc` only in upper and lower case, so that no call finds it.
   std::optional<std::string> find_other_case(std::string_view name) const;
-  /// The names of all subs that could be called, sorted; read once, the first time that they are asked for.
+  /// The names of all subs that could be called, sorted; read once, when first needed.
   std::vector<std::string> names() const;
 
   const std::vector<SearchFolder>& folders() const { return folders_; }
@@ -63,7 +63,7 @@ class SearchPath {
   mutable std::vector<Tree> trees_;
 };
 
-/// Whether LinuxCNC's lookup of a file for this name could do more than open `name.ngc` in its folders.
+/// Whether LinuxCNC, looking for a file of this name, could do more than open `name.ngc` in its folders.
 bool expands(std::string_view name);         ///< a shell would replace parts of it, or run a command
 bool breaks_expansion(std::string_view name);  ///< expansion fails, and LinuxCNC crashes
 bool leaves_folders(std::string_view name);  ///< absolute, `~`, or with `..`

@@ -26,8 +26,8 @@ struct IniFolder {
 /// O-word code or the name of a sub in the INI.
 struct IniCall {
   std::string_view key;   ///< `REMAP`, `NGCGUI_SUBFILE`, `MDI_COMMAND`, `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`
-  std::string code;       ///< a line of G-code; for subs that are named only, a call of them
-  std::string name;       ///< the sub, where the INI names it
+  std::string code;       ///< a line of G-code; if only a sub is named, a call of it
+  std::string name;       ///< the sub, if the INI names it
   std::shared_ptr<const Source> source;
   Span span;
 };
@@ -44,15 +44,15 @@ struct MachineSetup {
   bool has_remaps = false;         ///< codes on motion lines may run subs
   bool has_python = false;         ///< a called sub may be a Python function
   std::vector<IniFolder> folders;  ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
-  std::vector<IniCall> calls;      ///< subs called by something that is no program
+  std::vector<IniCall> calls;      ///< subs that the machine calls, without a program
   std::shared_ptr<const SearchPath> search_path;
   Ini ini;
 };
 
-/// Whether a file for a sub that the INI calls is there; ngcgui looks for its own in NGCGUI_SUBFILE_PATH as well.
+/// Whether there is a file for a sub that the INI calls; ngcgui also looks in NGCGUI_SUBFILE_PATH.
 bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name);
 
-/// Reads a machine's INI; the folders of `sub_path` come behind its own in the search path. Null and a message when it
+/// Reads a machine's INI; the folders of `sub_path` come after its own in the search path. Returns null and a message if it
 /// cannot be read.
 std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error, const std::vector<std::string>& sub_path = {});
 

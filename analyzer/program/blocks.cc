@@ -58,7 +58,7 @@ class Matcher {
  private:
   Block& block(BlockId id) { return program_.blocks[id]; }
 
-  /// Definitions before `id` stand in the innermost block that is open now.
+  /// Definitions before `id` are in the innermost block that is open now.
   void note_definitions(StatementId id) {
     if (region_ != kMainRegion) return;
     for (; next_region_ < program_.regions.size() && program_.regions[next_region_].opener < id; ++next_region_) {
@@ -68,11 +68,12 @@ class Matcher {
 
   void line(StatementId id) {
     const Statement& s = program_.at(id);
+    if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown) return without_label(id);
     if (s.kind != LineKind::kOWord || s.label == kNoName) return;
     switch (s.keyword) {
       case Keyword::kWhile:
         if (const BlockId loop = find(Keyword::kDo, s.label); loop != kNoBlock) return close(loop, id);
-        return open(id);
+        return means_to_close(Keyword::kDo) && !comes_later(Keyword::kWhile, s.label) ? mistake(id) : open(id);
       case Keyword::kIf: case Keyword::kDo: case Keyword::kRepeat:
         return open(id);
       case Keyword::kElseif: case Keyword::kElse:
@@ -121,23 +122,45 @@ class Matcher {
     Block& top = block(open_.back());
     const bool same_label = top.label == s.label;
     const bool same_kind = top.kind == opener_of(s.keyword);
-    if ((same_label || same_kind) && !comes_later(top)) {
-      top.mistaken_end = id;
-      program_.block_of[id] = open_.back();
-      forget(open_.back());
-      open_.pop_back();
+    if ((same_label || same_kind) && !comes_later(top)) mistake(id);
+  }
+
+  /// The line is probably meant to end the innermost block.
+  void mistake(StatementId id) {
+    block(open_.back()).mistaken_end = id;
+    program_.block_of[id] = open_.back();
+    forget(open_.back());
+    open_.pop_back();
+  }
+
+  /// Whether an end for blocks of this kind would be the innermost one's, whose own does not come.
+  bool means_to_close(Keyword kind) { return !open_.empty() && block(open_.back()).kind == kind && !comes_later(block(open_.back())); }
+
+  /// A keyword whose label was forgotten.
+  void without_label(StatementId id) {
+    const Keyword keyword = program_.at(id).keyword;
+    if (ends_block(keyword) || keyword == Keyword::kWhile) {
+      if (means_to_close(keyword == Keyword::kWhile ? Keyword::kDo : opener_of(keyword))) mistake(id);
+    } else if (keyword == Keyword::kElse || keyword == Keyword::kElseif) {
+      if (!open_.empty() && block(open_.back()).kind == Keyword::kIf) program_.block_of[id] = open_.back();
+    } else if (keyword == Keyword::kBreak || keyword == Keyword::kContinue) {
+      const auto loop = std::find_if(open_.rbegin(), open_.rend(), [&](BlockId b) { return block(b).kind != Keyword::kIf; });
+      if (loop != open_.rend()) program_.block_of[id] = *loop;
     }
   }
 
-  bool comes_later(const Block& b) const {
+  bool comes_later(const Block& b) const { return comes_later(b.kind, b.label); }
+
+  /// Whether the end of a block of this kind and label follows.
+  bool comes_later(Keyword kind, NameId label) const {
     // Bounded: an end further away than this is not looked for.
     constexpr size_t kHorizon = 4096;
-    const auto lines = program_.by_label[b.label];
+    const auto lines = program_.by_label[label];
     auto at = std::ranges::upper_bound(lines, lines_[index_]);
     for (size_t n = 0; at != lines.end() && n < kHorizon; ++at, ++n) {
       if (program_.region_of[*at] != region_) continue;
       const Statement& s = program_.at(*at);
-      if (s.is(end_of(b.kind))) return true;
+      if (s.is(end_of(kind))) return true;
       if (opens_block(s.keyword)) return false;
     }
     return false;
@@ -170,7 +193,7 @@ class Matcher {
   }
 
   /// Guesses where the missing end belongs: before the first line at the opener's own indentation or further out, and
-  /// not behind `limit`, where an enclosing block ends. Without indentation there is nothing to tell ties apart.
+  /// not after `limit`, where an enclosing block ends. Without indentation there is nothing to tell ties apart.
   void unclosed(BlockId id, StatementId limit) {
     Block& b = block(id);
     const Source& source = *program_.source;
@@ -196,7 +219,7 @@ class Matcher {
       }
       while (part != lines_of_label.end() && program_.at(*part).line < number) ++part;
       if (part != lines_of_label.end() && program_.at(*part).line == number && program_.block_of[*part] == id) {
-        // a part of this block: neither inside nor behind it
+        // a part of this block: neither inside nor after it
       } else if (depth > own) {
         indented = true;
       } else if (depth >= 0) {

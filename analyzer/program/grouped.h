@@ -1,5 +1,5 @@
-// Lists of small numbers, one after the other in one array: the lines by label, the lines by sub. A vector of vectors
-// would be an allocation for each of a million labels.
+// Lists of small numbers, one after the other in one array: for example the lines by label, or the lines by sub. A vector
+// of vectors would need an allocation for each of a million labels.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ class Grouped {
   }
 
   size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }
-  /// All items, group after group, and the place of a group's first among them.
+  /// All items, group after group, and the index of a group's first item.
   std::span<const uint32_t> all() const { return items_; }
   size_t first(size_t group) const { return first_[group]; }
   std::span<const uint32_t> operator[](size_t group) const {

@@ -1,4 +1,4 @@
-// The called files of a run, each read and parsed once, however many programs call it and from however many threads.
+// The called files of a run. Each is read and parsed once, even if many programs call it from many threads.
 #pragma once
 
 #include <atomic>
@@ -22,16 +22,16 @@ class Library {
   /// `open` reads files; an editor gives its unsaved buffers instead.
   explicit Library(Open open = Source::map) : open_(std::move(open)) {}
 
-  /// The files that a run checks. Whichever way a call finds one, it is named so in findings.
+  /// The files that a run checks. Findings use these names, however a call finds the file.
   void name_files(std::vector<std::string> paths);
-  /// A file has changed: it is read anew when it is asked for.
+  /// A file has changed: it is read again when needed.
   void forget(const std::string& path);
 
-  /// The program in the file that a call found; an empty one where there is nothing that LinuxCNC could
-  /// read (a folder, a device, a file that has vanished). Never null.
+  /// The program in the file that a call found; an empty one if there is nothing that LinuxCNC could
+  /// read (a folder, a device, a file that was deleted). Never null.
   std::shared_ptr<const Program> load_called(const std::string& path);
-  /// The program in a file that is checked itself. It is kept if others may call it, which they can when it defines
-  /// the sub that it is named after.
+  /// The program in a file that is checked itself. It is kept if others may call it, that is, if it defines the sub with
+  /// its own name.
   std::shared_ptr<const Program> load(std::shared_ptr<const Source> source);
 
   /// Where the files that a program calls are looked for: as the INI says, or without one in the program's own folder and
@@ -53,8 +53,8 @@ class Library {
   std::shared_ptr<Slot> slot(const std::string& path, bool for_call);
   Open open_;
   std::mutex mutex_;
-  std::vector<std::string> unnamed_;  // of name_files(), as long as nothing has been called: most runs need no names
-  std::unordered_map<std::string, std::string> names_;  // then, by file_key()
+  std::vector<std::string> unnamed_;  // of name_files(), until something is called: most runs need no names
+  std::unordered_map<std::string, std::string> names_;  // after that, by file_key()
   std::map<std::string, std::shared_ptr<Slot>> slots_;
   std::map<std::vector<std::string>, std::shared_ptr<const SearchPath>> search_paths_;  // without an INI, by their folders
   std::atomic<size_t> parsed_ = 0;

@@ -9,7 +9,7 @@ namespace {
 constexpr int kMaxDistance = 10;
 constexpr size_t kMaxFiles = 4096;
 
-/// Copies one file's syntax and structure behind those that are joined already.
+/// Copies one file's syntax and structure after those that are joined already.
 class Joiner {
  public:
   explicit Joiner(Program& out) : out_(out) {}
@@ -113,18 +113,22 @@ std::string_view called_label(std::string_view name, Version version) {
 }
 
 Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes)
-    : answers_(library.search_path(program->source->path(), profile), notes), library_(library) {
+    : answers_(library.search_path(program->source->path(), profile), notes), library_(library), block_delete_(profile.block_delete) {
   const std::string path = program->source->path();
   by_path_.emplace(file_key(path), 0);
-  files_.push_back({std::move(program), 0, 0, true});
+  files_.push_back({as_run(std::move(program)), 0, 0, true});
   follow(0);
   join();
 }
 
 uint32_t Linked::add_file(const FoundFile& found) {
   const auto [entry, added] = by_path_.try_emplace(file_key(found.path), static_cast<uint32_t>(files_.size()));
-  if (added) files_.push_back({library_.load_called(found.path), 0, 0, found.regular});
+  if (added) files_.push_back({as_run(library_.load_called(found.path)), 0, 0, found.regular});
   return entry->second;
+}
+
+std::shared_ptr<const Program> Linked::as_run(std::shared_ptr<const Program> program) const {
+  return block_delete_ ? without_deleted_lines(std::move(program)) : program;
 }
 
 CallTarget Linked::target(const std::string& name) const {

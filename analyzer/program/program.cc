@@ -11,7 +11,7 @@ void collect_calls(Program& program) {
   for (RegionId r = 1; r < program.regions.size(); ++r) first_definition.emplace(program.regions[r].name, r);
   for (StatementId id = 0; id < program.size(); ++id) {
     const Statement& s = program.at(id);
-    if ((!s.is(Keyword::kCall) && s.kind != LineKind::kM98) || s.refused) continue;
+    if (!s.calls() || s.refused) continue;
     Call call{id, program.region_of[id], s.label};
     if (const auto found = first_definition.find(call.callee); found != first_definition.end()) call.target = found->second;
     program.calls.push_back(call);
@@ -26,6 +26,14 @@ NameId own_name(const Program& program) {
     if (region.name == name && program.at(region.opener).is(Keyword::kSub)) return name;
   }
   return kNoName;
+}
+
+/// Whether a statement, or the plain lines behind it, is code outside of subs.
+bool works_outside(const Program& program, StatementId id) {
+  const Statement& s = program.at(id);
+  // Plain code behind an `endsub` is counted with the statement before it.
+  if (program.region_of[id] != kMainRegion) return id == program.regions[program.region_of[id]].end && s.plain_code_follows;
+  return s.kind == LineKind::kPercent ? s.plain_code_follows : s.kind != LineKind::kProgramEnd;
 }
 
 }  // namespace
@@ -49,6 +57,17 @@ std::string Program::head(StatementId id) const {
   return text;
 }
 
+BlockId Program::open_above(RegionId region, StatementId place) const {
+  const auto begins = [](const Block& block) { return std::pair(block.region, block.opener); };
+  const auto below = std::ranges::lower_bound(blocks, std::pair(region, place), {}, begins);
+  if (below == blocks.begin()) return kNoBlock;
+  // Of the blocks that begin above, the last one's parents are those around the place.
+  auto block = static_cast<BlockId>(below - blocks.begin() - 1);
+  if (blocks[block].region != region) return kNoBlock;
+  while (block != kNoBlock && blocks[block].end != kNoStatement && blocks[block].end < place) block = blocks[block].parent;
+  return block;
+}
+
 void index_labels(Program& program) {
   program.by_label.assign(program.syntax.names.size(), static_cast<uint32_t>(program.size()), [&](StatementId id) {
     const Statement& s = program.at(id);
@@ -70,17 +89,24 @@ bool defines_own_name(const Program& program) { return own_name(program) != kNoN
 bool does_nothing(const Program& program) {
   if (program.syntax.first_plain_line != 0) return false;
   for (StatementId id = 0; id < program.size(); ++id) {
-    if (program.region_of[id] != kMainRegion) {
-      // Plain code behind an `endsub` is counted with the statement before it.
-      const Region& region = program.regions[program.region_of[id]];
-      if (id == region.end && program.at(id).plain_code_follows) return false;
-      continue;
-    }
-    const Statement& s = program.at(id);
-    const bool ends = s.kind == LineKind::kProgramEnd || s.kind == LineKind::kPercent;
-    if (!ends || (s.kind == LineKind::kPercent && s.plain_code_follows)) return false;
+    if (works_outside(program, id)) return false;
   }
   return true;
+}
+
+bool runs_by_itself(const Program& program) {
+  const NameId own = own_name(program);
+  if (own == kNoName) return true;
+  // A call of anything, or `o<own>` alone, which may be a call that lacks its `call`.
+  if (std::ranges::any_of(program.calls, [](const Call& call) { return call.caller == kMainRegion; })) return true;
+  if (std::ranges::any_of(program.by_label[own], [&](StatementId id) { return program.at(id).is(Keyword::kBare); })) return true;
+  bool code = program.syntax.first_plain_line != 0;
+  for (StatementId id = 0; id < program.size() && !(program.at(id).is(Keyword::kSub) && program.at(id).label == own); ++id) {
+    const bool ends = program.at(id).kind == LineKind::kProgramEnd && program.region_of[id] == kMainRegion;
+    if (code && ends) return true;
+    code = code || works_outside(program, id);
+  }
+  return false;
 }
 
 void treat_as_sub_file(Program& program) {
@@ -88,16 +114,46 @@ void treat_as_sub_file(Program& program) {
   program.sub_file = program.entry != kNoName;
 }
 
+namespace {
+
+void build_structure(Program& program) {
+  index_labels(program);
+  find_regions(program);
+  match_blocks(program);
+  collect_calls(program);
+  if (!runs_by_itself(program)) treat_as_sub_file(program);
+}
+
+}  // namespace
+
 std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source) {
   auto program = std::make_unique<Program>();
   program->syntax = scan(*source);
   program->source = std::move(source);
-  index_labels(*program);
-  find_regions(*program);
-  match_blocks(*program);
-  collect_calls(*program);
-  if (defines_own_name(*program) && does_nothing(*program)) treat_as_sub_file(*program);
+  build_structure(*program);
   return program;
+}
+
+std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Program> program) {
+  if (!program->syntax.deletes_lines) return program;
+  auto out = std::make_shared<Program>();
+  out->source = program->source;
+  out->syntax = program->syntax;
+  auto& statements = out->syntax.statements;
+  statements.clear();
+  for (const Statement& s : program->syntax.statements) {
+    const LineError* error = program->syntax.error(s);
+    const bool read = error != nullptr && error->kind <= StopKind::kCommentUnclosed;
+    if (!s.block_delete || read) {
+      statements.push_back(s);
+    } else if (s.plain_code_follows && !statements.empty() && !statements.back().plain_code_follows) {
+      statements.back().plain_code_follows = true;
+      statements.back().first_plain_line = s.first_plain_line;
+    }
+  }
+  build_structure(*out);
+  if (program->sub_file) treat_as_sub_file(*out);
+  return out;
 }
 
 }  // namespace owlint

@@ -1,5 +1,5 @@
-// The program room: what the lines of a file are to each other. Subs and their bodies, blocks with their parts,
-// who calls whom. Built once from the syntax; the flow room and the rules read it.
+// The program room: how the lines of a file belong together. Subs, blocks with their parts, calls. Built once from
+// the syntax; the flow room and the rules read it.
 #pragma once
 
 #include <memory>
@@ -24,9 +24,9 @@ struct Region {
   NameId name = kNoName;                ///< label of the sub; kNoName for the main program
   StatementId opener = kNoStatement;
   StatementId end = kNoStatement;       ///< the last `endsub` with the sub's label; none when it is missing
-  StatementId early_end = kNoStatement;  ///< an `endsub` before that one: ends the definition when it is passed over
-  StatementId likely_end = kNoStatement;  ///< an `endsub` with another label that was probably meant
-  BlockId enclosing = UINT32_MAX;       ///< a block of the main program in which the definition stands
+  StatementId early_end = kNoStatement;  ///< an `endsub` before that one: ends the definition when the interpreter skips it
+  StatementId likely_end = kNoStatement;  ///< an `endsub` with another label, or without one, that was probably meant
+  BlockId enclosing = UINT32_MAX;       ///< the block of the main program around the definition
   StatementId last = 0;                 ///< one past the last statement that belongs to it
 };
 
@@ -40,7 +40,7 @@ struct Block {
   BlockId parent = kNoBlock;
   BlockId crossed = kNoBlock;      ///< a block that ends between this one's opener and end without nesting in it
   StatementId mistaken_end = kNoStatement;  ///< a line that is probably meant to be the missing end
-  uint32_t suggested_line = 0;     ///< the missing end most likely belongs before this line; 0: no guess
+  uint32_t suggested_line = 0;     ///< the missing end probably belongs before this line; 0: no guess
 };
 
 /// One call: O-word or M98.
@@ -60,13 +60,13 @@ struct Program {
 
   std::vector<Region> regions;        ///< [0] is the main program
   std::vector<RegionId> region_of;    ///< by statement
-  std::vector<Block> blocks;          ///< region by region, there in the order of their openers
+  std::vector<Block> blocks;          ///< region by region, in a region in the order of their openers
   Grouped parts;                      ///< by block: its `elseif` and `else`, in file order
   std::vector<BlockId> block_of;      ///< by statement: the block that it opens, divides, ends, breaks or continues
   std::vector<Call> calls;
   Grouped by_label;  ///< by NameId: the O-words with that label, in file order
 
-  /// The file is called from elsewhere: it defines the sub it is named after, and does nothing else.
+  /// The file is called from elsewhere: it defines the sub it is named after, and is no program itself.
   bool sub_file = false;
   NameId entry = kNoName;  ///< that sub
 
@@ -74,16 +74,22 @@ struct Program {
   const std::string& name(NameId id) const { return syntax.names.text(id); }
   size_t size() const { return syntax.statements.size(); }
   std::string label_text(NameId id) const { return owlint::label_text(name(id)); }
-  /// The label of a statement, a computed one as it is written.
+  /// The label of a statement; a computed label as it is written.
   std::string label_at(StatementId id) const;
   /// `o100 if`: label and keyword of a statement.
   std::string head(StatementId id) const;
+  /// The innermost block of a region that is open above a place: the lines before statement `place`.
+  BlockId open_above(RegionId region, StatementId place) const;
   /// The block's keyword and label, `o100 if`.
   std::string head_of(const Block& block) const { return head(block.opener); }
 };
 
 /// Builds everything above from the bytes of one file.
 std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source);
+
+/// The program as LinuxCNC runs it when block delete is on: without the lines that begin with `/`. Only errors of
+/// comments and of a line's length are left of them (measured). The same program where there is no such line.
+std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Program> program);
 
 /// The names of the subs that one line of code outside any program calls.
 std::vector<std::string> called_names(const std::string& code);
@@ -92,6 +98,9 @@ std::vector<std::string> called_names(const std::string& code);
 bool defines_own_name(const Program& program);
 /// Whether nothing is executed when the file is run as a program.
 bool does_nothing(const Program& program);
+/// Whether a file is a program, whatever its name: it lacks the sub of its own name, or what stands outside of subs calls
+/// something or ends before that sub. Other code there is passed over when the file is called.
+bool runs_by_itself(const Program& program);
 /// Takes a file for one that others call, whatever else stands in it; it must define its own name.
 void treat_as_sub_file(Program& program);
 

@@ -1,5 +1,5 @@
 // Which lines belong to which sub. A definition reaches from `sub` to the first `endsub` with its label, as the
-// interpreter passes over it; a Fanuc-style sub from its program number to M99.
+// interpreter skips it; a Fanuc-style sub from its program number to M99.
 #include <algorithm>
 #include <unordered_set>
 
@@ -38,7 +38,7 @@ void find_regions(Program& program) {
     const Statement& s = program.at(id);
     if (s.kind == LineKind::kM98 && s.label != kNoName) fanuc_subs.insert(s.label);
     if (s.is(Keyword::kSub)) subs.push_back(id);
-    if (s.kind == LineKind::kM99) fanuc_returns.push_back(id);
+    if (s.has_m99()) fanuc_returns.push_back(id);
   }
 
   for (StatementId id = 0; id < count;) {
@@ -65,7 +65,9 @@ void find_regions(Program& program) {
       region.last = next_sub;
       // No other sub is open here, so an `endsub` before the next one was probably meant for this.
       for (StatementId at = id + 1; at < region.last && sub; ++at) {
-        if (program.at(at).is(Keyword::kEndsub) && !program.at(at).refused) region.likely_end = at;
+        const Statement& end = program.at(at);
+        const bool without_label = end.kind == LineKind::kWords && end.keyword == Keyword::kEndsub;
+        if (without_label || (end.is(Keyword::kEndsub) && !end.refused)) region.likely_end = at;
       }
       if (region.likely_end != kNoStatement) region.last = region.likely_end + 1;
     }

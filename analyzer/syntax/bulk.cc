@@ -109,26 +109,24 @@ class Pass {
     const uint64_t inside = up_to_highest(uint64_t{1} << (here - 1));
     Masks m = classify<false>(block);
     const uint64_t starts = m.feed << 1 | at_start_;
-    uint64_t code_bytes = 0;  // in lines that end here; what lies behind the last line feed follows from `rest`
+    uint64_t code_bytes = 0;  // in lines that end here; what lies after the last line feed follows from `rest`
     uint64_t odd = m.odd | ((m.ret << 1 | after_return_) & ~m.feed);
     after_return_ = m.ret >> 63;
-    const uint64_t start_letters = starts & m.letter;
-    // Do all lines that begin here begin with one letter, as motion does, or not at all?
-    const bool plain = (code_ || at_start_ != 0) && (starts & ~(m.letter | m.feed)) == 0 && ((start_letters << 1 | after_letter_) & m.letter) == 0;
+    odd |= (m.letter << 1 | after_letter_) & m.letter;
+    after_letter_ = m.letter >> 63;
+    // Do all lines that begin here begin with a letter, as motion does, or not at all?
+    const bool plain = (code_ || at_start_ != 0) && (starts & ~(m.letter | m.feed)) == 0;
     if (plain) {
       code_bytes = ~(m.feed & starts);  // all lines but empty ones are code
       at_start_ = m.feed >> 63;
-      after_letter_ = start_letters >> 63;
     } else {
       m = classify<true>(block);
       // The first byte of each line that is no blank: adding a line's start to the blanks carries it over them.
       uint64_t carried = 0;
       const bool beyond = __builtin_add_overflow(m.blank, starts & m.blank, &carried);
       const uint64_t first = (starts | carried) & ~m.blank;
-      const uint64_t first_letter = first & m.letter;
-      odd |= (first & m.digit) | ((first_letter << 1 | after_letter_) & m.letter);
+      odd |= first & m.digit;
       at_start_ = m.feed >> 63 | (beyond ? 1 : 0);
-      after_letter_ = first_letter >> 63;
       code_bytes = ~(m.blank | m.feed);
     }
     odd &= inside;
@@ -161,7 +159,7 @@ class Pass {
   size_t line_;                // where the line begins that is not over yet
   bool code_ = false;          // it has something other than blanks, in the blocks before
   uint64_t at_start_ = 1;      // only blanks of it have come so far
-  uint64_t after_letter_ = 0;  // its first byte but for blanks, a letter, was the last one of the block before
+  uint64_t after_letter_ = 0;  // the last byte of the block before was a letter
   uint64_t after_return_ = 0;  // so was a carriage return
   Passed out_;
   // The last block with code: its lines are counted at the end only.
@@ -243,7 +241,7 @@ Passed pass_plain_lines_scalar(std::string_view bytes, size_t from) {
       if ((bits & bulk::kBlank) != 0) continue;
       code = true;
       if (bits == 0 || (first && (bits & bulk::kDigit) != 0)) odd = true;
-      if (first && (bits & bulk::kLetter) != 0 && i + 1 < line.size() && (bulk::bits_of(static_cast<uint8_t>(line[i + 1])) & bulk::kLetter) != 0) odd = true;
+      if ((bits & bulk::kLetter) != 0 && i + 1 < line.size() && (bulk::bits_of(static_cast<uint8_t>(line[i + 1])) & bulk::kLetter) != 0) odd = true;
       first = false;
     }
     if (odd) return out;

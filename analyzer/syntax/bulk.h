@@ -1,6 +1,5 @@
-// The fast path of the scanner: passes over the lines of a program that cannot matter to O-words, many bytes at a time,
-// and stops at the first one that may. What it lets through is looked at line by line (scanner.cc), so it may let
-// through too much, never too little.
+// The fast path of the scanner: skips lines that cannot matter to O-words, many bytes at a time, and stops at the first
+// one that may. scanner.cc then reads that line. So the fast path may stop too often, but never skip a line that matters.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 
 namespace owlint {
 
-/// Lines passed over, and where that ended.
+/// The lines that were skipped, and where that ended.
 struct Passed {
   size_t next = 0;          ///< offset of the first line that may matter, or the size of the bytes
   uint32_t lines = 0;       ///< lines before it
@@ -20,9 +19,9 @@ struct Passed {
   bool operator==(const Passed&) const = default;
 };
 
-/// Passes over lines from the line start `from` on. A line may matter when it is longer than LinuxCNC reads, has a
-/// byte other than letters without `M` and `O`, digits, blanks, `+`, `-`, `.` and `$`, a carriage return before its
-/// end, or begins with a digit or two letters. Runs with the widest vectors that the processor has.
+/// Skips lines from the line start `from` on. A line may matter if it is longer than LinuxCNC reads, has a
+/// byte other than letters without `M`, `O` and `Q`, digits, blanks, `+`, `-`, `.` and `$`, a carriage return before its
+/// end, two letters side by side, or begins with a digit. Runs with the widest vectors that the processor has.
 Passed pass_plain_lines(std::string_view bytes, size_t from);
 
 /// The same, byte by byte: what the vectors are tested against.
@@ -36,7 +35,7 @@ struct BulkVariant {
 
 /// The variants that this processor can run, best first, the scalar one last; for tests.
 const std::vector<BulkVariant>& bulk_variants();
-/// From now on this one is used; null: the best again. Not for several threads at a time.
+/// Uses this variant from now on; null: the best one again. Not thread-safe.
 void choose_bulk_variant(const BulkVariant* variant);
 
 }  // namespace owlint

@@ -12,7 +12,7 @@ enum Bit : uint8_t {
   kFeed = 4,
   kDigit = 8,
   kLetterLow = 16,       // a to n but m: the upper half of the byte is 4 or 6
-  kLetterHigh = 32,      // p to z: 5 or 7
+  kLetterHigh = 32,      // p to z but q: 5 or 7
   kSign = 64,            // $ + - .
   kReturn = 128,
 };
@@ -31,7 +31,7 @@ constexpr std::array<uint8_t, 16> make_lower_half() {
   bits[0xD] |= kReturn;
   for (int digit = 0; digit <= 9; ++digit) bits[digit] |= kDigit;
   for (int letter = 0x1; letter <= 0xE; ++letter) bits[letter] |= letter == 0xD ? 0 : kLetterLow;
-  for (int letter = 0x0; letter <= 0xA; ++letter) bits[letter] |= kLetterHigh;
+  for (int letter = 0x0; letter <= 0xA; ++letter) bits[letter] |= letter == 0x1 ? 0 : kLetterHigh;
   for (const int sign : {0x4, 0xB, 0xD, 0xE}) bits[sign] |= kSign;
   return bits;
 }

@@ -78,8 +78,15 @@ bool ExpressionParser::plain_number(uint32_t* number) {
   while (line_[at] >= '0' && line_[at] <= '9') value = value * 10 + static_cast<uint32_t>(line_[at++] - '0');
   if (at == cursor || at - cursor > kMaxDigits || line_[at] == '.') return false;
   *number = value;
+  if (depth_ > 0) note_split(cursor, at);
   cursor = at;
   return true;
+}
+
+/// Blanks vanish, within numbers too.
+void ExpressionParser::note_split(size_t from, size_t to) {
+  if (split_numbers_ == nullptr || line_.offset(to - 1) - line_.offset(from) == to - 1 - from) return;
+  split_numbers_->push_back(line_.span(from, to));
 }
 
 ExprId ExpressionParser::number() {
@@ -96,6 +103,7 @@ ExprId ExpressionParser::number() {
   if (end != digits.data() + digits.size()) {
     return fail(from, cursor, "bad number format (trailing characters) parsing '" + std::string(digits) + "'");
   }
+  if (depth_ > 0) note_split(from, cursor);
   return add(Expr::number(value));
 }
 
@@ -121,7 +129,7 @@ ExprId ExpressionParser::parameter() {
 }
 
 ExprId ExpressionParser::exists() {
-  const size_t from = cursor;  // just behind '['
+  const size_t from = cursor;  // just after '['
   if (line_[cursor] != '#') return fail(from, from + 1, "Expected # reading parameter");
   ++cursor;
   Expr expr = Expr::of(Operator::kExistsNumbered, kNoExpr);
@@ -226,6 +234,13 @@ bool ExpressionParser::read_operator(Operator* op, bool* closed) {
 }
 
 ExprId ExpressionParser::bracketed() {
+  ++depth_;
+  const ExprId value = in_brackets();
+  --depth_;
+  return value;
+}
+
+ExprId ExpressionParser::in_brackets() {
   const size_t opened = cursor;
   ++cursor;
   // Operator precedence with explicit stacks; depth is bounded by the number of strengths.

@@ -1,5 +1,5 @@
-// Expressions of RS274/NGC as flat nodes: `[#1 + 2]`, `ATAN[1]/[2]`, `EXISTS[#<a>]`. Parsing never throws; what is
-// malformed comes back as an error with its place and the interpreter's message.
+// Expressions of RS274/NGC as flat nodes: `[#1 + 2]`, `ATAN[1]/[2]`, `EXISTS[#<a>]`. Parsing never throws; a malformed
+// expression returns an error with its position and the interpreter's message.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ enum class Operator : uint8_t {
 using ExprId = uint32_t;
 inline constexpr ExprId kNoExpr = UINT32_MAX;
 
-/// One node, 16 bytes: what it holds depends on its operator.
+/// One node, 16 bytes: its content depends on its operator.
 class Expr {
  public:
   static Expr number(double value) {
@@ -79,10 +79,10 @@ class Expr {
 };
 static_assert(sizeof(Expr) == 16);
 
-/// All expressions of a program, in one array; an operand always stands before its operator.
+/// All expressions of a program, in one array; an operand always comes before its operator.
 using ExprPool = std::vector<Expr>;
 
-/// What is wrong with a piece of a line: the interpreter's message, and the normalised characters it is about.
+/// An error in a part of a line: the interpreter's message, and the normalised characters that it is about.
 struct ReadError {
   StopKind kind = StopKind::kNone;
   size_t from = 0;  ///< index into the LineText
@@ -93,13 +93,15 @@ struct ReadError {
 /// Reads values out of one line. The cursor stays where reading ended; after a failure `error()` says why.
 class ExpressionParser {
  public:
-  ExpressionParser(const LineText& line, ExprPool& pool, Names& names) : line_(line), pool_(pool), names_(names) {}
+  /// `split_numbers`: takes the places of numbers in brackets that blanks divide; null where nobody asks.
+  ExpressionParser(const LineText& line, ExprPool& pool, Names& names, std::vector<Span>* split_numbers = nullptr)
+      : line_(line), pool_(pool), names_(names), split_numbers_(split_numbers) {}
 
   /// Reads `[ ... ]` at the cursor.
   ExprId bracketed();
   /// Reads any value: number, `[...]`, `#...`, a function, with signs.
   ExprId value();
-  /// Reads digits that are a whole number, as nearly all are; false, with nothing read, where anything else stands.
+  /// Reads digits that are a whole number, as nearly all are; for anything else returns false and reads nothing.
   bool plain_number(uint32_t* number);
   /// Reads what follows `#`: `5`, `[...]`, `<name>`, `#5`.
   ExprId parameter();
@@ -115,12 +117,16 @@ class ExpressionParser {
   ExprId exists();
   bool read_operator(Operator* op, bool* closed);
   bool read_name(NameId* name);
+  void note_split(size_t from, size_t to);
+  ExprId in_brackets();
 
   const LineText& line_;
   ExprPool& pool_;
   Names& names_;
+  std::vector<Span>* split_numbers_;
+  size_t depth_ = 0;  // of brackets
   ReadError error_;
-  const char* failed_ = nullptr;  // the interpreter computes while it reads: what fails comes before what is malformed
+  const char* failed_ = nullptr;  // the interpreter computes while it reads: a failing operation comes before a malformed one
 };
 
 /// Name of an operator as it is written (`**`, `LT`, `SQRT`), for messages and graphs.

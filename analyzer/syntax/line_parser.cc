@@ -40,6 +40,7 @@ LineByte LineParser::relative(size_t at) const { return static_cast<LineByte>(li
 
 void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message) {
   if (s.error != UINT32_MAX) return;  // the first error on a line is the one that the interpreter reports
+  if (is_foreign(line_[from])) to = from + foreign_run(line_.text(), from);
   s.error = static_cast<uint32_t>(out_.errors.size());
   out_.errors.push_back({kind, line_.span(from, to), std::move(message)});
 }
@@ -71,6 +72,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
     return true;
   }
   size_t at = 0;
+  number_at_ = std::string_view::npos;
   if (line_.text() == "%") {
     s.kind = LineKind::kPercent;
     s.keyword_from = relative(0);
@@ -94,10 +96,11 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
       fail(s, StopKind::kLineNumber, at, std::max(end, at + 1), "Bad format unsigned integer");
       return true;
     }
+    number_at_ = at;
     at = end;
     if (line_[at] == '/') {
       fail(s, StopKind::kBlockDelete, at, at + 1, bad_character('/'));
-      recover(at + 1, s);
+      if (line_[at + 1] == 'o') recover(at + 1, s);
       return true;
     }
   }
@@ -108,9 +111,10 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   return words(at, s) || s.nul || s.inner_cr;
 }
 
-void LineParser::label(ExpressionParser& in, Statement& s) {
-  const size_t from = in.cursor;  // at the `o`
-  ++in.cursor;
+/// `has_letter`: the cursor is at the `o`, or what stands in its place; else it has been forgotten.
+void LineParser::label(ExpressionParser& in, Statement& s, bool has_letter) {
+  const size_t from = in.cursor;
+  if (has_letter) ++in.cursor;
   s.label_from = relative(from);
   if (line_[in.cursor] == '<') {
     s.named = true;
@@ -175,12 +179,12 @@ void LineParser::arguments(ExpressionParser& in, Statement& s) {
   s.comment |= comments;
 }
 
-void LineParser::o_word(size_t at, Statement& s) {
+void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
   s.kind = LineKind::kOWord;
   s.first = static_cast<uint32_t>(out_.values.size());
-  ExpressionParser in(line_, out_.exprs, out_.names);
+  ExpressionParser in(line_, out_.exprs, out_.names, &out_.split_numbers);
   in.cursor = at;
-  label(in, s);
+  label(in, s, has_letter);
   if (s.error != UINT32_MAX) return;
 
   const std::string_view rest = line_.text().substr(in.cursor);
@@ -193,7 +197,7 @@ void LineParser::o_word(size_t at, Statement& s) {
     s.keyword = keyword_of(rest);
     if (s.keyword == Keyword::kUnknown) {
       size_t to = in.cursor;
-      while (is_letter(line_[to])) ++to;
+      while (is_letter(line_[to]) || is_foreign(line_[to])) ++to;
       if (to == in.cursor) ++to;
       s.keyword_to = static_cast<LineByte>(line_.span(in.cursor, to).end - s.offset);
       fail(s, StopKind::kKeywordUnknown, in.cursor, to, "Unknown control command in o word");
@@ -232,23 +236,19 @@ void LineParser::o_word(size_t at, Statement& s) {
   const size_t rest_at = skip_comments(in.cursor, &comments);
   s.comment |= comments;
   if (rest_at < line_.size()) {
-    const Span rest_span = line_.span(rest_at, line_.size());
-    s.rest_from = static_cast<LineByte>(rest_span.begin - s.offset);
-    s.rest_to = static_cast<LineByte>(rest_span.end - s.offset);
+    note_rest(rest_at, s);
     fail(s, StopKind::kTrailingText, rest_at, line_.size(), "Unexpected character after O-word");
   }
 }
 
-/// The line is refused, but what would be its O-word is read all the same: then its block is not missed, and one
+/// The line is an error, but its O-word is read anyway: then its block is not missed, and one
 /// mistake stays one finding.
-void LineParser::recover(size_t at, Statement& s) {
-  const bool zero = line_[at] == '0';
-  if (line_[at] != 'o' && !zero) return;
+void LineParser::recover(size_t at, Statement& s, bool has_letter) {
   const size_t errors = out_.errors.size();
   const uint32_t error = s.error;
   s.error = UINT32_MAX;
   s.item_count = 0;
-  o_word(at, s);
+  o_word(at, s, has_letter);
   out_.errors.resize(errors);
   s.error = error;
   s.refused = true;

@@ -9,23 +9,37 @@ class LineParser {
  public:
   explicit LineParser(Syntax& syntax) : out_(syntax) {}
 
-  /// Parses `raw` (without line feed) which begins at `offset`. Fills `*statement` and returns true when the line
-  /// is one to keep; its values, items and errors are then in the Syntax.
+  /// Parses `raw` (without line feed) which begins at `offset`. Fills `*statement` and returns true if the line
+  /// is to be kept; its values, items and errors are then in the Syntax.
   bool parse(std::string_view raw, uint64_t offset, Statement* statement);
   /// Whether a comment begins on the line that was parsed last.
   bool has_comment() const { return line_.has_comment(); }
 
  private:
-  void o_word(size_t at, Statement& s);
-  void label(ExpressionParser& in, Statement& s);
+  void o_word(size_t at, Statement& s, bool has_letter = true);
+  void label(ExpressionParser& in, Statement& s, bool has_letter);
   void arguments(ExpressionParser& in, Statement& s);
   bool words(size_t at, Statement& s);
+  bool fanuc_code(size_t at, Statement& s);
   void m98(ExpressionParser& in, Statement& s);
+  bool m98_word(ExpressionParser& in, Statement& s);
+  bool m98_target(ExprId value, size_t from, size_t to, Statement& s);
+  bool m98_repeats(ExprId value, size_t from, size_t to, Statement& s);
+  void m98_other(ExprId value, size_t from, size_t to, Statement& s);
+  void m99(ExpressionParser& in, Statement& s);
+  bool all_words(ExpressionParser& in, Statement& s);
   bool word(ExpressionParser& in, Statement& s);
+  void contour(Statement& s);
+  bool m_code(ExprId value, size_t from, size_t to, Statement& s);
+  void note_rest(size_t at, Statement& s);
   bool assignment(ExpressionParser& in, Statement& s);
   static std::string bad_character(char c);
-  bool misplaced_character(size_t at, Statement& s);
-  void recover(size_t at, Statement& s);
+  void misplaced_character(size_t at, Statement& s);
+  size_t label_end(size_t at) const;
+  bool label_without_o(size_t at, Statement& s);
+  bool label_forgotten(size_t at, Statement& s);
+  void unreadable(const ReadError& error, size_t from, Statement& s);
+  void recover(size_t at, Statement& s, bool has_letter = true);
   void fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message);
   LineByte relative(size_t at) const;
   size_t keyword_at(size_t at) const;
@@ -33,6 +47,12 @@ class LineParser {
 
   Syntax& out_;
   LineText line_;
+  ExprId contour_sub_ = kNoExpr;  ///< the value of the line's Q word
+  size_t contour_from_ = 0, contour_to_ = 0;
+  bool cuts_contour_ = false;     ///< the line has a G70, G71 or G72
+  size_t number_at_ = std::string_view::npos;  // where the line number is, if there is one
+  uint32_t letters_ = 0;     // of the words on the line so far, one bit each
+  ExprId target_ = kNoExpr;  // the P of M98
 };
 
 /// The value of an expression made of literals only; false when it has parameters or fails.

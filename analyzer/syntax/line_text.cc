@@ -52,7 +52,7 @@ StopKind LineText::assign_slowly(std::string_view raw) {
     if ((fate & kKeep) != 0) keep(static_cast<char>(fate), i);
     if ((fate & kLook) == 0) continue;
     if (raw[i] == '\0') return assign_before_nul(raw);
-    if (raw[i] == '\r') {  // what is behind the last character is cut off already
+    if (raw[i] == '\r') {  // what is after the last character is cut off already
       inner_cr_ = true;
       continue;
     }

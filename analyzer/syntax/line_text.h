@@ -1,7 +1,8 @@
-// One line as the interpreter sees it: blanks gone, letters lowered, comments kept. Every character remembers
-// where in the file it came from, so that whatever is found in it can be shown in the machinist's own text.
+// One line as the interpreter sees it: without blanks, in lower case, with comments. Every character remembers its
+// position in the file, so that a finding can point at the original text.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdint>
@@ -15,16 +16,25 @@ namespace owlint {
 /// The interpreter reads at most 252 characters and a line feed (measured; see OW309).
 inline constexpr size_t kLineLimit = 252;
 
+/// Whether a byte is part of a character that is not ASCII.
+inline bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+/// How many of them stand at `at`.
+inline size_t foreign_run(std::string_view text, size_t at) {
+  size_t end = at;
+  while (end < text.size() && is_foreign(text[end])) ++end;
+  return end - at;
+}
+
 class LineText {
  public:
   /// Normalises one line. `raw` is the line without its line feed, `offset` where it begins in the file.
-  /// Returns kNone, kCommentNested or kCommentUnclosed (then `error_at()` is the place).
+  /// Returns kNone, kCommentNested or kCommentUnclosed (then error() is the position).
   /// `raw` must not be longer than kLineLimit + 1.
   StopKind assign(std::string_view raw, uint64_t offset);
 
   std::string_view text() const { return {text_.data(), length_}; }
   size_t size() const { return length_; }
-  /// The character `i`; behind the last one, at the size, a NUL.
+  /// The character `i`; at the size, after the last one, a NUL.
   char operator[](size_t i) const {
     assert(i <= length_);
     return text_[i];
@@ -33,18 +43,20 @@ class LineText {
   /// File offset of the line's first byte.
   uint64_t begin() const { return offset_; }
 
-  /// File offset of the normalised character `i`; of the end of the last character when `i` is the size.
+  /// File offset of the normalised character `i`; if `i` is the size, of the end of the last character.
   uint64_t offset(size_t i) const { return offset_ + (i < length_ ? at_[i] : end_); }
 
-  /// The file's bytes behind the normalised characters [from, to).
+  /// The file's bytes of the normalised characters [from, to). It never leaves the line: what is missing at the line's
+  /// end is an empty span there.
   Span span(size_t from, size_t to) const {
-    return {offset(from), to > from ? offset(to - 1) + 1 : offset(from)};
+    const size_t last = std::min(to, length_);
+    return {offset(from), last > from ? offset(last - 1) + 1 : offset(from)};
   }
 
   Span error() const { return error_; }
   bool has_nul() const { return nul_; }
   bool has_comment() const { return comment_; }
-  /// A carriage return with something behind it.
+  /// A carriage return with something after it.
   bool has_inner_cr() const { return inner_cr_; }
 
  private:

@@ -1,6 +1,7 @@
 // Lines without an O-word: words, assignments, M98 and M99, and what makes the interpreter refuse them.
 #include <algorithm>
 
+#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint {
@@ -8,10 +9,21 @@ namespace {
 
 bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// Of an axis that the stand-alone interpreter does not have: refused before its value is read.
+bool foreign_letter(char c) { return c == 'u' || c == 'v' || c == 'w'; }
+bool starts_word(char c) { return (is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$'; }
+
+constexpr size_t kFanucCode = 3;  // characters of `M98` and `M99`
+
+/// G70, G71, G71.1, G71.2, G72, G72.1, G72.2.
+bool is_contour_code(double number) {
+  const double tenths = number * 10;
+  return number == 70 || (tenths >= 710 && tenths <= 712.5) || (tenths >= 720 && tenths <= 722.5);
+}
 
 std::string quoted_character(char c) {
   const auto byte = static_cast<unsigned char>(c);
-  if (byte >= 0x20 && byte < 0x7F) return std::string(1, c);
+  if (byte >= ' ' && byte <= 'z') return std::string(1, c);  // `{` and what follows is not printed as it is (measured)
   std::string octal = "\\000";
   octal[1] = static_cast<char>('0' + (byte >> 6));
   octal[2] = static_cast<char>('0' + ((byte >> 3) & 7));
@@ -23,7 +35,7 @@ std::string quoted_character(char c) {
 
 std::string LineParser::bad_character(char c) { return "Bad character '" + quoted_character(c) + "' used"; }
 
-/// The length of the keyword that stands at `at` instead of a word, followed by a bracket, a comment or nothing.
+/// The length of a keyword at `at` in place of a word, followed by a bracket, a comment or nothing.
 size_t LineParser::keyword_at(size_t at) const {
   const std::string_view rest = line_.text().substr(at);
   if (keyword_of(rest) == Keyword::kUnknown) return 0;
@@ -35,30 +47,72 @@ size_t LineParser::keyword_at(size_t at) const {
   return 0;
 }
 
-bool LineParser::misplaced_character(size_t at, Statement& s) {
+/// The end of the number or name at `at` that a keyword follows; 0 if there is none.
+size_t LineParser::label_end(size_t at) const {
+  size_t to = at;
+  if (line_[at] == '<') {
+    to = line_.text().find('>', at);
+    if (to == std::string_view::npos) return 0;
+    ++to;
+  } else {
+    while (is_digit(line_[to])) ++to;
+  }
+  return to == at || keyword_of(line_.text().substr(to)) == Keyword::kUnknown ? 0 : to;
+}
+
+/// A number or a name without its `o` before a keyword, or with a zero for it.
+bool LineParser::label_without_o(size_t at, Statement& s) {
+  const bool zero_and_name = line_[at] == '0' && line_[at + 1] == '<';
+  const size_t to = label_end(zero_and_name ? at + 1 : at);
+  if (to == 0) return false;
+  const bool zero = zero_and_name || (line_[at] == '0' && to > at + 1);
+  fail(s, zero ? StopKind::kZeroForO : StopKind::kLetterForgotten, at, to, bad_character(line_[at]));
+  recover(at, s, zero);
+  return true;
+}
+
+/// A keyword that begins the line, without a label; a line number may stand where the label belongs.
+bool LineParser::label_forgotten(size_t at, Statement& s) {
+  const size_t length = keyword_at(at);
+  if (length == 0) return false;
+  ExpressionParser first(line_, out_.exprs, out_.names);
+  first.cursor = at + 1;
+  if (first.value() != kNoExpr) return false;  // `I` and `FIX[1]`
+  fail(s, StopKind::kLabelForgotten, at, at + length, foreign_letter(line_[at]) ? bad_character(line_[at]) : first.error().message);
+  if (number_at_ != std::string_view::npos) {
+    recover(number_at_, s);
+  } else {
+    s.keyword = keyword_of(line_.text().substr(at));
+    s.label_from = s.label_to = s.keyword_from = relative(at);
+    s.keyword_to = static_cast<LineByte>(line_.span(at, at + length).end - s.offset);
+  }
+  return true;
+}
+
+void LineParser::misplaced_character(size_t at, Statement& s) {
   const char c = line_[at];
+  size_t to = at + 1;
   if (c == 'o') {
-    size_t to = at + 1;
     while (to < line_.size() && line_[to] != '(' && line_[to] != ';') ++to;
     fail(s, StopKind::kWordBefore, at, to, bad_character('o'));
-    recover(at, s);
-    return true;
+    return recover(at, s);
   }
-  if (c == '0') {
-    size_t to = at;
-    while (is_digit(line_[to])) ++to;
-    const std::string_view rest = line_.text().substr(to);
-    if (keyword_of(rest) != Keyword::kUnknown) {
-      fail(s, StopKind::kZeroForO, at, to, bad_character('0'));
-      recover(at, s);
-      return true;
-    }
-  }
-  size_t to = at + 1;
-  while (to < line_.size() && static_cast<unsigned char>(line_[to]) >= 0x80) ++to;  // a whole run of foreign bytes
+  if ((is_digit(c) || c == '<') && label_without_o(at, s)) return;
+  if (is_foreign(c)) to = at + foreign_run(line_.text(), at);
   fail(s, StopKind::kBadCharacter, at, to, bad_character(c));
-  recover(to, s);
-  return true;
+  if (line_[to] == 'o') {
+    recover(to, s);
+  } else if (is_foreign(c) && label_end(to) != 0) {  // an O of another alphabet
+    recover(to, s, false);
+  }
+}
+
+/// A letter without a value. On such a line stands another language, mostly.
+void LineParser::unreadable(const ReadError& error, size_t from, Statement& s) {
+  if (is_foreign(line_[error.from])) return fail(s, StopKind::kWordUnreadable, error.from, error.to, error.message);
+  size_t to = from + 1;
+  while (is_letter(line_[to])) ++to;
+  fail(s, StopKind::kWordUnreadable, from, std::max(to, error.to), foreign_letter(line_[from]) ? bad_character(line_[from]) : error.message);
 }
 
 bool LineParser::assignment(ExpressionParser& in, Statement& s) {
@@ -98,17 +152,23 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
                             line_[in.cursor] == '+';
   const ExprId value = in.value();
   if (value == kNoExpr) {
-    // A word without its number is the business of a G-code checker; an expression is ours.
-    const bool ours = line_[from + 1] == '[' || line_[from + 1] == '#';
-    if (ours || plain_number) fail(s, StopKind::kExpression, in.error().from, in.error().to, in.error().message);
+    const bool expression = line_[from + 1] == '[' || line_[from + 1] == '#' || plain_number;
+    if (expression) {
+      fail(s, StopKind::kExpression, in.error().from, in.error().to, in.error().message);
+    } else {
+      unreadable(in.error(), from, s);
+    }
     return false;
   }
   double number = 0;
-  if (letter == 'm' && literal_value(out_.exprs, value, &number) && (number == 2 || number == 30)) {
-    s.kind = LineKind::kProgramEnd;
-    s.keyword_from = relative(from);
-    s.keyword_to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
+  if (letter == 'g' && literal_value(out_.exprs, value, &number)) cuts_contour_ = cuts_contour_ || is_contour_code(number);
+  if (letter == 'q') {
+    contour_sub_ = value;
+    contour_from_ = from;
+    contour_to_ = in.cursor;
   }
+  if (is_letter(letter)) letters_ |= 1U << (letter - 'a');
+  if (letter == 'm' && !m_code(value, from, in.cursor, s)) return false;
   if (out_.exprs[value].op != Operator::kNumber) {
     Item item{.value = value, .from = relative(from)};
     item.to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
@@ -118,80 +178,195 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   return true;
 }
 
-void LineParser::m98(ExpressionParser& in, Statement& s) {
-  s.label_from = relative(in.cursor);
-  s.first = static_cast<uint32_t>(out_.values.size());
-  bool has_target = false;
-  bool comments = false;
-  for (;;) {
-    in.cursor = skip_comments(in.cursor, &comments);
-    const size_t from = in.cursor;
-    const char letter = line_[from];
-    if (!is_letter(letter)) break;
-    ++in.cursor;
-    const ExprId value = in.value();
-    if (value == kNoExpr) {
-      fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
-      return;
-    }
-    if (letter == 'l') {
-      out_.values.push_back(value);
-      s.value_count = 1;
-    }
-    if (letter != 'p') continue;
-    has_target = true;
-    s.label_from = relative(from);
-    s.label_to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
-    double number = 0;
-    std::string name;
-    if (!literal_value(out_.exprs, value, &number)) {
-      s.label_expr = value;
-    } else if (label_of_number(number, &name)) {
-      s.label = out_.names.intern(name);
-    } else {
-      fail(s, StopKind::kM98Number, from, in.cursor, "Non integer value for integer");
-      return;
-    }
-  }
-  if (!has_target) {
-    s.label_from = s.keyword_from;
-    s.label_to = s.keyword_to;
-    fail(s, StopKind::kM98NoTarget, 0, line_.size(), "Found 'm98' code with no P-word");
+/// Makes a line that was read without an error a call of its contour's sub. Q-1 counts as no Q (measured).
+void LineParser::contour(Statement& s) {
+  double number = 0;
+  const bool literal = literal_value(out_.exprs, contour_sub_, &number);
+  if (literal && number == -1) return;
+  s.kind = LineKind::kContour;
+  s.label_from = s.keyword_from = relative(contour_from_);
+  s.label_to = s.keyword_to = static_cast<LineByte>(line_.span(contour_from_, contour_to_).end - s.offset);
+  std::string name;
+  if (literal && label_of_number(number, &name)) {
+    s.label = out_.names.intern(name);
+  } else {
+    s.label_expr = contour_sub_;
   }
 }
 
-bool LineParser::words(size_t at, Statement& s) {
+/// An M word on a line of words: the program end, M99, or M98, which only the first word can be. False where it is refused.
+bool LineParser::m_code(ExprId value, size_t from, size_t to, Statement& s) {
+  double number = 0;
+  if (!literal_value(out_.exprs, value, &number)) return true;
+  if (number == 98) {
+    fail(s, StopKind::kM98Behind, from, to, "Unknown m code used: M98");
+    return false;
+  }
+  const bool ends = number == 2 || number == 30;
+  if (!ends && (number != 99 || s.kind != LineKind::kWords)) return true;
+  s.kind = ends ? LineKind::kProgramEnd : LineKind::kM99Behind;
+  s.keyword_from = relative(from);
+  s.keyword_to = static_cast<LineByte>(line_.span(from, to).end - s.offset);
+  if (!ends) note_rest(to, s);
+  return true;
+}
+
+/// Whether the line's first word is M98 or M99. Measured: what is written there is worth 98 or 99, and then two characters
+/// of it are passed over, so that `M098` is M98 and a stray `8`.
+bool LineParser::fanuc_code(size_t at, Statement& s) {
+  if (line_[at] != 'm') return false;
   ExpressionParser in(line_, out_.exprs, out_.names);
-  in.cursor = at;
-  s.first = static_cast<uint32_t>(out_.items.size());
+  in.cursor = at + 1;
+  const ExprId code = in.value();
+  double number = 0;
+  long whole = 0;
+  if (code == kNoExpr || !literal_value(out_.exprs, code, &number) || !to_integer(number, &whole)) return false;
+  if (whole != 98 && whole != 99) return false;
+  s.kind = whole == 98 ? LineKind::kM98 : LineKind::kM99;
+  s.keyword_from = s.label_from = relative(at);
+  s.keyword_to = s.label_to = static_cast<LineByte>(line_.span(at, at + kFanucCode).end - s.offset);
+  return true;
+}
+
+/// Takes what stands from `at` on for the line's rest.
+void LineParser::note_rest(size_t at, Statement& s) {
   bool comments = false;
-  if (line_[at] == 'm') {  // M98 and M99 are calls only as the line's first word (measured)
-    ExpressionParser first(line_, out_.exprs, out_.names);
-    first.cursor = at + 1;
-    const ExprId code = first.value();
-    double number = 0;
-    if (code != kNoExpr && literal_value(out_.exprs, code, &number) && (number == 98 || number == 99)) {
-      s.kind = number == 98 ? LineKind::kM98 : LineKind::kM99;
-      s.keyword_from = s.label_from = relative(at);
-      s.keyword_to = s.label_to = static_cast<LineByte>(line_.span(at, first.cursor).end - s.offset);
-      if (number == 98) m98(first, s);
-      return true;
+  at = skip_comments(at, &comments);
+  if (at >= line_.size()) return;
+  const Span span = line_.span(at, line_.size());
+  s.rest_from = static_cast<LineByte>(span.begin - s.offset);
+  s.rest_to = static_cast<LineByte>(span.end - s.offset);
+}
+
+/// The P of M98: whom it calls.
+bool LineParser::m98_target(ExprId value, size_t from, size_t to, Statement& s) {
+  s.label_from = relative(from);
+  s.label_to = static_cast<LineByte>(line_.span(from, to).end - s.offset);
+  s.label = kNoName;
+  s.label_expr = kNoExpr;
+  double number = 0;
+  std::string name;
+  if (!literal_value(out_.exprs, value, &number)) {
+    s.label_expr = value;
+  } else if (label_of_number(number, &name)) {
+    s.label = out_.names.intern(name);
+  } else {
+    fail(s, StopKind::kM98Number, from, to, "Non integer value for integer");
+    return false;
+  }
+  return true;
+}
+
+/// The L of M98: how often.
+bool LineParser::m98_repeats(ExprId value, size_t from, size_t to, Statement& s) {
+  double number = 0;
+  long whole = 0;
+  if (literal_value(out_.exprs, value, &number)) {
+    const bool odd = !to_integer(number, &whole);
+    if (odd || whole < 0) {
+      fail(s, StopKind::kM98Words, from, to, odd ? "Non integer value for integer" : "Negative l word used");
+      return false;
     }
   }
-  if (const size_t keyword = keyword_at(at); keyword > 0) {
-    ExpressionParser first(line_, out_.exprs, out_.names);
-    first.cursor = at + 1;
-    first.value();
-    fail(s, StopKind::kLabelForgotten, at, at + keyword, first.error().message);
-    return true;
+  s.repeats = true;
+  out_.values.insert(out_.values.begin() + s.first, value);
+  ++s.value_count;
+  return true;
+}
+
+/// A word of an M98 line. All are read, but only P and L are used.
+bool LineParser::m98_word(ExpressionParser& in, Statement& s) {
+  const size_t from = in.cursor;
+  const char letter = line_[from];
+  ++in.cursor;
+  if (is_letter(letter) && letter != 'g' && letter != 'm') {
+    const uint32_t bit = 1U << (letter - 'a');
+    double before = 0;
+    const bool counts = letter != 'p' || s.label == kNoName || (literal_value(out_.exprs, target_, &before) && before > -1);
+    if ((letters_ & bit) != 0 && counts) {
+      fail(s, StopKind::kM98Words, from, in.cursor, std::string("Multiple ") + letter + " words on one line");
+      return false;
+    }
+    letters_ |= bit;
   }
+  const ExprId value = in.value();
+  if (value == kNoExpr) {
+    fail(s, StopKind::kExpression, in.error().from, in.error().to, in.error().message);
+    return false;
+  }
+  if (letter == 'l') return m98_repeats(value, from, in.cursor, s);
+  if (letter == 'p') {
+    target_ = value;
+    return m98_target(value, from, in.cursor, s);
+  }
+  double number = 0;
+  if (letter == 'm' && literal_value(out_.exprs, value, &number) && number == 98) {
+    fail(s, StopKind::kM98Behind, from, in.cursor, "Unknown m code used: M98");
+    return false;
+  }
+  m98_other(value, from, in.cursor, s);
+  return true;
+}
+
+/// A word or an assignment of an M98 line that does nothing there.
+void LineParser::m98_other(ExprId value, size_t from, size_t to, Statement& s) {
+  const Span span = line_.span(from, to);
+  if (s.rest_to == s.rest_from) s.rest_from = static_cast<LineByte>(span.begin - s.offset);
+  s.rest_to = static_cast<LineByte>(span.end - s.offset);
+  if (out_.exprs[value].op == Operator::kNumber) return;
+  out_.values.push_back(value);
+  ++s.value_count;
+}
+
+void LineParser::m98(ExpressionParser& in, Statement& s) {
+  s.first = static_cast<uint32_t>(out_.values.size());
+  letters_ = 0;
+  bool comments = false;
+  for (;;) {
+    in.cursor = skip_comments(in.cursor, &comments);
+    if (in.cursor >= line_.size()) break;
+    const size_t from = in.cursor;
+    const char c = line_[from];
+    if (c == '#') {
+      const bool good = assignment(in, s);
+      s.item_count = 0;
+      if (!good) return;
+      m98_other(out_.items.back().value, from, in.cursor, s);
+      out_.items.pop_back();
+    } else if (starts_word(c)) {
+      if (!m98_word(in, s)) return;
+    } else {
+      fail(s, c == 'o' ? StopKind::kWordBefore : StopKind::kBadCharacter, from, c == 'o' ? line_.size() : from + 1, bad_character(c));
+      return;
+    }
+  }
+  s.comment |= comments;
+  if ((letters_ >> ('p' - 'a') & 1) != 0) return;
+  s.label_from = s.keyword_from;
+  s.label_to = s.keyword_to;
+  fail(s, StopKind::kM98NoTarget, 0, line_.size(), "Found 'm98' code with no P-word");
+}
+
+void LineParser::m99(ExpressionParser& in, Statement& s) {
+  note_rest(in.cursor + kFanucCode, s);
+  letters_ = 0;
+  if (!word(in, s) || !all_words(in, s) || s.error != UINT32_MAX) return;
+  // With nothing else on the line, no mode takes the P.
+  constexpr uint32_t kM = 1U << ('m' - 'a');
+  constexpr uint32_t kP = 1U << ('p' - 'a');
+  if (letters_ == (kM | kP)) fail(s, StopKind::kM99Jump, in.cursor, in.cursor, "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 M65 M66 M98 or user M code to use it");
+}
+
+/// Words and assignments to the end of the line; false where the reading ended before, with an error or without.
+bool LineParser::all_words(ExpressionParser& in, Statement& s) {
+  bool comments = false;
   for (;;) {
     in.cursor = skip_comments(in.cursor, &comments);
     if (in.cursor >= line_.size()) break;
     const char c = line_[in.cursor];
     if (c == '#') {
-      if (!assignment(in, s)) return true;
-    } else if ((is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$') {
+      if (!assignment(in, s)) return false;
+    } else if (starts_word(c)) {
       if (!word(in, s)) break;
     } else {
       if (c == ']') {
@@ -199,10 +374,32 @@ bool LineParser::words(size_t at, Statement& s) {
       } else {
         misplaced_character(in.cursor, s);
       }
-      return true;
+      return false;
     }
   }
   s.comment |= comments;
+  return true;
+}
+
+bool LineParser::words(size_t at, Statement& s) {
+  ExpressionParser in(line_, out_.exprs, out_.names, &out_.split_numbers);
+  in.cursor = at;
+  s.first = static_cast<uint32_t>(out_.items.size());
+  if (fanuc_code(at, s)) {
+    if (s.kind == LineKind::kM99) {
+      m99(in, s);
+    } else {
+      in.cursor = at + kFanucCode;
+      m98(in, s);
+    }
+    return true;
+  }
+  if (label_forgotten(at, s)) return true;
+  letters_ = 0;
+  contour_sub_ = kNoExpr;
+  cuts_contour_ = false;
+  all_words(in, s);
+  if (cuts_contour_ && contour_sub_ != kNoExpr && s.kind == LineKind::kWords && s.error == UINT32_MAX) contour(s);
   return s.kind != LineKind::kWords || s.item_count > 0 || s.error != UINT32_MAX;
 }
 

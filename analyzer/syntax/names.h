@@ -1,5 +1,5 @@
-// Interned strings: label and parameter names become small numbers, so that nothing after the syntax room
-// compares or hashes text.
+// Interned strings: label and parameter names become small numbers, so that later rooms
+// do not compare or hash text.
 #pragma once
 
 #include <algorithm>
@@ -78,7 +78,7 @@ class Names {
   std::deque<std::string> texts_;  // a deque: the map's keys point into it
   std::unordered_map<std::string_view, NameId> ids_;
   std::vector<NameId> numbers_;  // by number
-  // Names that were met just before: most come again soon, and this is faster than hashing them.
+  // Recent names: most come again soon, and this is faster than hashing them.
   static constexpr size_t kRecent = 64;
   std::array<NameId, kRecent> recent_ = nothing();
   static constexpr std::array<NameId, kRecent> nothing() {

@@ -1,5 +1,5 @@
 // The scanner: runs over the raw bytes once and hands to the line parser only the lines that can matter.
-// Everything else - motion, blank lines, comments - leaves nothing behind.
+// Everything else - motion, blank lines, comments - is not stored.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -18,6 +18,7 @@ enum Class : uint8_t {
   kParen,      // a comment: look for its end
   kSemicolon,  // a comment to the end of the line
   kM,          // M2, M30, M98, M99, or an M with a computed number
+  kQ,          // may name the contour of G70, G71 or G72
 };
 
 constexpr std::array<uint8_t, 256> make_classes() {
@@ -30,6 +31,7 @@ constexpr std::array<uint8_t, 256> make_classes() {
   }
   for (const char c : {'o', 'O'}) classes[static_cast<unsigned char>(c)] = kMatters;
   for (const char c : {'m', 'M'}) classes[static_cast<unsigned char>(c)] = kM;
+  for (const char c : {'q', 'Q'}) classes[static_cast<unsigned char>(c)] = kQ;
   classes['('] = kParen;
   classes[';'] = kSemicolon;
   return classes;
@@ -37,7 +39,7 @@ constexpr std::array<uint8_t, 256> make_classes() {
 
 constexpr auto kClasses = make_classes();
 
-// Lines are passed over in stretches, and each stretch is let go when it is over: a file of gigabytes is never in
+// Lines are skipped in stretches, and each stretch is let go when it is over: a file of gigabytes is never in
 // memory as a whole.
 constexpr size_t kStretch = 4 << 20;  // bytes
 
@@ -61,6 +63,17 @@ bool interesting_m(std::string_view line, size_t at) {
   return !digits || number == 2 || number == 30 || number == 98 || number == 99;
 }
 
+/// Whether the line may have a G70, G71 or G72, with whatever decimals.
+bool may_cut_contour(std::string_view line) {
+  for (size_t at = line.find_first_of("gG"); at != std::string_view::npos; at = line.find_first_of("gG", at + 1)) {
+    size_t digit = line.find_first_not_of(" \t0", at + 1);
+    if (digit == std::string_view::npos || line[digit] != '7') continue;
+    digit = line.find_first_not_of(" \t", digit + 1);
+    if (digit != std::string_view::npos && line[digit] >= '0' && line[digit] <= '2') return true;
+  }
+  return false;
+}
+
 struct LineView {
   bool too_long = false;  // longer than LinuxCNC reads; then nothing else is known
   bool matters = false;
@@ -79,9 +92,9 @@ LineView look(std::string_view line) {
           if (c == '\r' && line.find_first_not_of(" \t\r\v\f", i) != std::string_view::npos) view.matters = true;
           continue;
         }
-        // A digit or two letters at the beginning: a zero for the letter O, a keyword without its label.
+        // A digit at the beginning, or two letters side by side: a zero for the letter O, a word of another language.
         if (first && c >= '0' && c <= '9') view.matters = true;
-        if (first && i + 1 < line.size() && is_letter(c) && is_letter(line[i + 1])) view.matters = true;
+        if (i + 1 < line.size() && is_letter(c) && is_letter(line[i + 1])) view.matters = true;
         break;
       case kParen: {
         const size_t close = line.find_first_of(std::string_view("()\0", 3), i + 1);
@@ -101,6 +114,9 @@ LineView look(std::string_view line) {
         return view;
       case kM:
         if (interesting_m(line, i)) view.matters = true;
+        break;
+      case kQ:
+        if (may_cut_contour(line)) view.matters = true;
         break;
       default:
         if (!(first && c == '/')) view.matters = true;
@@ -129,11 +145,19 @@ void note_directive(std::string_view line, uint64_t offset, uint32_t number, boo
   out.directives.push_back({number, {offset + at + 7, offset + end}, !code, on_oword});
 }
 
-/// Whether one of the comments is `(abort, …)`. Measured: in any case, without a blank before the comma.
+/// Whether the comment that acts is `(abort, …)`. Measured: in any case, without a blank before the comma.
 bool aborts(std::string_view line) {
-  constexpr std::string_view kWord = "(abort,";
+  constexpr std::string_view kWord = "abort,";
   const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; };
-  return std::search(line.begin(), line.end(), kWord.begin(), kWord.end(), same) != line.end();
+  std::string_view comment;  // of several in parentheses the last one acts, and what is behind a semicolon does not (measured)
+  for (size_t at = 0; (at = line.find_first_of("(;", at)) != std::string_view::npos && line[at] == '(';) {
+    const size_t close = line.find(')', at);
+    if (close == std::string_view::npos) break;
+    comment = line.substr(at + 1, close - at - 1);
+    at = close + 1;
+  }
+  comment.remove_prefix(std::min(comment.find_first_not_of(" \t"), comment.size()));
+  return std::ranges::equal(comment.substr(0, kWord.size()), kWord, same);
 }
 
 /// A stretch of lines that one core looks through.
@@ -159,14 +183,14 @@ std::vector<Stretch> cut(const Source& source) {
 struct Found {
   uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
   uint32_t plain_last = 0;
-  uint32_t line = 0;         ///< the line behind them; the number of lines in all where the stretch is over
-  bool over = false;         ///< no line is behind them: the stretch is over
+  uint32_t line = 0;         ///< the line after them; at the end of the stretch the number of all lines
+  bool over = false;         ///< no line comes after them: the end of the stretch
   LineView view;
   size_t begin = 0;
   size_t end = 0;  ///< without its line feed
 };
 
-/// Looks through a stretch and hands what it finds to `take`; plain lines leave nothing behind.
+/// Reads a stretch and passes what it finds to `take`; plain lines are not stored.
 template <typename Take>
 void look_through(std::string_view bytes, const Stretch& stretch, const Take& take) {
   const std::string_view until_end = bytes.substr(0, stretch.end);
@@ -245,6 +269,7 @@ class Reader {
       if (!keep && view.code) note_plain(number);
     }
     if (!keep) return;
+    out_.deletes_lines = out_.deletes_lines || statement.block_delete;
     make_room(out_.statements, found.begin);
     make_room(out_.exprs, found.begin);
     make_room(out_.values, found.begin);

@@ -1,4 +1,4 @@
-// The reasons for which the interpreter stops, as far as O-words are concerned: each is one error message of
+// Why the interpreter stops at O-words: each reason is one error message of
 // LinuxCNC, and belongs to one rule. The reader (this room) finds the first group, the flow room the second.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace owlint {
 
 enum class StopKind : uint8_t {
   kNone,
-  // Found while a line is read, wherever it stands (skipped lines too).
+  // Found while a line is read, also while lines are skipped.
   kLineTooLong,
   kCommentNested,
   kCommentUnclosed,
@@ -19,7 +19,10 @@ enum class StopKind : uint8_t {
   kLabelWord,        // `o sub`: a word where the number should be
   kLabelNotInteger,  // `o1.5`
   kLabelExpression,  // malformed or failing `o[...]`
-  kKeywordUnknown,   // not while a definition is passed over
+  kM98NoTarget,
+  kM98Number,
+  kM98Words,         // a word twice, or an L that is negative or not whole
+  kKeywordUnknown,   // not while a definition is skipped
   // Found while a line is read that is not skipped.
   kBracketMissing,
   kExpression,
@@ -27,12 +30,16 @@ enum class StopKind : uint8_t {
   kTooManyArguments,
   kWordBefore,
   kZeroForO,
-  kLabelForgotten,  // `if [1]` without `o100`
+  kLabelForgotten,   // `if [1]` without `o100`
+  kLetterForgotten,  // `100 if [1]`, `<name> call`: without the `o`
+  kWordUnreadable,   // a letter without a value: `GOTO 20`, `hello`
   kBlockDelete,
   kBadCharacter,
-  kM98NoTarget,
-  kM98Number,
+  kM98Behind,  // M98 that is not the line's first word
+  kM99Jump,    // `M99 P…` in the main program
   // Found while a line is executed.
+  kM99Behind,  // the same of M99, in a sub
+  kM99Rest,    // words behind M99, in a sub
   kSubNested,
   kSubNestedInCall,  // LinuxCNC 2.10: a definition within a called sub
   kReturnOutside,
@@ -46,13 +53,13 @@ enum class StopKind : uint8_t {
   kSubIllegalLocation,
   kSubRedefined,
   kCallTooDeep,
-  kSubNotFound,     // end of file while a call seeks its sub
-  kFileNameCase,    // the same, and a file has the name in other letters
+  kSubNotFound,     // end of file while a call looks for its sub
+  kFileNameCase,    // the same, but a file has the name with capital letters
   kFileLacksSub,    // the same in the called file
   kFilePercent,     // the same at a `%` there
-  kSubBeforeEntry,  // the same for a sub that stands before the called one in its file
+  kSubBeforeEntry,  // the same for a sub before the called one in its file
   kHelperRefused,   // LinuxCNC 2.10: a call of another sub in a called file
-  kFileEnd,      // end of file with nothing sought, or while lines are skipped
+  kFileEnd,      // end of file in the program itself, or while lines are skipped
   kStyleNeedsM98,
   kStyleNeedsCall,
   kStyleNeedsM99,

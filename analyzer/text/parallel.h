@@ -1,5 +1,5 @@
-// Work spread over cores, by OpenMP. How many there are is said once, by use_cores(). Inside work that is spread already
-// nothing is spread again. What the work throws is thrown again to the caller; what was not begun before is not begun then.
+// Runs work on several cores, with OpenMP. use_cores() sets how many, once. Work inside parallel work runs on one core. An
+// exception in the work is thrown again to the caller, and no further work begins after it.
 #pragma once
 
 #include <omp.h>
@@ -13,10 +13,10 @@ namespace owlint {
 /// 0: all of them.
 inline void use_cores(unsigned count) { omp_set_num_threads(count == 0 ? omp_get_num_procs() : static_cast<int>(count)); }
 
-/// Whether work would not be spread: one core, or inside work that is spread already.
+/// Whether work would run on one core: there is only one, or this is inside parallel work.
 inline bool one_core() { return omp_get_max_threads() == 1 || omp_in_parallel() != 0; }
 
-/// The first exception of several threads. After it nothing more is begun.
+/// The first exception of several threads. After it no further work begins.
 class FirstProblem {
  public:
   template <typename Work>
@@ -48,8 +48,8 @@ void for_each(size_t count, const Each& each) {
   problem.rethrow();
 }
 
-/// Calls `make(i)` for 0 to `count`, in any order, and `take(i, made)` with what it returned, one by one from the first to
-/// the last. At most a few results wait.
+/// Calls `make(i)` for 0 to `count`, in any order, and `take(i, made)` with the results, one by one from the first to the
+/// last. Only a few results wait at a time.
 template <typename Make, typename Take>
 void for_each_in_order(size_t count, const Make& make, const Take& take) {
   FirstProblem problem;

@@ -6,12 +6,12 @@
 
 namespace owlint {
 
-/// Invalid UTF-8 is taken for Latin-1, control characters become visible.
+/// Reads invalid UTF-8 as Latin-1, and makes control characters visible.
 std::string printable(std::string_view bytes);
 /// The same for text of several lines: line ends and tabs stay.
 std::string printable_text(std::string_view bytes);
 
-/// Invalid UTF-8 is taken for Latin-1, and nothing else changes: for JSON, which has its own way of writing control characters.
+/// Reads invalid UTF-8 as Latin-1, and changes nothing else: for JSON, which writes control characters in its own way.
 std::string as_utf8(std::string_view bytes);
 
 /// A path as part of a URI.

@@ -1,4 +1,4 @@
-// Whether runs of a program get to a place. Said by the flow room, shown with every finding.
+// Whether runs of a program get to a line. The flow room finds out; every finding shows it.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The text room: a file as bytes, and places in it. Everything else in owlint points into a Source by
-// byte offset; lines and columns are computed on demand, for findings only.
+// The text room: a file as bytes, and positions in it. Everything else in owlint points into a Source by
+// byte offset; lines and columns are computed on demand, only for findings.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct Span {
   bool operator==(const Span&) const = default;
 };
 
-/// A place as people and editors count it.
+/// A position as people and editors count it.
 struct Position {
   uint32_t line = 1;    ///< from 1; a line ends at a line feed, as for LinuxCNC
   uint32_t column = 1;  ///< from 1, in Unicode code points; a byte that is not UTF-8 counts as one
@@ -38,14 +38,14 @@ struct KeptLine {
 class Source {
  public:
   /// Reads the regular file `path`, or maps it if it is large. On failure returns null and sets `*error` to a message for people.
-  /// Anything that is not a regular file (folder, device, FIFO) is refused without being opened for reading.
+  /// Refuses anything that is not a regular file (folder, device, FIFO) without opening it for reading.
   static std::shared_ptr<const Source> map(const std::string& path, std::string* error);
 
   /// Takes bytes that are already in memory (standard input, an editor's buffer); `path` is how reports name them.
   static std::shared_ptr<const Source> own(std::string path, std::string bytes);
 
-  /// What is left of a file when only some of its lines were kept, in their order: places in these are given as in the
-  /// whole file; others are taken for the nearest one before. bytes() are the kept lines.
+  /// A file of which only some lines were kept, in their order. Positions in these lines are those of the whole file; other
+  /// positions become the nearest one before. bytes() are the kept lines.
   static std::shared_ptr<const Source> excerpt(std::string path, const std::vector<KeptLine>& lines, uint32_t line_count);
 
   ~Source();
@@ -59,10 +59,10 @@ class Source {
     return bytes_.substr(span.begin, span.end - span.begin);
   }
 
-  /// Says that a part is about to be read from end to end; only saves time.
+  /// Announces that a part will be read from end to end; this only saves time.
   void will_read(Span part) const;
-  /// Says that a part is not needed for now: its memory is given back, and read anew from the file if it is asked for
-  /// after all. Does nothing for bytes that do not come from a file.
+  /// Announces that a part is not needed for now: its memory is released, and read from the file again if it is needed
+  /// later. Does nothing for bytes that do not come from a file.
   void let_go(Span part) const;
 
   /// Line and column of an offset (clamped to the file's size).
@@ -94,7 +94,7 @@ class Source {
   std::string_view bytes_;
   void* mapping_ = nullptr;
   size_t mapping_size_ = 0;
-  // Offsets of every 256th line only, built at the first question: a gigabyte of motion costs a few megabytes.
+  // Offsets of every 256th line only, built when first needed: a gigabyte of motion costs a few megabytes.
   mutable std::once_flag indexed_;
   mutable std::vector<uint64_t> marks_;
   mutable uint32_t line_count_ = 0;
@@ -102,15 +102,15 @@ class Source {
   std::vector<Kept> kept_;
 };
 
-/// One text for one file, however its path was written; the file need not exist.
+/// The same text for the same file, however its path is written; the file need not exist.
 std::string file_key(const std::string& path);
 
-/// The folder of a file, without the `/` at its end; empty where the path names none.
+/// The folder of a file, without the `/` at its end; empty if the path has none.
 std::string_view folder_of(std::string_view path);
 /// The name of a file without its folder and its ending.
 std::string_view stem_of(std::string_view path);
 
-/// ASCII letters in small ones, other bytes as they are.
+/// Changes ASCII letters to lower case and leaves other bytes.
 std::string small_letters(std::string_view text);
 
 /// Length in bytes of the UTF-8 sequence that begins at `at`; 1 for a byte that begins none.

@@ -1,0 +1,42 @@
+#include "analyzer/machine/remap_names.h"
+
+#include <algorithm>
+#include <array>
+
+#include "analyzer/machine/setup.h"
+#include "analyzer/text/source.h"
+
+namespace owlint {
+namespace {
+
+/// What the prologs that come with LinuxCNC set, besides letters.
+constexpr std::array<std::string_view, 10> kOfPrologs{"current_pocket", "feed", "motion_code", "pocket", "selected_pocket",
+                                                      "selected_tool", "speed", "tool", "tool_in_spindle", "wear"};
+
+bool is_letter(std::string_view name) { return name.size() == 1 && name[0] >= 'a' && name[0] <= 'z'; }
+
+/// The value of `key=` in a REMAP line; nothing where it is not there.
+std::string option(std::string_view remap, std::string_view key) {
+  for (size_t at = remap.find(key); at != std::string_view::npos; at = remap.find(key, at + 1)) {
+    if (at > 0 && remap[at - 1] != ' ' && remap[at - 1] != '\t') continue;
+    const std::string_view value = remap.substr(at + key.size());
+    return small_letters(value.substr(0, value.find_first_of(" \t")));
+  }
+  return {};
+}
+
+}  // namespace
+
+bool remap_gives(std::string_view name, std::string_view sub, const Profile& profile) {
+  const MachineSetup* setup = profile.setup.get();
+  if (name == "n_args") return setup == nullptr || setup->counts_arguments;
+  if (setup == nullptr) return is_letter(name) || std::ranges::find(kOfPrologs, name) != kOfPrologs.end();
+  return std::ranges::any_of(setup->ini.all("RS274NGC", "REMAP"), [&](const Ini::Entry* remap) {
+    if (option(remap->value, "ngc=") != sub) return false;
+    if (!option(remap->value, "prolog=").empty()) return true;  // nobody knows what Python sets
+    const std::string words = option(remap->value, "argspec=");
+    return is_letter(name) && words.find('@') == std::string::npos && words.find(name) != std::string::npos;
+  });
+}
+
+}  // namespace owlint
