@@ -44,6 +44,17 @@ bool has_unreadable_line(const Input& in, NameId label, RegionId region) {
   return in.index.unreadable.contains(static_cast<uint64_t>(region) << 32 | label);
 }
 
+bool loops_again(const Input& in, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  if ((!s.is(Keyword::kEndwhile) && !s.is(Keyword::kEndrepeat)) || p.block_of[id] != kNoBlock || !in.flow.executed[id]) return false;
+  return std::ranges::any_of(in.flow.hazards, [&](const Hazard& h) {
+    if (h.kind != HazardKind::kEndlessLoop || p.at(h.statement).label != s.label || p.region_of[h.statement] != p.region_of[id]) return false;
+    const BlockId block = p.block_of[h.statement];
+    return block != kNoBlock && p.blocks[block].end < id;
+  });
+}
+
 void add_relabel_fix(const Input& in, StatementId opener, Finding& finding) {
   const BlockId id = in.program.block_of[opener];
   if (id == kNoBlock || in.program.blocks[id].end == kNoStatement) return;
@@ -70,16 +81,16 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
   const Program& p = in.program;
   const auto report = [&](StatementId at, StatementId other) -> Finding* {
     const Statement& first = p.at(other);
-    Finding& f = out.add(p.at(at).label_span(), "label `" + p.label_text(p.at(at).label) + "` already opened " +
+    Finding& f = out.add(p.at(at).label_span(), "label `" + p.label_text(p.at(at).label) + "` is already used for " +
                                                     with_article(first.keyword) + " on line " + std::to_string(first.line));
-    relate(f, p, other, "`" + p.head(other) + "` first opened here");
-    f.help = "give this block a label of its own, on all of its lines";
+    relate(f, p, other, "first used here");
+    f.help = "give this block another label, on all of its lines";
     return &f;
   };
   const auto stop = [&](const FlowStop& s) -> Finding* {
     if (p.at(s.statement).label == kNoName || s.other == kNoStatement) {
-      Finding& f = out.add(p.at(s.statement).label_span(), "this label is already taken");
-      f.help = "give this block a label of its own, on all of its lines";
+      Finding& f = out.add(p.at(s.statement).label_span(), "this label is already used");
+      f.help = "give this block another label, on all of its lines";
       return &f;
     }
     Finding* f = report(s.statement, s.other);
@@ -102,7 +113,7 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
   });
   for (const auto& [first, later] : in.index.shared_labels) {
     if (!p.at(later).is(keyword) || has_stop(in, later) || in.flow.executed[later]) continue;
-    if (in_exclusive_branches(p, first, later)) continue;  // OW214 speaks of those
+    if (in_exclusive_branches(p, first, later)) continue;  // OW214 reports those
     Finding* f = report(later, first);
     f->reach = Reach::kNever;
     add_relabel_fix(in, later, *f);
@@ -111,7 +122,7 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
 
 namespace {
 
-/// Whether an end at `line` would be this block's: its sub is closed, and only behind it; no branch of the block around it
+/// Whether an end at `line` would be this block's: its sub is closed, but further down; no branch of the block around it
 /// comes in between, nor has an outer one its label.
 bool may_end_at(const Program& p, const Block& block, StatementId line) {
   const Region& region = p.regions[block.region];
@@ -155,14 +166,15 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
   if (after == p.blocks.begin() || std::prev(after)->region != p.region_of[id]) return;
   for (auto number = static_cast<BlockId>(after - p.blocks.begin() - 1); number != kNoBlock; number = p.blocks[number].parent) {
     const Block& block = p.blocks[number];
-    if (block.end == kNoStatement || block.end < id) continue;
+    const StatementId end = block.end == kNoStatement ? block.mistaken_end : block.end;
+    if (end == kNoStatement || end < id) continue;
     if (branch ? block.kind != Keyword::kIf : block.kind != Keyword::kWhile && block.kind != Keyword::kDo) {
       if (branch) return;  // a branch within another block is none of the `if` around that
       continue;
     }
     if (block.label == line.label) return;  // the right one already: something else is wrong
     const std::string label = p.label_text(block.label);
-    finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line) + " is meant";
+    finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line) + " is the one you mean";
     finding.fixes.push_back({"write `" + label + "`", false, {{line.label_span(), label}}});
     return;
   }
@@ -180,14 +192,15 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
     const Block* block = id == kNoBlock ? nullptr : &p.blocks[id];
     if (block != nullptr && block->mistaken_end == s.statement) {
       Finding& f = out.add(line.label_span(), "`" + head + "` does not close `" + p.head_of(*block) + "` on line " + std::to_string(p.at(block->opener).line));
-      relate(f, p, block->opener, "`" + p.head_of(*block) + "` is open here");
+      relate(f, p, block->opener, "`" + p.head_of(*block) + "` begins here");
       const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
       f.help = "write `" + right + "`";
+      if (block->kind == Keyword::kDo) f.help = "write `" + right + " [...]`, with the condition under which the loop goes on";
       if (!around) around = unclosed_in_main(p);
       const auto unclosed = around->find(line.label);
       if (block->region != kMainRegion && unclosed != around->end() && unclosed->second < s.statement) {
-        relate(f, p, unclosed->second, "where this is skipped, `" + head + "` ends it");
-        f.help = "close `" + p.head(unclosed->second) + "` before the sub begins";
+        relate(f, p, unclosed->second, "if this is skipped, `" + head + "` ends it");
+        f.help = "close `" + p.head(unclosed->second) + "` before the sub";
         return &f;
       }
       // Where its label was another block's before, the end would be that one's.
@@ -202,26 +215,26 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
     }
     if (s.other != kNoStatement) {
       const Statement& opener = p.at(s.other);
-      Finding& f = out.add(line.label_span(), "`" + head + "` belongs to no " + std::string(openers) + ": `" + p.head(s.other) + "` on line " + std::to_string(opener.line) + " opened that label");
-      relate(f, p, s.other, "`" + p.head(s.other) + "` opened the label here");
-      f.help = "use the label of " + std::string(openers) + " that is meant";
+      Finding& f = out.add(line.label_span(), "`" + head + "` has the label of `" + p.head(s.other) + "` on line " + std::to_string(opener.line) + ", which is no " + std::string(openers));
+      relate(f, p, s.other, "the label is used here");
+      f.help = "write the label of the " + std::string(openers) + " that it belongs to";
       return &f;
     }
     if (block != nullptr && block->crossed != kNoBlock) {
       const Block& outer = p.blocks[block->crossed];
-      Finding& f = out.add(line.label_span(), "`" + head + "` stands outside `" + p.head_of(outer) + "`, in which its block was opened: where that is skipped, the label is unknown here");
-      relate(f, p, block->opener, "`" + p.head_of(*block) + "` is opened here");
-      relate(f, p, outer.end, "`" + p.head_of(outer) + "` ends here, before it");
-      f.help = "close the inner block before the outer one ends";
+      Finding& f = out.add(line.label_span(), "`" + head + "` is outside `" + p.head_of(outer) + "`, but its block begins inside: if `" + p.head_of(outer) + "` is skipped, the label is unknown here");
+      relate(f, p, block->opener, "`" + p.head_of(*block) + "` begins here");
+      relate(f, p, outer.end, "`" + p.head_of(outer) + "` ends here");
+      f.help = "close the inner block before the end of the outer one";
       return &f;
     }
     const Region& region = p.regions[p.region_of[s.statement]];
     const bool cut = region.early_end != kNoStatement && region.early_end < s.statement;
-    Finding& f = out.add(line.label_span(), "`" + head + "` has no " + std::string(openers) + " with that label");
+    Finding& f = out.add(line.label_span(), "`" + head + "` has no " + std::string(openers) + " with this label");
     if (cut) {
-      // The interpreter passed over the definition only up to its first `endsub`.
-      f.message = "`" + head + "` stands outside the sub: `" + p.head(region.early_end) + "` on line " + std::to_string(p.at(region.early_end).line) + " has already ended it";
-      relate(f, p, region.early_end, "the definition ends here");
+      // The interpreter skipped the definition only up to its first `endsub`.
+      f.message = "`" + head + "` is outside the sub: `" + p.head(region.early_end) + "` on line " + std::to_string(p.at(region.early_end).line) + " has already ended it";
+      relate(f, p, region.early_end, "the sub ends here");
       f.help = "write `return` instead of the early `endsub`";
     }
     if (f.help.empty()) {
@@ -240,7 +253,7 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
   for (const StatementId id : in.index.stray_parts) {
     const Statement& s = p.at(id);
     if (!wanted(s.keyword) || has_stop(in, id)) continue;
-    if (has_unreadable_line(in, s.label, p.region_of[id])) continue;
+    if (has_unreadable_line(in, s.label, p.region_of[id]) || loops_again(in, id)) continue;
     FlowStop unmet;
     unmet.statement = id;
     if (Finding* f = report(unmet)) f->reach = in.flow.reach(id);

@@ -6,23 +6,26 @@
 
 namespace owlint::rules {
 
-/// Whether a line with this label carries an unknown keyword: then it may be the part of the block that is missing.
+/// Whether a line with this label has an unknown keyword: then it may be the missing part of the block.
 bool has_unreadable_line(const Input& in, NameId label, RegionId region);
 
-/// Whether two statements stand in different branches of one `if`, so that no single pass meets both.
+/// Whether two statements are in different branches of one `if`, so that no single pass executes both.
 bool in_exclusive_branches(const Program& program, StatementId a, StatementId b);
 
-/// Reports OW102, OW103 or OW104: an opener of kind `keyword` whose label is taken.
+/// Reports OW102, OW103 or OW104: the first line of a block, with `keyword`, whose label is already used.
 void check_label_reused(const Input& in, Reporter& out, Keyword keyword);
 
-/// The fix that gives the block opened at `opener` a free label, on all its lines; no fix when there is none.
+/// The fix that gives the block at `opener` a free label, on all its lines; no fix if there is no free label.
 void add_relabel_fix(const Input& in, StatementId opener, Finding& finding);
+
+/// Whether a run goes round for ever because this second end of a loop goes back to it.
+bool loops_again(const Input& in, StatementId id);
 
 /// `a while`, `an if`.
 std::string with_article(Keyword keyword);
 
-/// Reports the parts or ends for which `wanted(keyword)` holds and whose label has no fitting block: stops first,
-/// then those that no run meets. `describe` gives the words for an undefined label.
+/// Reports parts and ends of blocks for which `wanted(keyword)` is true and whose label has no matching block: first the
+/// stops, then those that no run reaches. `openers` names the keywords that should have the label.
 void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::string_view openers);
 
 }  // namespace owlint::rules

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "rules/stops.h"
 
 namespace owlint {
@@ -33,6 +35,8 @@ extern const Rule kOw213;
 extern const Rule kOw214;
 extern const Rule kOw215;
 extern const Rule kOw216;
+extern const Rule kOw217;
+extern const Rule kOw218;
 extern const Rule kOw301;
 extern const Rule kOw302;
 extern const Rule kOw303;
@@ -49,6 +53,9 @@ extern const Rule kOw313;
 extern const Rule kOw314;
 extern const Rule kOw315;
 extern const Rule kOw316;
+extern const Rule kOw317;
+extern const Rule kOw318;
+extern const Rule kOw319;
 extern const Rule kOw401;
 extern const Rule kOw402;
 extern const Rule kOw403;
@@ -58,6 +65,8 @@ extern const Rule kOw406;
 extern const Rule kOw407;
 extern const Rule kOw408;
 extern const Rule kOw409;
+extern const Rule kOw410;
+extern const Rule kOw411;
 extern const Rule kOw501;
 extern const Rule kOw502;
 extern const Rule kOw503;
@@ -70,6 +79,7 @@ extern const Rule kOw509;
 extern const Rule kOw510;
 extern const Rule kOw511;
 extern const Rule kOw512;
+extern const Rule kOw513;
 extern const Rule kOw601;
 extern const Rule kOw602;
 extern const Rule kOw603;
@@ -88,8 +98,16 @@ extern const Rule kOw612;
 namespace {
 
 constexpr std::array<std::string_view, 7> kGroupTitles = {
-    "the linter itself", "the documented abort list", "blocks and calls", "the line", "files and machine configuration",
-    "hazards", "data flow"};
+    "comments for owlint", "LinuxCNC's documented O-word errors", "blocks and calls", "the line", "files and machine configuration",
+    "hazards", "parameters"};
+
+std::string capital_letters(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return out;
+}
+
+bool begins_as_code(std::string_view text) { return capital_letters(text.substr(0, 2)) == "OW"; }
 
 }  // namespace
 
@@ -124,6 +142,8 @@ const std::vector<const Rule*>& catalogue() {
       &kOw214,
       &kOw215,
       &kOw216,
+      &kOw217,
+      &kOw218,
       &kOw301,
       &kOw302,
       &kOw303,
@@ -140,6 +160,9 @@ const std::vector<const Rule*>& catalogue() {
       &kOw314,
       &kOw315,
       &kOw316,
+      &kOw317,
+      &kOw318,
+      &kOw319,
       &kOw401,
       &kOw402,
       &kOw403,
@@ -149,6 +172,8 @@ const std::vector<const Rule*>& catalogue() {
       &kOw407,
       &kOw408,
       &kOw409,
+      &kOw410,
+      &kOw411,
       &kOw501,
       &kOw502,
       &kOw503,
@@ -161,6 +186,7 @@ const std::vector<const Rule*>& catalogue() {
       &kOw510,
       &kOw511,
       &kOw512,
+      &kOw513,
       &kOw601,
       &kOw602,
       &kOw603,
@@ -189,9 +215,28 @@ bool known_prefix(std::string_view prefix) {
   return std::ranges::any_of(catalogue(), [prefix](const Rule* rule) { return rule->code.starts_with(prefix); });
 }
 
+std::string code_meant(std::string_view text) {
+  if (const Rule* rule = find_rule(text)) return std::string(rule->code);
+  const std::string prefix = capital_letters(text);
+  return prefix.starts_with("OW") && known_prefix(prefix) ? prefix : std::string();
+}
+
+std::string unknown_rule(std::string_view text) {
+  const std::string_view near = nearest_rule(text);
+  return fmt::format("there is no rule `{}`{}", text, near.empty() ? "; `owlint rules` lists them" : fmt::format(", did you mean `{}`?", near));
+}
+
+std::optional<std::string> suppressed_code(std::string_view word, bool first) {
+  if (std::string code = code_meant(word); !code.empty()) return code;
+  const bool like_code = begins_as_code(word) && word.find_first_of("0123456789") != std::string_view::npos;
+  const bool like_name = word.find('-') != std::string_view::npos && !nearest_rule(word).empty();
+  if (first || like_code || like_name) return like_code ? capital_letters(word) : std::string(word);
+  return std::nullopt;
+}
+
 std::string_view nearest_rule(std::string_view text) {
   std::vector<std::string> candidates;
-  const bool code = !text.empty() && (text[0] == 'o' || text[0] == 'O') && text.size() > 1 && (text[1] == 'w' || text[1] == 'W');
+  const bool code = begins_as_code(text);
   for (const Rule* rule : catalogue()) candidates.emplace_back(code ? small_letters(rule->code) : std::string(rule->name));
   const std::string near = rules::nearest(small_letters(text), candidates);
   const Rule* rule = near.empty() ? nullptr : find_rule(near);

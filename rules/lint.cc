@@ -1,10 +1,13 @@
-#include "rules/lint.h"
+#include "rules/variants.h"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "analyzer/flow/data_flow.h"
 #include "analyzer/flow/known_calls.h"
+#include "rules/folding.h"
+#include "rules/unreached.h"
 
 namespace owlint {
 namespace {
@@ -26,15 +29,28 @@ bool moves_lines(const Program& program, const Fix& fix) {
   });
 }
 
+/// Whether what a rule finds in a file does not matter, as the file is no LinuxCNC program: one rule says that.
+bool is_aside(const Rule& rule, const Nature& nature) {
+  if (nature.kind == Nature::kProgram || rule.group == Group::kLinter) return false;
+  return rule.code != (nature.kind == Nature::kOtherController ? "OW319" : "OW314");
+}
+
 void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy, std::vector<Finding>& out) {
+  std::optional<rules::Unreached> unreached;
   for (const Rule* rule : catalogue()) {
     if (input.suppressions_applied && rule->group != Group::kLinter) continue;
     if (!selected(*rule, options)) continue;
     const size_t first = out.size();
     Reporter reporter(*rule, out);
     rule->check(input, reporter);
+    const bool aside = is_aside(*rule, input.index.nature);
     for (size_t i = first; i < out.size(); ++i) {
+      out[i].remark = out[i].remark || aside;
       out[i].severity = decide_severity(out[i], rule->level, rule->group == Group::kAbortList, policy);
+      if (out[i].reach == Reach::kNever && rule->level == Severity::kError && out[i].source == nullptr) {
+        if (!unreached) unreached.emplace(input);
+        if (auto reason = unreached->reason(out[i].span.begin)) out[i].path.push_back(std::move(*reason));
+      }
       for (Fix& fix : out[i].fixes) {
         if (moves_lines(input.program, fix)) fix.safe = false;
         if (fix.if_all_stop) fix.safe = fix.safe && out[i].stops && out[i].reach == Reach::kAlways;
@@ -55,20 +71,23 @@ bool selected(const Rule& rule, const LintOptions& options) {
 
 namespace {
 
-SeverityPolicy policy_of(const Profile& profile, const LintOptions& options) { return {profile.warn_only(), options.severity}; }
+SeverityPolicy policy_of(const Profile& profile, const LintOptions& options) {
+  SeverityPolicy policy{profile.warn_only(), options.severity, options.select};
+  policy.selected.insert(policy.selected.end(), options.extend_select.begin(), options.extend_select.end());
+  return policy;
+}
 
 std::vector<Suppression> suppressions_of(const Program& program) {
   std::vector<Suppression> suppressions;
   for (const Directive& directive : program.syntax.directives) {
-    for (Suppression& s : parse_suppressions(*program.source, directive.span, directive.line, directive.own_line)) {
+    for (Suppression& s : parse_suppressions(*program.source, directive.span, directive.line, directive.own_line, suppressed_code)) {
       suppressions.push_back(std::move(s));
     }
   }
   return suppressions;
 }
 
-using Place = std::tuple<uint64_t, uint64_t, std::string_view>;
-Place place_of(const Finding& f) { return {f.span.begin, f.span.end, f.code}; }
+}  // namespace
 
 void put_in_order(std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
@@ -76,7 +95,9 @@ void put_in_order(std::vector<Finding>& findings) {
   std::ranges::stable_sort(findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
 }
 
-/// One program under one version.
+namespace {
+
+/// One program under one version and one setting of block delete.
 class Check {
  public:
   Check(const Profile& profile, const LintOptions& options, Library& library) : profile_(profile), options_(options), library_(library) {}
@@ -96,10 +117,11 @@ class Check {
  private:
   ProgramReport report(const std::shared_ptr<const Program>& program, const Linked& linked, const std::vector<FlowResult>& flow) const {
     ProgramReport out;
+    out.deletes_lines = linked.deletes_lines();
     out.sub_file = program->sub_file;
     out.only_definitions = program->regions.size() > 1 && does_nothing(*program);
     out.role_matters = !program->sub_file && defines_own_name(*program);
-    out.own = check_file(program, flow[0], linked, true);
+    out.own = check_file(linked.files()[0].program, flow[0], linked, true);
     out.own.statistics = flow[0].statistics;
     for (size_t i = 1; i < linked.files().size(); ++i) {
       const LinkedFile& file = linked.files()[i];
@@ -131,10 +153,11 @@ class Check {
     if (!own) {
       // Of a called file only what this program's calls lead to; the rest is reported when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
-        return !f.stops && !f.never_ends && find_rule(f.code)->group != Group::kHazards;
+        return !f.stops && !f.never_ends && !f.runs_other && find_rule(f.code)->group != Group::kHazards;
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);
+    rules::fold_consequences(*program, report.findings);
     if (own) run_rules({*program, flow, profile_, linked, suppressions, index, data, true}, options_, policy, report.findings);
     for (Finding& f : report.findings) {
       if (f.source == nullptr) f.scope = scope_of(*program, f.span.begin);
@@ -174,75 +197,6 @@ class Check {
   Library& library_;
 };
 
-/// Puts together what the versions say of one file: a finding is reported once, with the versions in which it is worst.
-void join_versions(std::vector<Finding>& findings, std::vector<std::pair<Version, std::vector<Finding>>> by_version) {
-  std::vector<std::vector<Version>> versions;
-  std::map<Place, size_t> known;
-  for (auto& [version, found] : by_version) {
-    for (Finding& f : found) {
-      const auto [entry, added] = known.emplace(place_of(f), findings.size());
-      if (added) {
-        findings.push_back(std::move(f));
-        versions.push_back({version});
-        continue;
-      }
-      Finding* same = &findings[entry->second];
-      auto& in = versions[entry->second];
-      if (f.severity > same->severity || (f.severity == same->severity && f.stops && !same->stops)) {
-        *same = std::move(f);
-        in = {version};
-      } else if (f.severity == same->severity && f.stops == same->stops) {
-        if (in.back() != version) in.push_back(version);
-      }
-    }
-  }
-  for (size_t i = 0; i < findings.size(); ++i) {
-    if (versions[i].size() == std::size(kAllVersions)) continue;
-    for (const Version version : versions[i]) findings[i].versions.emplace_back(version_text(version));
-  }
-  put_in_order(findings);
-}
-
-ProgramReport check_all_versions(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library) {
-  ProgramReport report;
-  std::vector<std::pair<Version, std::vector<Finding>>> own;
-  std::map<std::shared_ptr<const Source>, std::vector<std::pair<Version, std::vector<Finding>>>> called;
-  std::vector<std::shared_ptr<const Source>> order;
-  for (const Version version : kAllVersions) {
-    Profile one = profile;
-    one.version = version;
-    one.version_given = true;
-    ProgramReport r = Check(one, options, library).run(program);
-    own.emplace_back(version, std::move(r.own.findings));
-    for (FileReport& file : r.called) {
-      auto& list = called[file.source];
-      if (list.empty()) order.push_back(file.source);
-      list.emplace_back(version, std::move(file.findings));
-    }
-    report.own.source = r.own.source;
-    report.own.statistics.steps += r.own.statistics.steps;
-    report.own.statistics.merges += r.own.statistics.merges;
-    report.calls = std::move(r.calls);
-    report.python = std::move(r.python);
-    report.sub_file = r.sub_file;
-    report.only_definitions = r.only_definitions;
-    report.role_matters = r.role_matters;
-    // What is asked may differ from version to version.
-    auto& answers = report.inputs.answers;
-    answers.insert(answers.end(), r.inputs.answers.begin(), r.inputs.answers.end());
-    report.inputs.search_path = r.inputs.search_path;
-    report.inputs.called.insert(report.inputs.called.end(), r.inputs.called.begin(), r.inputs.called.end());
-    report.inputs.compared.merge(r.inputs.compared);
-  }
-  join_versions(report.own.findings, std::move(own));
-  for (const auto& source : order) {
-    FileReport& file = report.called.emplace_back();
-    file.source = source;
-    join_versions(file.findings, std::move(called[source]));
-  }
-  return report;
-}
-
 }  // namespace
 
 ProgramReport lint(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options,
@@ -253,8 +207,11 @@ ProgramReport lint(const std::shared_ptr<const Program>& program, const Profile&
     treat_as_sub_file(*copy);
     checked = std::move(copy);
   }
-  if (options.all_versions) return check_all_versions(checked, profile, options, library);
-  return Check(profile, options, library).run(checked);
+  return lint_all_ways(checked, profile, options, library);
+}
+
+ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library) {
+  return Check(profile, options, library).run(program);
 }
 
 FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, const LintOptions& options) {
@@ -284,7 +241,7 @@ std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& op
 
 void merge_findings(FileReport& into, std::vector<Finding> findings) {
   constexpr size_t kMaxCalls = 4;  // more places of calls are no help
-  std::map<Place, size_t> places;
+  std::map<FindingPlace, size_t> places;
   for (size_t i = 0; i < into.findings.size(); ++i) places.emplace(place_of(into.findings[i]), i);
   for (Finding& f : findings) {
     const auto [entry, added] = places.emplace(place_of(f), into.findings.size());

@@ -1,5 +1,5 @@
-// OW001 suppression-unknown: a suppression comment that names a code the catalogue does not have.
-// Rests on no fact of the interpreter: to LinuxCNC every suppression is an ordinary comment.
+// OW001 suppression-unknown: a suppression comment with a code that no rule has.
+// Depends on no fact about the interpreter: to LinuxCNC every suppression is an ordinary comment.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -9,13 +9,13 @@ void check(const Input& in, Reporter& out) {
   if (in.suppressions_applied) return;
   for (const Suppression& s : in.suppressions) {
     if (s.malformed) {
-      Finding& f = out.add(s.span, "a comment for owlint says neither `ignore` nor `ignore-file`");
+      Finding& f = out.add(s.span, "a comment for owlint has neither `ignore` nor `ignore-file`");
       f.help = "write `(owlint: ignore CODE -- reason)`";
       f.reach = Reach::kAlways;
     } else if (!known_prefix(s.code)) {
-      Finding& f = out.add(s.span, "`" + s.code + "` is not a code of owlint");
+      Finding& f = out.add(s.span, "there is no rule `" + s.code + "`");
       const std::string_view near = nearest_rule(s.code);
-      f.help = near.empty() ? "`owlint rules` lists the codes" : "write `" + std::string(near) + "`";
+      f.help = near.empty() ? "`owlint rules` lists them" : "write `" + std::string(near) + "`";
       f.reach = Reach::kAlways;
       // LinuxCNC passes comments on, so no change of one is safe.
       if (!near.empty()) f.fixes.push_back({"write `" + std::string(near) + "`", false, {{s.span, std::string(near)}}});
@@ -32,12 +32,12 @@ extern const Rule kOw001{
     .group = Group::kLinter,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A comment such as `(owlint: ignore OW999)` whose code is not in the catalogue: most often a typing
-error, or a prefix with a figure too many.)",
-        .why = R"(A misspelt suppression suppresses nothing. The finding it was meant for is still reported, and
-somebody who reads the program believes that the place has been looked at and judged.
+        .what = R"(A comment such as `(owlint: ignore OW999)` with a code that no rule has: usually a typing error, or
+a prefix with an extra digit.)",
+        .why = R"(A misspelt suppression suppresses nothing. The finding is still reported, and a reader of the
+program believes that somebody has checked this line.
 
-LinuxCNC reads the line as a comment and does nothing.)",
+To LinuxCNC the line is an ordinary comment.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 (owlint: ignore OW999 -- checked by the foreman)
@@ -51,8 +51,9 @@ G1 Z-2 F80
 G0 Z5
 M2
 )",
-        .fix = R"(Correct the code (`owlint rules` lists all of them) or take the comment out. A prefix such as `OW3`
-names a whole group and is allowed.)",
+        .fix = R"(Correct the code (`owlint rules` lists all of them) or remove the comment. A prefix such as `OW3` is
+allowed; it means all codes that begin with it.)",
+        .level_reason = "Warning: LinuxCNC reads the comment as a comment; only owlint's own work suffers.",
         .interpreter = "",
         .options = "",
     },

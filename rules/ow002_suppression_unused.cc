@@ -1,5 +1,5 @@
 // OW002 suppression-unused: a suppression comment that suppresses no finding.
-// Rests on no fact of the interpreter: to LinuxCNC every suppression is an ordinary comment.
+// Depends on no fact about the interpreter: to LinuxCNC every suppression is an ordinary comment.
 #include <algorithm>
 
 #include "rules/stops.h"
@@ -34,9 +34,9 @@ void check(const Input& in, Reporter& out) {
   if (!in.suppressions_applied) return;
   for (const Suppression& s : in.suppressions) {
     if (s.used || s.malformed || !known_prefix(s.code)) continue;
-    const std::string what = s.code.empty() ? "anything" : "`" + s.code + "`";
+    const std::string what = s.code.empty() ? "any rule" : "`" + s.code + "`";
     const std::string where = s.line == 0 ? "in this file" : "on line " + std::to_string(s.line);
-    Finding& f = out.add(s.span, "there is no finding of " + what + " " + where + " to ignore");
+    Finding& f = out.add(s.span, "nothing to suppress: no finding of " + what + " " + where);
     f.help = "remove it";
     f.reach = Reach::kAlways;
     f.fixes.push_back({"remove it", false, {{removed(in, s), ""}}});
@@ -52,12 +52,12 @@ extern const Rule kOw002{
     .group = Group::kLinter,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A comment such as `(owlint: ignore OW301)` in front of a line, on a line or for a file in which
-there is no finding with that code.)",
-        .why = R"(It is left over from a mistake that has been fixed since, or it stands at the wrong line. Left in
-place it would hide the next mistake of that kind made there.
+        .what = R"(A comment such as `(owlint: ignore OW301)`, but the line or file that it is for has no finding with
+that code.)",
+        .why = R"(The mistake has been fixed since, or the comment is at the wrong line. If it stays, it hides the
+next mistake of that kind there.
 
-LinuxCNC reads the line as a comment and does nothing.)",
+To LinuxCNC the line is an ordinary comment.)",
         .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [3]
@@ -77,8 +77,10 @@ o100 repeat [3]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Take the comment out, or move it: on a line of its own it speaks for the next line, at the end of a
-line without O-word for that line, and `(owlint: ignore-file …)` for the whole file.)",
+        .fix = R"(Remove the comment, or move it. A comment on a line of its own applies to the next line; a comment
+at the end of a line without an O-word applies to that line; `(owlint: ignore-file …)` applies to
+the whole file.)",
+        .level_reason = "Warning: nothing goes wrong at the machine, but the comment would hide the next mistake at that place.",
         .interpreter = "",
         .options = "",
     },

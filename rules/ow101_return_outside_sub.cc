@@ -1,7 +1,6 @@
 // OW101 return-outside-sub: a `return` or `endsub` that is executed while no sub is running or being defined.
-// Rests on: at call level 0 with no definition being passed over, both are refused, until a first
-// call has come back; from then on `return` is passed over silently and `endsub` stops with
-// another message.
+// Depends on: outside of calls and of skipped definitions, both are errors until the first call has
+// come back. From then on `return` is ignored without a message, and `endsub` stops with another message.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -14,8 +13,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Region& around = p.regions[p.region_of[id]];
   const StatementId end = around.early_end != kNoStatement && around.early_end < id ? around.early_end : kNoStatement;
   if (end != kNoStatement) {
-    f.message += ": `" + p.head(end) + "` on line " + std::to_string(p.at(end).line) + " has already ended it";
-    relate(f, p, end, "the definition ends here");
+    f.message += ": `" + p.head(end) + "` on line " + std::to_string(p.at(end).line) + " has already ended the sub";
+    relate(f, p, end, "the sub ends here");
   }
   f.help = "remove the line, or end the program with `M2`";
   if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement) f.fixes.push_back({"end the program here with `M2`", false, {{s.head_span(), "M2"}}});
@@ -43,21 +42,21 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw101{
     .code = "OW101",
     .name = "return-outside-sub",
-    .summary = "`return` or `endsub` that is not within a sub definition",
+    .summary = "`return` or `endsub` that is not inside a sub",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `return` or `endsub` in the main program: left behind after moving code out of a sub, the end of a
-sub whose `sub` line is gone, or `return` used to leave the program early.)",
-        .why = R"(The interpreter stops where a run gets to such a line; in a branch that is not taken nothing is
-said. The message is `not in a subroutine definition: 'o110 return'`.
+        .what = R"(A `return` or `endsub` in the main program. It may be left over from code that was moved out of a
+sub, the `sub` line may be gone, or somebody used `return` to end the program early.)",
+        .why = R"(The interpreter stops when a run gets to such a line. In a branch that is not taken there is no
+message. The message is `not in a subroutine definition: 'o110 return'`.
 
-Once a call has come back to the main program it behaves otherwise: `return` there is passed over
-without a word and the program **goes on below it**, which is the opposite of what was meant;
-`endsub` stops with `Not in subroutine definition`.
+After a call has come back to the main program, LinuxCNC does something else: it ignores `return`
+without a message, and the program **goes on with the next line**, which is the opposite of what was
+meant. `endsub` then stops with `Not in subroutine definition`.
 
-Under FEATURE 0x20 (`OWORD_WARNONLY`) `return` is only reported and the program goes on with the
-next line; `endsub` stops all the same.)",
+Under FEATURE 0x20 (`OWORD_WARNONLY`) `return` only prints the message, and the program goes on with
+the next line. `endsub` still stops.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
@@ -80,8 +79,9 @@ G10 L20 P1 Z0
 G0 Z5
 M2
 )",
-        .fix = R"(To end the program early use `M2` or `M30`: they work inside an `if` too. If the line belongs to a
-sub, put the `sub` line back in front of the body.)",
+        .fix = R"(To end the program early, use `M2` or `M30`; they also work inside an `if`. If the line belongs to a
+sub, put the `sub` line back before the sub's first line.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "not in a subroutine definition: 'o110 return'",
         .options = "",
     },

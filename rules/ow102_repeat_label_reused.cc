@@ -1,6 +1,6 @@
 // OW102 repeat-label-reused: a `repeat` whose label already belongs to another block of the same scope.
-// Rests on: a label is defined when its opening line is first met and stays so for the whole run;
-// a `repeat` met with a label from another line is refused.
+// Depends on: a label is defined when its first line is reached and stays defined for the whole run;
+// a `repeat` with a label from another line is an error.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -13,18 +13,18 @@ void check(const Input& in, Reporter& out) { check_label_reused(in, out, Keyword
 extern const Rule kOw102{
     .code = "OW102",
     .name = "repeat-label-reused",
-    .summary = "a label on `repeat` that is defined elsewhere",
+    .summary = "a label on `repeat` that another block already has",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `repeat` whose label was already used for another `repeat`, `while`, `do` or `if` of the same sub
-(or of the main program). It does not help that the earlier block is finished.)",
-        .why = R"(LinuxCNC remembers every label, with the line that opened it, until the program ends. When it meets
-a `repeat` with a label that belongs to another line it stops, also if the earlier block was
-skipped. It is silent only if no run meets both lines.
+        .what = R"(A `repeat` whose label was already used for another `repeat`, `while`, `do` or `if` in the same sub
+(or in the main program), even if that block has already ended.)",
+        .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. At a
+`repeat` with a label from another line it stops, also if the earlier block was skipped. There is no
+error only if no run gets to both lines.
 
-Under FEATURE 0x20 (`OWORD_WARNONLY`) it goes on and the second `endrepeat` jumps back to the
-**first** block: both are then run for ever.)",
+Under FEATURE 0x20 (`OWORD_WARNONLY`) it goes on, and the second `endrepeat` jumps back to the
+**first** block. Both blocks then run for ever.)",
         .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
@@ -53,8 +53,9 @@ o110 repeat [4]
 o110 endrepeat
 M2
 )",
-        .fix = R"(Give the second block a label of its own, on its `repeat` and its `endrepeat`. Labels are local to a
-sub, so the same number may appear in another sub.)",
+        .fix = R"(Give the second block a label of its own, on its `repeat` and its `endrepeat`. Labels of blocks are
+local to a sub, so another sub may use the same number.)",
+        .level_reason = "Error where a run meets both blocks: the program stops at the second. Warning where no run does.",
         .interpreter = "duplicate O-word label: 'o100 repeat [4]' - defined in line N",
         .options = "",
     },

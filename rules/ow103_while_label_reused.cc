@@ -1,7 +1,7 @@
 // OW103 while-label-reused: a `while` whose label already belongs to another block of the same scope that is not
 // a `do`.
-// Rests on: a `while` met with a label from another line is refused unless that label was opened
-// by `do`, because `while` is also what closes a `do`.
+// Depends on: a `while` with a label from another line is an error unless a `do` opened that label,
+// because `while` also closes a `do`.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -14,20 +14,20 @@ void check(const Input& in, Reporter& out) { check_label_reused(in, out, Keyword
 extern const Rule kOw103{
     .code = "OW103",
     .name = "while-label-reused",
-    .summary = "a label on `while` that is defined elsewhere and does not refer to a `do`",
+    .summary = "a label on `while` that another block already has, and that does not close a `do`",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `while` whose label was already used for another block of the same sub or main program. The same
-happens to the `while` that closes a `do`, if the label of that `do` was used for something else
-before: `do` itself never complains.)",
-        .why = R"(LinuxCNC remembers every label until the program ends, with the line that opened it. A `while` on a
-label from another line stops the program, also if the earlier block is finished or was skipped.
-Only a label opened by `do` is let through, because `while` closes it.
+        .what = R"(A `while` whose label was already used for another block in the same sub or main program. The same
+error appears at the `while` that closes a `do`, if the label of that `do` was used for something
+else before; the `do` line itself gives no error.)",
+        .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. A
+`while` with a label from another line stops the program, also if the earlier block has ended or was
+skipped. Only a label that a `do` opened is allowed, because `while` closes the `do`.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) it goes on, and the second `endwhile` jumps back to the
-**first** loop: that loop is run again, a pass at a time, if its condition holds, and the program
-may never end.)",
+**first** loop. That loop runs again, one pass at a time, while its condition is true, and the
+program may never end.)",
         .bad = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]
@@ -56,8 +56,9 @@ o110 endwhile
 G80
 M2
 )",
-        .fix = R"(Give the second loop a label of its own on its opening line, its end, and every `break` and
-`continue` that belongs to it.)",
+        .fix = R"(Give the second loop a label of its own: on its first line, its last line, and every `break` and
+`continue` of the loop.)",
+        .level_reason = "Error where a run meets both blocks: the program stops at the second. Warning where no run does.",
         .interpreter = "duplicate O-word label: 'o100 while [#<y> LT 40]' - defined in line N",
         .options = "",
     },

@@ -1,6 +1,5 @@
 // OW104 if-label-reused: an `if` whose label already belongs to another block of the same scope.
-// Rests on: an `if` met with a label from another line is refused, even when that other block was
-// skipped.
+// Depends on: an `if` with a label from another line is an error, even if that other block was skipped.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -13,19 +12,19 @@ void check(const Input& in, Reporter& out) { check_label_reused(in, out, Keyword
 extern const Rule kOw104{
     .code = "OW104",
     .name = "if-label-reused",
-    .summary = "a label on `if` that is defined elsewhere",
+    .summary = "a label on `if` that another block already has",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(An `if` whose label was already used for another `if`, `while`, `do` or `repeat` of the same sub or
-main program: the usual result of copying a block and forgetting the number.)",
-        .why = R"(LinuxCNC remembers every label until the program ends, with the line that opened it. It stops at the
-second `if`, also if the first one was finished long before or its condition was false. It says
-nothing as long as a run meets only one of the two, so a part program can run for months and stop in
-the middle of a cut on the day the other branch is taken.
+        .what = R"(An `if` whose label was already used for another `if`, `while`, `do` or `repeat` in the same sub or
+main program. Usually a block was copied and the number not changed.)",
+        .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. It
+stops at the second `if`, even if the first one ended long before or its condition was false. There
+is no error as long as a run gets to only one of the two. So a program can run for months, and then
+stop in the middle of a cut on the day the other branch is taken.
 
-Under FEATURE 0x20 (`OWORD_WARNONLY`) the message is printed and the second `if` works as written;
-on the label of a loop its `endif` is reported as well.)",
+Under FEATURE 0x20 (`OWORD_WARNONLY`) LinuxCNC prints the message and the second `if` works as
+written. If the label belongs to a loop, its `endif` gives a message too.)",
         .bad = R"(G21 G90
 G38.3 X20 F50
 o100 if [#5070 EQ 1]
@@ -52,8 +51,9 @@ o110 endif
 G0 Y-5
 M2
 )",
-        .fix = R"(Give the second `if` a label of its own, and the same one to its `elseif`, `else` and `endif`. The
-number may be used again inside another sub: labels are local there.)",
+        .fix = R"(Give the second `if` a label of its own, and use it on its `elseif`, `else` and `endif` too. Labels
+of blocks are local to a sub, so another sub may use the same number.)",
+        .level_reason = "Error where a run meets both blocks: the program stops at the second. Warning where no run does.",
         .interpreter = "duplicate O-word label - already defined in line N: 'o100 if [#5070 EQ 1]'",
         .options = "",
     },

@@ -1,6 +1,6 @@
 // OW105 else-label-undefined: an `else` or `elseif` whose label no block has defined on the way to it.
-// Rests on: an `else` that is not the target of a skip looks its label up; unknown labels are
-// refused. While another label is being skipped to, the line is passed over silently.
+// Depends on: an `else` that is not the target of a skip looks its label up; an unknown label is
+// an error. While the interpreter skips to another label, it ignores the line.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -15,15 +15,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw105{
     .code = "OW105",
     .name = "else-label-undefined",
-    .summary = "an undefined label on `else` or `elseif`",
+    .summary = "`else` or `elseif` with a label that no `if` has",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(An `else` or `elseif` whose label opens nothing in this sub or main program: a typing error in the
-number, or an `else` whose `if` line is gone.)",
-        .why = R"(If the condition is true, the interpreter gets to the `else`, does not know its label and stops,
-after the first branch has been cut. If it is false, the interpreter is looking for the `if`'s own
-label, passes over the wrong `else` and runs **neither branch**, without a word.
+        .what = R"(An `else` or `elseif` whose label no line opens in this sub or main program: a typing error in the
+number, or the `if` line is gone.)",
+        .why = R"(If the condition is true, the interpreter runs the first branch, gets to the `else`, does not know
+its label, and stops. If the condition is false, the interpreter looks for the label of the `if`,
+skips the wrong `else`, and runs **neither branch**, without a message.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) LinuxCNC **crashes** at this line.)",
         .bad = R"(G21 G90
@@ -47,6 +47,7 @@ o100 endif
 M2
 )",
         .fix = R"(Write the label of the `if` that the branch belongs to.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "undefined O-word label: 'o101 else'",
         .options = "",
     },

@@ -1,6 +1,5 @@
 // OW106 if-part-mismatch: an `else`, `elseif` or `endif` whose label belongs to a loop, or (`endif`) to nothing.
-// Rests on: the three look their label up when executed and refuse it unless it was opened by
-// `if`.
+// Depends on: the three look their label up when executed; it is an error unless an `if` opened it.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -15,20 +14,21 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw106{
     .code = "OW106",
     .name = "if-part-mismatch",
-    .summary = "a label on `else`, `elseif` or `endif` that does not point to a matching `if`",
+    .summary = "`else`, `elseif` or `endif` with a label that does not belong to an `if`",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(A part of an `if` with the label of a `while`, `do` or `repeat`, or an `endif` whose label opens
-nothing: mostly the number of the surrounding block instead of the inner one.)",
-        .why = R"(The interpreter looks up what the label was opened as and stops if it was not `if`. `else` and
-`elseif` give the message shown below; `endif` on a loop's label gives
-`no matching label: '#100' (found 'while' in line N): 'o100 endif'`, `endif` on an unknown label
-`undefined O-word label: 'o101 endif'`. A line that is passed over while another label is being
-skipped to is not looked at.
+        .what = R"(An `else`, `elseif` or `endif` with the label of a `while`, `do` or `repeat`, or an `endif` whose
+label no line opens. Usually it has the number of the outer block instead of the inner one.)",
+        .why = R"(The interpreter looks up which kind of line opened the label, and stops if it was not an `if`.
+`else` and `elseif` give the message below. An `endif` with a loop's label gives `no matching label:
+'#100' (found 'while' in line N): 'o100 endif'`; an `endif` with an unknown label gives `undefined
+O-word label: 'o101 endif'`. While the interpreter skips to another label, it does not check the
+line.
 
-Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC; an `endif` on a loop's
-label is passed over; an `else` or `elseif` on one leaves that loop early, or never ends.)",
+Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC. An `endif` with a
+loop's label is ignored. An `else` or `elseif` with a loop's label leaves that loop early, or the
+program never ends.)",
         .bad = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]
@@ -56,6 +56,7 @@ G80
 M2
 )",
         .fix = R"(Use the label of the `if` that the line belongs to.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "no matching 'if' label: 'o100 else' (found 'while' in line N)",
         .options = "",
     },

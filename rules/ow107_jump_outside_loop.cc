@@ -1,6 +1,6 @@
 // OW107 jump-outside-loop: a `break` or `continue` whose label is not that of a `while` or `do`.
-// Rests on: both look their label up when executed and refuse it unless it was opened by `while`
-// or `do`. A loop that is over still counts as opened.
+// Depends on: both look their label up when executed; it is an error unless a `while` or `do` opened
+// it. A loop that has ended still counts.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -15,20 +15,20 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw107{
     .code = "OW107",
     .name = "jump-outside-loop",
-    .summary = "a label on `break` or `continue` that does not point to a matching `while` or `do`",
+    .summary = "`break` or `continue` with a label that does not belong to a `while` or `do`",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `break` or `continue` with the label of an `if` (usually the one it stands in), of a `repeat`, or
-of nothing at all. There is no `break` and no `continue` for `repeat`.)",
-        .why = R"(The interpreter stops at the line, but only on the pass that gets there: the missing blank, the
-broken tool, the tenth part. An unknown label gives `undefined O-word label: 'o101 break'`. The
-label of a loop that has already ended is accepted; the interpreter then looks for the end of that
-loop further down and runs into the end of the file.
+        .what = R"(A `break` or `continue` with the label of an `if` (usually the `if` around it), of a `repeat`, or
+with a label that no line opens. `repeat` has no `break` and no `continue`.)",
+        .why = R"(The interpreter stops at the line, but only in the pass that gets there: when the workpiece is
+missing, when the tool is broken, at the tenth part. An unknown label gives `undefined O-word label:
+'o101 break'`. The label of a loop that has already ended is accepted; the interpreter then looks
+for the end of that loop further down, and stops at the end of the file.
 
-Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC. On an `if` the jump
-only goes to the `endif` and the loop runs on; on a `repeat`, `break` happens to leave it and
-`continue` to begin its next pass.)",
+Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC. With the label of an
+`if` the jump only goes to the `endif`, and the loop goes on. With the label of a `repeat`, `break`
+leaves the `repeat` and `continue` begins its next pass.)",
         .bad = R"(G21 G90
 G0 X0 Y0 Z5
 #<x> = 0
@@ -61,7 +61,9 @@ o100 endwhile
 G0 Z5
 M2
 )",
-        .fix = R"(Write the label of the loop to be left. To leave a `repeat` early, make it a `while` with a counter.)",
+        .fix = R"(Write the label of the loop that the program should leave or continue. To leave a `repeat` early,
+change it into a `while` with a counter.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "no matching while/do label: 'o110 break' (found 'if' in line N)",
         .options = "",
     },

@@ -1,6 +1,5 @@
 // OW108 loop-end-mismatch: an `endwhile` or `endrepeat` whose label was not opened by its own kind of loop.
-// Rests on: both look their label up when executed; an unknown label or one of another kind is
-// refused.
+// Depends on: both look their label up when executed; an unknown label, or a label of another kind, is an error.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -15,17 +14,18 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw108{
     .code = "OW108",
     .name = "loop-end-mismatch",
-    .summary = "a label on `endrepeat` or `endwhile` without its `repeat` or `while`",
+    .summary = "`endrepeat` or `endwhile` with a label that does not belong to a `repeat` or `while`",
     .group = Group::kAbortList,
     .level = Severity::kError,
     .page = {
-        .what = R"(An `endwhile` or `endrepeat` that closes something else than its own kind: `endwhile` on a `repeat`,
-on a `do` (which ends with `while`) or on an `if`, or with a label that opens nothing.)",
-        .why = R"(The interpreter stops at the line after the first pass. A label that opens nothing gives
-`undefined O-word label: 'o101 endrepeat'`.
+        .what = R"(An `endwhile` or `endrepeat` that closes another kind of block: `endwhile` for a `repeat`, for a
+`do` (which ends with `while`) or for an `if`, or with a label that no line opens.)",
+        .why = R"(The interpreter stops at the line after the first pass. A label that no line opens gives `undefined
+O-word label: 'o101 endrepeat'`.
 
-Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC; one of another kind
-makes it jump back to that block's opening line, which for `if` and `do` never ends.)",
+Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC. With the label of
+another kind of block it jumps back to the first line of that block; for `if` and `do` this never
+ends.)",
         .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
@@ -44,8 +44,9 @@ o100 repeat [4]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Close `repeat` with `endrepeat`, `while` with `endwhile`, `do` with `while`, each with the label of
-its opening line.)",
+        .fix = R"(Close `repeat` with `endrepeat`, `while` with `endwhile`, and `do` with `while`, each with the label
+of its first line.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "no matching label: 'o100 endwhile' (found 'repeat' in line N)",
         .options = "",
     },

@@ -1,6 +1,6 @@
 // OW201 sub-redefined: a second definition of a sub that the run already knows.
-// Rests on: a sub is entered in one table for the whole run, called files included; meeting a
-// second definition of the name is an error. 0x20 does not soften it.
+// Depends on: all subs are in one table for the whole run, called files included; a second
+// definition of the name is an error, also under 0x20.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -10,7 +10,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id, const Elsewhere&
   const std::string label = first.program->label_at(first.statement);
   Finding& f = out.add(in.program.at(id).head_span(), "sub `" + label + "` is already defined on " + line_words(in, first));
   relate(in, f, first, "first defined here");
-  f.help = "rename one of the two, or remove it";
+  f.help = "rename or remove one of the two";
   return &f;
 }
 
@@ -31,15 +31,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw201{
     .code = "OW201",
     .name = "sub-redefined",
-    .summary = "two definitions of one sub, in one program or across files",
+    .summary = "two definitions of one sub, in one program or in several files",
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(Two `sub` lines with the same label in one program, or a sub of the program that has the name of one
-already called from a file. Sub names are shared by the whole run, other than block labels.)",
-        .why = R"(The interpreter stops at the second `sub` line that a run meets, whether the bodies are equal or
-not. A second definition after `M2` or `M30`, or in a skipped block, is never met: the first one is
-used, and edits made in the other have no effect.
+        .what = R"(Two `sub` lines with the same label in one program, or a sub of the program with the name of a sub
+that was already called from a file. Unlike labels of blocks, names of subs are global for the whole
+run.)",
+        .why = R"(The interpreter stops at the second `sub` line that a run gets to, even if the two subs are equal. A
+second definition after `M2` or `M30`, or in a skipped block, is never reached: LinuxCNC uses the
+first one, and changes in the other have no effect.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -65,8 +66,8 @@ o110 call [10]
 G80
 M2
 )",
-        .fix = R"(Take out the definition that is out of date, or give one of the two another label and call it by
-that.)",
+        .fix = R"(Remove the old definition, or give one of the two another label and use it in the calls.)",
+        .level_reason = "Error where a run meets the second definition: the program stops there. Warning where no run does.",
         .interpreter = "redefining sub: o|100| already defined in file:PROGRAM",
         .options = "",
     },

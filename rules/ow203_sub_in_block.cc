@@ -1,6 +1,6 @@
 // OW203 sub-in-block: a sub that is defined inside an `if` or a loop.
-// Rests on: a definition only exists once its `sub` line has been met, and meeting it a second
-// time is an error, from the same line too.
+// Depends on: a definition exists only after its `sub` line was reached, and reaching the line a
+// second time is an error.
 #include <unordered_set>
 
 #include "rules/stops.h"
@@ -13,7 +13,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Block& block = p.blocks[p.regions[p.region_of[id]].enclosing];
   const bool loop = block.kind != Keyword::kIf;
   Finding& f = out.add(p.at(id).head_span(), "sub `" + p.label_at(id) + "` is defined inside `" + p.head_of(block) + "`" +
-                                                 (loop ? ": the second pass meets the definition again" : ": where that is skipped, the sub is unknown"));
+                                                 (loop ? ": the second pass defines it again" : ": if that is skipped, the sub is unknown"));
   relate(f, p, block.opener, "the block begins here");
   f.help = "move the definition out of the block, before the first call";
   const Region& region = p.regions[p.region_of[id]];
@@ -41,15 +41,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw203{
     .code = "OW203",
     .name = "sub-in-block",
-    .summary = "a sub defined inside an `if` or loop: lost when skipped, an error when met twice",
+    .summary = "a sub defined inside an `if` or loop: unknown if skipped, an error the second time",
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `sub` … `endsub` that stands inside an `if`, `while`, `do` or `repeat`. The definition is then
-part of the flow of the program.)",
-        .why = R"(In a loop the interpreter stops at the `sub` line on the second pass: the parts of the first pass
-are already cut. In an `if` that is skipped there is no such sub: a later call looks for it until
-the end of the file and stops with `EOF in file … seeking o-word`. In an `if` that is taken it
+        .what = R"(A `sub` … `endsub` inside an `if`, `while`, `do` or `repeat`. The sub then exists only if the
+program runs through that block.)",
+        .why = R"(In a loop the interpreter stops at the `sub` line in the second pass, when the work of the first
+pass is already done. If an `if` is skipped, the sub does not exist: a later call looks for it up to
+the end of the file and stops with `EOF in file … seeking o-word`. If the `if` is not skipped, it
 works.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
@@ -77,8 +77,9 @@ o100 endwhile
 G80
 M2
 )",
-        .fix = R"(Move the definition to the top of the program, in front of the block. To choose between two bodies,
-define both and choose the `call`.)",
+        .fix = R"(Move the sub to the top of the program, before the block. To choose between two subs, define both
+and choose the `call`.)",
+        .level_reason = "Error where a run stops: the sub is missing, or defined twice. Warning where no run does.",
         .interpreter = "sub: o|200| found in illegal location",
         .options = "",
     },

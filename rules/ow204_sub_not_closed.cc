@@ -1,6 +1,6 @@
-// OW204 sub-not-closed: a `sub` whose `endsub` is missing or carries another label.
-// Rests on: a definition is passed over by skipping to exactly its own label; nothing else ends
-// the skip but the end of the file, and another `sub` on the way is a nesting error.
+// OW204 sub-not-closed: a `sub` whose `endsub` is missing or has another label.
+// Depends on: the interpreter skips a definition up to its own label; only the end of the file ends
+// the skip too, and another `sub` on the way is a nesting error.
 #include <algorithm>
 
 #include "rules/stops.h"
@@ -16,8 +16,9 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   f.help = "write `" + end + "` where the sub ends";
   if (region.opener == id && region.likely_end != kNoStatement) {
     const Statement& other = p.at(region.likely_end);
-    f.message += ": `" + p.head(region.likely_end) + "` on line " + std::to_string(other.line) + " has another label";
-    relate(f, p, region.likely_end, "this probably means `" + end + "`");
+    const bool without = other.kind == LineKind::kWords;
+    f.message += ": `" + (without ? "endsub" : p.head(region.likely_end)) + "` on line " + std::to_string(other.line) + (without ? " has no label" : " has another label");
+    relate(f, p, region.likely_end, "this is probably meant to be `" + end + "`");
     f.help = "write `" + end + "` on line " + std::to_string(other.line);
     f.fixes.push_back({"write `" + end + "`", true, {{other.head_span(), end}}});
   }
@@ -53,16 +54,16 @@ extern const Rule kOw204{
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `sub` line without an `endsub` of the same label below it. Where an `endsub` with another label
-stands in the right place, it is named.)",
-        .why = R"(The interpreter reads over everything below the `sub`, `M2` included, and stops at the end of the
-file: no move of the program is made, and the message speaks of the file's end instead of the sub.
-From 2.9.10 it reads `File ended with no percent sign (%) or program end (M2)`, in a program between
-`%` signs `Failed to find sub 'O100' before EOF`; if another `sub` follows,
-`Nested subroutine definition`.
+        .what = R"(A `sub` line without an `endsub` of the same label below it. If an `endsub` with another label is in
+the right place, the finding names it.)",
+        .why = R"(The interpreter skips everything below the `sub`, also `M2`, and stops at the end of the file. The
+program makes no move, and the message is about the end of the file, not about the sub. From 2.9.10
+on the message is `File ended with no percent sign (%) or program end (M2)`; in a program between
+`%` signs it is `Failed to find sub 'O100' before EOF`; if another `sub` follows, it is `Nested
+subroutine definition`.
 
-A sub at the end of the file that is reached by a call and ended by `M2` runs without a word and
-never comes back.)",
+If a call enters such a sub at the end of the file, and `M2` ends it, the program runs without a
+message and never comes back from the call.)",
         .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y#2 Z-5 R2 F80
@@ -80,6 +81,7 @@ o100 call [10] [20]
 M2
 )",
         .fix = R"(Give the `endsub` the label of its `sub`, or add the missing line.)",
+        .level_reason = "Error where a run reads to the end of the file: the program stops there. Warning where the sub runs all the same.",
         .interpreter = "File ended with no percent sign or program end",
         .options = "",
     },

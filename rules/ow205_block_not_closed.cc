@@ -1,6 +1,6 @@
 // OW205 block-not-closed: an `if`, `while`, `do` or `repeat` that is never closed.
-// Rests on: a false condition skips to exactly that label and nothing but the end of the file ends
-// the skip; a true one runs on without looking for an end.
+// Depends on: if the condition is false, the interpreter skips to that label or to the end of the
+// file; if it is true, it goes on and does not look for an end.
 #include <algorithm>
 
 #include "rules/blocks.h"
@@ -8,7 +8,7 @@
 namespace owlint::rules {
 namespace {
 
-/// Whether an end at the suggested line would be this block's: not inside a sub that stands in it, and no inner block with
+/// Whether an end at the suggested line would be this block's: not inside a sub within the block, and no inner block with
 /// its label takes it.
 bool would_close(const Program& p, const Block& block) {
   const auto next = std::ranges::lower_bound(p.syntax.statements, block.suggested_line, {}, &Statement::line);
@@ -21,18 +21,52 @@ bool would_close(const Program& p, const Block& block) {
   });
 }
 
+/// A line that was probably meant to end the block: without a label, or a `while` with another one.
+void name_mistaken_end(const Program& p, const Block& block, StatementId id, Finding& f) {
+  const Statement& end = p.at(block.mistaken_end);
+  const std::string label = p.label_text(block.label);
+  const std::string right = label + " " + std::string(spelling(end_of(block.kind)));
+  const std::string began = "`" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line);
+  if (id == block.mistaken_end) {
+    f.message = "`" + p.head(id) + "` does not close " + began + ": it has another label, and so begins a loop of its own";
+    relate(f, p, block.opener, "`" + p.head_of(block) + "` is open here");
+    f.help = "write `" + right + "`";
+  } else {
+    const std::string line = "line " + std::to_string(end.line);
+    f.message += end.label == kNoName ? ": `" + std::string(spelling(end.keyword)) + "` on " + line + " has no label" : ": `" + p.head(block.mistaken_end) + "` on " + line + " does not end it";
+    relate(f, p, block.mistaken_end, "this probably means `" + right + "`");
+    f.help = "write `" + right + "` on " + line;
+  }
+  if (end.label == kNoName) {
+    f.fixes.push_back({"write the label `" + label + "`", false, {{{end.keyword_span().begin, end.keyword_span().begin}, label + " "}}});
+  } else if (end.is(Keyword::kWhile)) {
+    f.fixes.push_back({"write `" + label + "`", false, {{end.label_span(), label}}});
+  }
+}
+
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const BlockId number = p.block_of[id];
   Finding& f = out.add(p.at(id).head_span(), "`" + p.head(id) + "` is not closed");
   if (number == kNoBlock) return &f;
   const Block& block = p.blocks[number];
+  if (block.mistaken_end != kNoStatement) {
+    name_mistaken_end(p, block, id, f);
+    return &f;
+  }
+  if (block.end != kNoStatement && p.at(block.end).refused) {
+    const std::string line = "line " + std::to_string(p.at(block.end).line);
+    f.message += ": LinuxCNC cannot read " + line + " as its end";
+    relate(f, p, block.end, "this is meant to be its end");
+    f.help = "write `" + p.head(block.end) + "` on " + line;
+    return &f;
+  }
   const std::string end = p.label_text(block.label) + " " + std::string(spelling(end_of(block.kind))) + (block.kind == Keyword::kDo ? " [condition]" : "");
   f.help = "write `" + end + "` where the block ends";
   if (block.suggested_line != 0) {
-    f.help = "write `" + end + "`, most likely before line " + std::to_string(block.suggested_line);
+    f.help = "write `" + end + "`, probably before line " + std::to_string(block.suggested_line);
     const Span line = p.source->line(block.suggested_line);
-    f.related.push_back({line, "`" + end + "` most likely belongs before this line", nullptr});
+    f.related.push_back({line, "`" + end + "` probably belongs before this line", nullptr});
     const Statement& opener = p.at(id);
     if (block.kind != Keyword::kDo && would_close(p, block)) {
       f.fixes.push_back({"write `" + end + "` before line " + std::to_string(block.suggested_line), false,
@@ -52,10 +86,15 @@ void check(const Input& in, Reporter& out) {
   for (const Block& block : p.blocks) {
     if (block.end != kNoStatement || done[block.opener] || has_stop(in, block.opener)) continue;
     // One mistake, one finding: the line that was meant to be the end speaks for it.
-    if (block.mistaken_end != kNoStatement) continue;
+    if (block.mistaken_end != kNoStatement) {
+      // But for a `while`, which LinuxCNC takes for a loop of its own.
+      const bool opens = p.at(block.mistaken_end).is(Keyword::kWhile);
+      if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end]) report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
+      continue;
+    }
     // So does a line with its label that the interpreter cannot read.
     if (p.at(block.opener).inner_cr || has_unreadable_line(in, block.label, block.region)) continue;
-    // So does the end that stands outside, where the sub ends inside the block.
+    // So does the end that is outside, where the sub ends inside the block.
     const Region& region = p.regions[block.region];
     if (block.region != kMainRegion && region.end != kNoStatement) {
       const auto lines = p.by_label[block.label];
@@ -75,13 +114,13 @@ extern const Rule kOw205{
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(A block whose end with the same label is missing: no `endif`, no `endwhile`, no `endrepeat`, no
+        .what = R"(A block whose end with the same label is missing: no `endif`, no `endwhile`, no `endrepeat`, or no
 `while` for a `do`.)",
-        .why = R"(What happens hangs on the day's values. Condition true: the lines below run once and nothing is
-said, a loop does not loop. Condition false: everything to the end of the file is passed over, `M2`
-included, and the interpreter stops there: the message speaks of the file's end, not of the block.
-From 2.9.10 it reads `File ended with no percent sign (%) or program end (M2)`, in a program between
-`%` signs `Failed to find sub 'O#100' before EOF`.
+        .why = R"(The result depends on the condition. If it is true, the lines below run once without a message; a
+loop does not loop. If it is false, the interpreter skips everything up to the end of the file, also
+`M2`, and stops there. The message is about the end of the file, not about the block. From 2.9.10 on
+it is `File ended with no percent sign (%) or program end (M2)`; in a program between `%` signs it
+is `Failed to find sub 'O#100' before EOF`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -101,8 +140,9 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Add the end with the block's label. If an end with another label stands where this one should be,
-correct that label.)",
+        .fix = R"(Add the end with the block's label. If an end with another label is in its place, correct that
+label.)",
+        .level_reason = "Error where a run skips the block: LinuxCNC reads to the end of the file and stops. Warning where no run does.",
         .interpreter = "File ended with no percent sign or program end",
         .options = "",
     },

@@ -1,6 +1,6 @@
-// OW207 call-before-define: a `call` that stands above the definition of its sub.
-// Rests on: an unknown sub is looked for by reading ahead; its `sub` line then counts as met, and
-// running into it later is an error, from that very line.
+// OW207 call-before-define: a `call` above the definition of its sub.
+// Depends on: the interpreter looks ahead for an unknown sub; its `sub` line then counts as reached,
+// and running into it later is an error.
 #include <algorithm>
 
 #include "rules/stops.h"
@@ -17,17 +17,17 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.message += " after line " + std::to_string(p.at(call.statement).line) + " has called it";
     relate(f, p, call.statement, "called here, before the definition");
     const Region& region = p.regions[p.region_of[id]];
-    if (region.opener == id && region.end != kNoStatement) f.fixes.push_back(move_up(p, id, region.end, outermost(p, call.statement), "move the definition above its first call"));
+    if (region.opener == id && region.end != kNoStatement) f.fixes.push_back(move_up(p, id, region.end, outermost(p, call.statement), "move the sub above its first call"));
     break;
   }
-  f.help = "move the definition above its first call, or below the program end";
+  f.help = "move the sub above its first call, or below the program end";
   return &f;
 }
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
-  // In lines that no run gets to, a definition between its call and the program end is wrong all the same.
+  // A definition between its call and the program end is wrong too where no run gets.
   const auto missed = [&](const Call& call) { return call.caller == kMainRegion && !in.flow.executed[call.statement]; };
   if (std::ranges::none_of(p.calls, missed)) return;
   std::unordered_map<NameId, StatementId> first_call;
@@ -54,14 +54,14 @@ extern const Rule kOw207{
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(A sub that is called further up than it is defined. It is an error where the flow then runs into the
-definition, a warning where the program ends before it.)",
-        .why = R"(LinuxCNC reads ahead to the `sub` line, runs the body and goes on after the `call`. When it later
-comes to the definition in the normal course of the program it stops, although it is the same sub:
-the parts above are already cut. With `M2` or `M30` between the calls and the definition it works.
+        .what = R"(A `call` of a sub that is defined further down. It is an error if the program then runs into the
+definition, and a warning if no run gets there.)",
+        .why = R"(LinuxCNC looks ahead for the `sub` line, runs the sub, and goes on after the `call`. When the
+program later comes to the definition itself, it stops, although it is the same sub; the parts
+before are already cut. If `M2` or `M30` comes between the calls and the definition, it works.
 
-Reading ahead leaves out everything on the way: other subs defined between the call and this one are
-not known inside it, and a call of one of them from there stops with `EOF in file … seeking o-word`.
+While it looks ahead, LinuxCNC does not see other subs on the way. If the called sub calls one of
+them, the program stops with `EOF in file … seeking o-word`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -82,8 +82,9 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Put all definitions at the top of the program. Where they have to stand below, end the program with
-`M2` in front of them.)",
+        .fix = R"(Put all subs at the top of the program. If they have to be at the bottom, end the program with `M2`
+before them.)",
+        .level_reason = "Error where the flow runs into the definition: the program stops. Warning where no run does.",
         .interpreter = "sub: o|100| found in illegal location",
         .options = "",
     },

@@ -1,10 +1,9 @@
 // OW208 call-undefined: a call of a sub that is defined nowhere.
-// Rests on: an unknown sub is looked for as a file on the search path, then by reading ahead to the end of the
+// Depends on: an unknown sub is looked for as a file on the search path, then by reading ahead to the end of the
 // file that calls it; not found is an error there.
 #include <algorithm>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "rules/stops.h"
 
@@ -38,10 +37,9 @@ void check(const Input& in, Reporter& out) {
     if (known.size() < kMaxCandidates) known.push_back(p.name(region.name));
   }
   size_t suggestions = 0;
-  std::unordered_set<std::string> reported;  // names that may be in a file elsewhere, each reported once
+  std::unordered_map<std::string, std::string> near_files;  // by name
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const Statement& s = p.at(stop.statement);
-    if (stop.unproven && !reported.insert(stop.detail).second) return nullptr;
     if (stop.kind == StopKind::kM98NoTarget) {
       Finding& f = out.add(s.keyword_span(), "`M98` has no `P` with the number of the sub");
       f.help = "write `M98 P100`";
@@ -50,7 +48,7 @@ void check(const Input& in, Reporter& out) {
     const std::string label = label_text(stop.detail);
     const bool machine = in.profile.setup != nullptr;
     Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` " +
-                                            (machine ? "on the machine's search path" : "in its folder"));
+                                            (machine ? "on the machine's search path" : in.profile.sub_path.empty() ? "in its folder" : "in its folder or those of `--sub-path`"));
     if (in.linked.target(stop.detail).opaque) {
       f.message = "no sub `" + label + "` in this program, and owlint does not follow such a name to a file";
       f.help = "define the sub, or correct the name";
@@ -61,6 +59,10 @@ void check(const Input& in, Reporter& out) {
       f.message = "`" + label + "` is not known here: its definition on line " + std::to_string(p.at(region.opener).line) + " was not run before";
       relate(f, p, region.opener, region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
       f.help = "define the sub before the call, outside of blocks";
+      return &f;
+    }
+    if (const std::string other = look_alike_name(in, stop.detail); !other.empty()) {
+      f.help = other;
       return &f;
     }
     std::string near;
@@ -77,20 +79,26 @@ void check(const Input& in, Reporter& out) {
       near = nearest(stop.detail, known, 1);
       const NameId around = p.regions[p.region_of[stop.statement]].name;
       if (around != kNoName && near == p.name(around)) near.clear();
-      if (near.empty() && suggestions < kMaxListings) near_file = nearest(stop.detail, in.linked.search_path().names(), 2);
+      if (near.empty() && suggestions < kMaxListings) {
+        const auto [known_file, first] = near_files.try_emplace(stop.detail);
+        if (first) known_file->second = nearest(stop.detail, in.linked.search_path().names(), 2);
+        near_file = known_file->second;
+      }
     }
     if (!near.empty()) {
       f.help = "write `" + label_text(near) + "`";
-      if (s.label != kNoName) f.fixes.push_back({f.help, false, {{s.label_span(), s.kind == LineKind::kM98 ? "P" + near : label_text(near)}}});
+      if (s.label != kNoName) f.fixes.push_back({f.help, false, {{s.label_span(), s.is(Keyword::kCall) ? label_text(near) : (s.kind == LineKind::kM98 ? "P" : "Q") + near}}});
       relate(f, p, by_name.at(near)->opener, "`" + label_text(near) + "` is defined here");
     } else if (!near_file.empty()) {
       const auto file = in.linked.search_path().find(near_file);
       f.help = "did you mean `" + label_text(near_file) + "`, in " + (file ? file->path : near_file + ".ngc") + "?";
       if (s.is(Keyword::kCall) && s.label != kNoName) f.fixes.push_back({"write `" + label_text(near_file) + "`", false, {{s.label_span(), label_text(near_file)}}});
     } else if (p.sub_file && machine) {
+      f.group = stop.detail;
       f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {
-      f.help = "define the sub, or correct the name; if a file on the machine's search path has it, say `--ini FILE`";
+      f.group = stop.detail;
+      f.help = "define the sub, or correct the name; if a file has it, say `--sub-path DIR` or, with the machine's INI, `--ini FILE`";
     } else {
       f.help = "define the sub, or correct the label";
     }
@@ -150,8 +158,9 @@ extern const Rule kOw208{
     .page = {
         .what = R"(A `call`, or `M98 P…`, whose sub is neither defined in the program nor found as a file with that
 name on the machine's search path: the folder of the INI, `PROGRAM_PREFIX`, and the folders of
-`SUBROUTINE_PATH` in their order. Without an INI owlint knows the program's own folder only. Subs that the INI itself
-calls (`REMAP`, `NGCGUI_SUBFILE`, `MDI_COMMAND` …) are looked for as well.)",
+`SUBROUTINE_PATH` in their order. Without an INI owlint knows the program's own folder only, and those that `--sub-path` names; a name that it does not find
+there is a warning, one for all its calls in the folder that is checked. Subs that the INI itself calls (`REMAP`, `NGCGUI_SUBFILE`,
+`MDI_COMMAND` …) are looked for as well.)",
         .why = R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`),
 then reads ahead through the rest of the program for the `sub` line, and stops at the end of the
 file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. It
@@ -177,8 +186,10 @@ o100 call [30]
 M2
 )",
         .fix = R"(Correct the name, or add the definition. If a file on the machine's search path has the sub, tell owlint
-the machine with `--ini FILE` or `ini = "…"` in `owlint.toml`. If the INI has a `[PYTHON]` section, the name may be a
+the machine with `--ini FILE` or `ini = "…"` in `owlint.toml`, or only the file's folder with `--sub-path DIR` or
+`sub-path = ["DIR"]`. If the INI has a `[PYTHON]` section, the name may be a
 Python function, and owlint does not report it.)",
+        .level_reason = "Error where the sub is nowhere: the call stops the program. Warning where the file may be in a folder that owlint does not know.",
         .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
         .options = "",
     },

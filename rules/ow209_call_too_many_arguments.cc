@@ -1,13 +1,13 @@
 // OW209 call-too-many-arguments: a `call` with more than 30 arguments.
-// Rests on: a call fills #1 to #30; a 31st bracket is refused while the line is read.
+// Depends on: a call fills #1 to #30; a 31st bracket is an error when the line is read.
 #include "rules/stops.h"
 
 namespace owlint::rules {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id, Span extra) {
-  Finding& f = out.add(extra, "`" + in.program.head(id) + "` passes more than 30 arguments, which is all that LinuxCNC takes");
-  f.help = "a sub takes #1 to #30: pass the rest in global parameters such as `#<_depth>`";
+  Finding& f = out.add(extra, "`" + in.program.head(id) + "` passes more than 30 arguments");
+  f.help = "a sub has only `#1` to `#30`: pass the rest in global parameters such as `#<_depth>`";
   return &f;
 }
 
@@ -27,9 +27,8 @@ extern const Rule kOw209{
     .level = Severity::kError,
     .page = {
         .what = R"(A `call` with more than 30 values in brackets.)",
-        .why = R"(Arguments become `#1` to `#30` of the sub; there is no place for a 31st. `#31` and above are shared
-by the whole program, so a sub that reads `#31` does not read an argument anyway. The interpreter
-stops at the line.
+        .why = R"(The arguments become `#1` to `#30` of the sub; there is no place for a 31st. `#31` and above are
+global, so a sub that reads `#31` reads no argument. The interpreter stops at the line.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -66,8 +65,9 @@ o100 endsub
 o100 call [0][0][-5] [9][0][-5] [18][0][-5] [27][0][-5] [36][0][-5] [0][9][-8] [9][9][-8] [18][9][-8] [27][9][-8] [36][9][-8]
 M2
 )",
-        .fix = R"(Split the work into several calls, or hand over what is the same for all of them in a global name
-such as `#<_depth>`.)",
+        .fix = R"(Split the work into several calls, or pass what is the same for all of them in a global name such as
+`#<_depth>`.)",
+        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
         .interpreter = "Too many subroutine parameters",
         .options = "",
     },

@@ -1,5 +1,5 @@
-// OW210 call-too-deep: a chain of calls, or a recursion, that goes beyond the nesting limit.
-// Rests on: nine calls may be open at once; the tenth is refused. Each called file and M98 counts.
+// OW210 call-too-deep: a chain of calls, or a recursion, beyond the limit of nine.
+// Depends on: nine calls may be open at once; the tenth is an error. Each called file and M98 counts.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const RegionId region = p.region_of[s.statement];
     const bool recursive = p.regions[region].name != kNoName && p.regions[region].name == p.at(s.statement).label;
     if (recursive) {
-      f.message = "`" + p.head(s.statement) + "` calls its own sub, " + (s.unproven ? "how deep is not known" : "again and again") + ": LinuxCNC allows nine levels";
+      f.message = "`" + p.head(s.statement) + "` calls its own sub" + (s.unproven ? ", and owlint does not know how deep" : " again and again") + "; LinuxCNC allows nine levels";
       relate(f, p, p.regions[region].opener, "the sub begins here");
     }
     f.help = recursive ? "use a loop, or count the depth and stop before the tenth call" : "call the subs one after the other instead";
@@ -25,14 +25,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw210{
     .code = "OW210",
     .name = "call-too-deep",
-    .summary = "a chain of calls, or recursion without an exit, beyond the nesting limit",
+    .summary = "calls or recursion more than nine levels deep",
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(A sub that calls a sub that calls a sub …, more than nine deep, or a sub that calls itself (directly
-or through others) with nothing that stops it.)",
-        .why = R"(LinuxCNC has room for nine open calls. At the tenth it stops, in the middle of whatever the ninth
-was doing: a recursive pecking cycle with no exit makes nine pecks and halts.
+        .what = R"(A sub that calls a sub that calls a sub …, more than nine levels deep, or a sub that calls itself
+(directly or through other subs) and never stops doing so.)",
+        .why = R"(LinuxCNC allows nine calls inside each other. It stops at the tenth, in the middle of the ninth: a
+pecking cycle that calls itself without an exit makes nine pecks and stops.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -58,8 +58,9 @@ G0 X10 Y10 Z2
 o<peck> call [12]
 M2
 )",
-        .fix = R"(Use a `while` or `repeat` instead of recursion. A recursion with an exit is safe as long as it
-cannot go nine deep.)",
+        .fix = R"(Use a `while` or `repeat` instead of recursion. A recursion with an exit works if it is never more
+than nine levels deep.)",
+        .level_reason = "Error where a run nests too deep: the program stops. Warning where only the values decide how deep a recursion goes.",
         .interpreter = "Too many subroutine levels",
         .options = "",
     },

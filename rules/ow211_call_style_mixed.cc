@@ -1,5 +1,5 @@
 // OW211 call-style-mixed: the Fanuc style (M98, M99, bare O number) mixed with `sub`, `call`, `endsub`.
-// Rests on: a frame remembers how it was called; `sub`, bare O, `endsub`, `return` and M99 each
+// Depends on: a frame remembers how it was called; `sub`, bare O, `endsub`, `return` and M99 each
 // refuse the other style.
 
 #include "rules/stops.h"
@@ -15,6 +15,11 @@ void check(const Input& in, Reporter& out) {
     std::string help;
     switch (s.kind) {
       case StopKind::kStyleNeedsM98:
+        if (lacks_call(in, s.statement) && p.regions[p.region_of[s.statement]].opener != s.statement) {
+          message = "`" + p.head(s.statement) + "` alone on a line calls nothing, and stops in a sub";
+          help = "write `" + p.head(s.statement) + " call`";
+          break;
+        }
         message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but a `call` leads here";
         help = "call it with `M98 P" + p.label_at(s.statement).substr(1) + "`, or write it with `sub` and `endsub`";
         break;
@@ -48,7 +53,7 @@ void check(const Input& in, Reporter& out) {
     looked[region.name] = true;
     if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub)) continue;
     for (const StatementId other : p.by_label[region.name]) {
-      if (!p.at(other).is(Keyword::kBare) || has_stop(in, other)) continue;
+      if (!p.at(other).is(Keyword::kBare) || has_stop(in, other) || lacks_call(in, other)) continue;
       Finding& f = out.add(p.at(region.opener).head_span(), "`" + p.label_text(region.name) + "` is both a program number and a sub");
       relate(f, p, other, "the program number stands here");
       f.help = "give the sub another number";
@@ -101,6 +106,7 @@ M2
 )",
         .fix = R"(Use one style for the sub and all its calls; `sub` and `call` are the richer one. The same program
 may hold subs of both kinds, if each is called in its own way.)",
+        .level_reason = "Error where a run mixes both: the program stops. Warning where no run does.",
         .interpreter = "'O.... sub' subroutine must be called with 'O.... call'",
         .options = "",
     },

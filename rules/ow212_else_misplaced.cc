@@ -1,6 +1,6 @@
 // OW212 else-misplaced: a second `else`, or an `elseif` after `else`, in one `if`.
-// Rests on: once a branch was executed, every further part of the same `if` is skipped; nobody
-// counts the `else` lines.
+// Depends on: after one branch has run, all other branches of the `if` are skipped; LinuxCNC does
+// not count the `else` lines.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -16,7 +16,7 @@ void check(const Input& in, Reporter& out) {
         continue;
       }
       Finding& f = out.add(p.at(part).head_span(), "`" + p.head(part) + "` comes after the `else` on line " + std::to_string(p.at(first_else).line) + ": its lines never run");
-      relate(f, p, first_else, "the `else` stands here");
+      relate(f, p, first_else, "the `else` is here");
       f.help = p.at(part).is(Keyword::kElse) ? "keep one `else`, as the last branch" : "move the `elseif` before the `else`";
       f.reach = in.flow.reach(part);
     }
@@ -28,14 +28,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw212{
     .code = "OW212",
     .name = "else-misplaced",
-    .summary = "a second `else`, or `elseif` after `else`",
+    .summary = "a second `else`, or an `elseif` after `else`",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(An `if` with two `else` parts, or with an `elseif` below its `else`. Mostly an inner `if` was meant,
-or a label is wrong.)",
-        .why = R"(LinuxCNC says nothing. Some branch above has always been taken by then, so the lines below can never
-run: whatever should happen there does not happen.)",
+        .what = R"(An `if` with two `else` lines, or with an `elseif` after its `else`. Usually an inner `if` was
+intended, or a label is wrong.)",
+        .why = R"(LinuxCNC gives no message. One of the branches above has always been taken, so the lines below never
+run.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
@@ -60,7 +60,8 @@ o100 else
 o100 endif
 M2
 )",
-        .fix = R"(Put the `elseif` parts first and one `else` last, or give an inner `if` its own label.)",
+        .fix = R"(Put the `elseif` branches first and one `else` last, or give an inner `if` a label of its own.)",
+        .level_reason = "Warning: LinuxCNC skips the branch without a message, and the program runs on.",
         .interpreter = "",
         .options = "",
     },

@@ -1,5 +1,5 @@
 // OW213 return-other-label: a `return` inside a sub with a label other than the sub's.
-// Rests on: an executed `return` leaves the running sub whatever its label says; only while
+// Depends on: an executed `return` leaves the running sub whatever its label says; only while
 // skipping the label counts.
 #include "rules/stops.h"
 
@@ -28,7 +28,7 @@ extern const Rule kOw213{
     .name = "return-other-label",
     .summary = "`return` with a label other than its sub's",
     .group = Group::kBlocks,
-    .level = Severity::kWarning,
+    .level = Severity::kInfo,
     .page = {
         .what = R"(A `return` in the body of a sub that carries another label, often that of the `if` it stands in.)",
         .why = R"(LinuxCNC does not compare the labels: the running sub is left, even if the label is the caller's.
@@ -61,8 +61,9 @@ o100 call [#5420]
 M2
 )",
         .fix = R"(Write the sub's own label. If only the `if` was to be left, take the `return` out.)",
+        .level_reason = "Info: the program does what is meant, and LinuxCNC's own programs are written so.",
         .interpreter = "",
-        .options = "",
+        .options = "--extend-select OW213",
     },
     .check = check,
 };

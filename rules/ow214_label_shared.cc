@@ -1,6 +1,6 @@
-// OW214 label-shared: one label on several blocks of one scope that no run meets together.
-// Rests on: a label is defined when its opening line is met; in a branch that is not taken it
-// never is.
+// OW214 label-shared: one label on several blocks of one scope, but no run gets to two of them.
+// Depends on: a label is defined when its first line is reached, and never in a branch that is not
+// taken.
 #include "rules/blocks.h"
 
 namespace owlint::rules {
@@ -23,14 +23,14 @@ void check(const Input& in, Reporter& out) {
     const bool exclusive = in_exclusive_branches(p, first, later);
     const Keyword kind = p.at(later).keyword;
     if (!exclusive && !in.flow.executed[later] && kind != Keyword::kDo) continue;  // OW102 to OW104
-    // The `while` behind a `do` with a used label is where the interpreter notices.
+    // The `while` after a `do` with a used label is where the interpreter notices.
     const BlockId block = p.block_of[later];
     if (block != kNoBlock && p.blocks[block].end != kNoStatement && has_stop(in, p.blocks[block].end)) continue;
     // A `do` in a `do` with its label is OW510.
     if (kind == Keyword::kDo && stands_in_its_label(p, block)) continue;
-    Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` also opens " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
-    relate(f, p, first, "`" + p.head(first) + "` is opened here");
-    f.help = "give this block a label of its own: LinuxCNC stops as soon as one run meets both";
+    Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` is also used for " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
+    relate(f, p, first, "`" + p.head(first) + "` is here");
+    f.help = "give this block another label: LinuxCNC stops if one run gets to both";
     add_relabel_fix(in, later, f);
     f.reach = in.flow.reach(later);
     add_relabel_fix(in, later, f);
@@ -42,15 +42,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw214{
     .code = "OW214",
     .name = "label-shared",
-    .summary = "one label on several blocks of one scope where no path meets two of them",
+    .summary = "one label on several blocks of one scope, but no run gets to two of them",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(Two blocks of the same sub or main program with the same label, in branches of which only one is
-ever taken.)",
-        .why = R"(It runs, because the interpreter never meets the second opening line. It is one edit away from
-stopping: put a loop around it that takes one branch in the first pass and the other in the second,
-and the program stops with `duplicate O-word label` after part of the work is cut.)",
+        .what = R"(Two blocks of the same sub or main program have the same label, but they are in different branches,
+so that each run takes only one of them.)",
+        .why = R"(The program runs, because the interpreter never gets to the second block. But put a loop around it
+that takes one branch in the first pass and the other in the second, and the program stops with
+`duplicate O-word label` when part of the work is already cut.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
@@ -82,6 +82,7 @@ G0 Z5
 M2
 )",
         .fix = R"(Give each block a label of its own.)",
+        .level_reason = "Warning: no run meets both blocks today, but the first one that does stops.",
         .interpreter = "",
         .options = "",
     },

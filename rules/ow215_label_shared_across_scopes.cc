@@ -1,6 +1,6 @@
 // OW215 label-shared-across-scopes: one number used in several scopes, or both as a sub and as a block.
-// Rests on: subs have one name space for the run, all other labels are local to their sub, so this
-// always works.
+// Depends on: labels of subs are global, all other labels are local to their sub, so this always
+// works.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -27,7 +27,7 @@ void check(const Input& in, Reporter& out) {
       reported = true;
       Finding& f = out.add(p.at(id).label_span(), "`" + p.label_text(label) + "` is also used by `" + p.head(first) + "` on line " + std::to_string(p.at(first).line));
       relate(f, p, first, "first used here");
-      f.help = "labels are local to a sub, so this runs; different numbers are easier to read";
+      f.help = "this runs, because labels are local to a sub; different numbers are easier to read";
       f.reach = in.flow.reach(id);
     }
   }
@@ -42,11 +42,11 @@ extern const Rule kOw215{
     .group = Group::kBlocks,
     .level = Severity::kInfo,
     .page = {
-        .what = R"(A number that labels blocks in more than one sub (or in a sub and in the main program), or that is a
-sub in one place and a block in another.)",
-        .why = R"(LinuxCNC keeps these apart and runs the program as written. It makes the program harder to read and
-search, and copying a block from one sub into another turns it into a duplicate label that stops the
-machine.)",
+        .what = R"(A number that labels blocks in more than one sub (or in a sub and in the main program), or a number
+that is a sub in one place and a block in another.)",
+        .why = R"(LinuxCNC keeps these apart and runs the program as written. But the program is harder to read and to
+search. If you copy a block from one sub into another, the label is there twice, and the program
+stops.)",
         .bad = R"(G21 G90
 o100 sub
   o100 if [#1 GT 0]
@@ -67,8 +67,10 @@ o100 endsub
 o100 call [#5420]
 M2
 )",
-        .fix = R"(Number each sub's blocks in a range of their own, for instance 110 to 199 inside `o100`. Shops with
-many short subs that all start at `o101` may leave this rule off; it is off unless selected.)",
+        .fix = R"(Give the blocks of each sub a range of numbers of their own, for example 110 to 199 inside `o100`.
+If you have many short subs that all start at `o101`, leave this rule off; it is off unless you
+select it.)",
+        .level_reason = "Info: it runs, and many programs count their labels from the same number in each sub.",
         .interpreter = "",
         .options = "--select OW215",
     },

@@ -1,9 +1,9 @@
 // OW301 keyword-unknown: a word after the label that is no O-word keyword.
-// Rests on: the keyword is checked whenever a line is read, while skipping too; only inside a sub
-// that is being passed over is it let through.
+// Depends on: the keyword is checked whenever a line is read, while skipping too; only inside a sub
+// that is being skipped it is accepted.
 #include <algorithm>
 
-#include "rules/stops.h"
+#include "rules/idioms.h"
 
 namespace owlint::rules {
 namespace {
@@ -17,13 +17,11 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   Finding& f = out.add(s.keyword_span(), "`" + word + "` is not an O-word keyword");
   const std::string near = nearest(word, {kKeywordSpellings.begin(), kKeywordSpellings.end()});
   f.help = "write one of the keywords: sub, call, return, if, while, do, repeat and their ends; `owlint explain OW301` lists them";
-  if (word == "for" || word == "next" || word == "loop") f.help = "there is no `" + word + "`: use `repeat` or `while`";
-  if (word.starts_with("goto")) f.help = "there is no jump: use `if` and `while`";
-  if (word == "end") f.help = "write `endif`, `endwhile`, `endrepeat` or `endsub`";
   if (!near.empty()) {
     f.help = "write `" + near + "`";
     f.fixes.push_back({"write `" + near + "`", false, {{s.keyword_span(), near}}});
   }
+  explain_idiom(in, id, f);
   return &f;
 }
 
@@ -79,6 +77,7 @@ M2
 )",
         .fix = R"(Write the keyword as LinuxCNC knows it. There is no jump to a line: `GOTO` has to become an `if` or
 a loop.)",
+        .level_reason = "Error where a run reads the line: the program stops. Warning where no run does.",
         .interpreter = "Unknown control command in o word",
         .options = "",
     },

@@ -1,7 +1,7 @@
 // OW302 condition-missing: `if`, `elseif`, `while` or `repeat` without a value in brackets.
-// Rests on: when one of these is evaluated the next character must be `[`; on a line that is
+// Depends on: when one of these is evaluated the next character must be `[`; on a line that is
 // skipped it is not looked at.
-#include "rules/stops.h"
+#include "rules/idioms.h"
 
 namespace owlint::rules {
 namespace {
@@ -18,11 +18,12 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r')) rest.pop_back();
   if (rest.empty() || rest.find_first_of("[]=") != std::string::npos) {
     f.help = "put the " + what + " in brackets, behind `" + word + "`";
-    return &f;
+  } else {
+    f.help = "write `" + word + " [" + rest + "]`";
+    const uint64_t from = p.source->bytes().find(rest, s.offset + s.keyword_to);
+    f.fixes.push_back({"put the " + what + " in brackets", false, {{{from, from}, "["}, {{from + rest.size(), from + rest.size()}, "]"}}});
   }
-  f.help = "write `" + word + " [" + rest + "]`";
-  const uint64_t from = p.source->bytes().find(rest, s.offset + s.keyword_to);
-  f.fixes.push_back({"put the " + what + " in brackets", false, {{{from, from}, "["}, {{from + rest.size(), from + rest.size()}, "]"}}});
+  explain_idiom(in, id, f);
   return &f;
 }
 
@@ -66,6 +67,7 @@ G0 Z5
 M2
 )",
         .fix = R"(Put the whole condition, or the count, in one pair of square brackets.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "Left bracket missing after 'if'",
         .options = "",
     },

@@ -1,7 +1,7 @@
 // OW303 expression-malformed: an expression on an O-word line that the interpreter cannot read.
-// Rests on: brackets, operators, functions and operands are checked when the expression is
+// Depends on: brackets, operators, functions and operands are checked when the expression is
 // evaluated, not when the line is skipped.
-#include "rules/stops.h"
+#include "rules/idioms.h"
 
 namespace owlint::rules {
 namespace {
@@ -37,23 +37,6 @@ constexpr Words kWords[] = {
     {"Expected", "`EXISTS` takes one parameter", "write `EXISTS[#<name>]`"},
 };
 
-/// What people write who know another language.
-bool habit(std::string_view text, Finding& f) {
-  if (text.starts_with("=") || text.starts_with("!") || text.starts_with("<") || text.starts_with(">")) {
-    f.message = "`" + std::string(text.substr(0, 1)) + "` is not an operator here";
-    f.help = "compare with EQ, NE, GT, GE, LT or LE";
-  } else if (text.starts_with("(")) {
-    f.message = "a comment may not stand inside brackets";
-    f.help = "put it behind the closing bracket";
-  } else if (text.starts_with("not") || text.starts_with("NOT") || text.starts_with("Not")) {
-    f.message = "there is no `NOT`";
-    f.help = "turn the comparison round: `LE` for not `GT`, `EQ 0` for not true";
-  } else {
-    return false;
-  }
-  return true;
-}
-
 void word(Finding& f) {
   f.message = "this value cannot be computed";
   f.help = "check the values that go into it";
@@ -72,7 +55,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id, const std::strin
   const Span whole = s.kind == LineKind::kOWord ? Span{s.offset + s.label_from, s.end()} : s.whole();
   Finding& f = out.add(reading ? error->span : whole, "");
   f.interpreter = interpreter;
-  if (!reading || !habit(in.program.source->slice(error->span), f)) word(f);
+  word(f);
+  if (reading) explain_idiom(in, id, f);
   return &f;
 }
 
@@ -121,6 +105,7 @@ M2
 )",
         .fix = R"(Close every bracket. Comparisons are `EQ NE GT GE LT LE`, joined by `AND OR XOR`; write `[#1 EQ 0]`
 for "not".)",
+        .level_reason = "Error where a run evaluates the line: the program stops. Warning where no run does.",
         .interpreter = "Unclosed expression",
         .options = "",
     },

@@ -1,18 +1,16 @@
 // OW304 text-after-oword: something left on the line after the O-word is complete.
-// Rests on: what is left is refused, unless a skip was under way when the line was read: then it
+// Depends on: the rest of the line is an error, unless lines were being skipped when it was read: then it
 // is swallowed, also on the line that ends the skip.
-#include "rules/stops.h"
+#include "analyzer/syntax/known_line.h"
+#include "rules/idioms.h"
 
 namespace owlint::rules {
 namespace {
 
-/// Whether the words behind such a line were never dropped, and would be run where they are put.
-bool runs_on(Keyword keyword) {
-  return keyword == Keyword::kIf || keyword == Keyword::kWhile || keyword == Keyword::kDo || keyword == Keyword::kRepeat || keyword == Keyword::kCall ||
-         keyword == Keyword::kBreak || keyword == Keyword::kContinue || keyword == Keyword::kReturn;
-}
+/// Whether the words after such a line were never dropped, and would run where they are put: after a jump they would not.
+bool runs_on(Keyword keyword) { return opens_block(keyword) || keyword == Keyword::kCall; }
 
-Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
+Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
   std::string text(p.source->slice(s.rest_span()));
@@ -20,33 +18,30 @@ Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
   Finding& f = out.add(s.rest_span(), "`" + text + "` stands behind `" + p.head(id) + "`, where nothing but a comment may stand");
   const std::string written = std::string(spelling(s.keyword)) + text.substr(0, text.find_first_of(" \t([;"));
   const std::string near = s.keyword_to == s.rest_from ? nearest(written, {kKeywordSpellings.begin(), kKeywordSpellings.end()}) : std::string();
-  const bool number = std::string_view("0123456789#-[,.").find(text[0]) != std::string_view::npos;
   if (!near.empty() && near != written && written.find_first_of("0123456789") == std::string::npos) {
     f.help = "write `" + near + "`";
     const Span word{s.offset + s.keyword_from, s.offset + s.rest_from + written.size() - spelling(s.keyword).size()};
-    // What may stand behind one keyword may not behind another.
+    // Text that is allowed after one keyword may be an error after another.
     const bool takes_value = near == "if" || near == "elseif" || near == "while" || near == "repeat" || near == "call" || near == "return" || near == "endsub";
     if (takes_value || text.find('[') == std::string::npos) f.fixes.push_back({"write `" + near + "`", false, {{word, near}}});
-  } else if (s.is(Keyword::kCall) && number) {
-    f.help = "write each argument in brackets of its own: `[4] [5]`";
-  } else if ((s.is(Keyword::kReturn) || s.is(Keyword::kEndsub)) && number) {
-    f.help = "write the value in brackets: `" + std::string(spelling(s.keyword)) + " [" + text.substr(0, text.find_first_of(" \t(;")) + "]`";
+  } else if (surely_refused(p.source->slice(s.rest_span()))) {
+    f.help = "remove it, or put it in a comment";
   } else {
     f.help = "put it on a line of its own, or remove it";
-    const Source& source = *p.source;
-    uint64_t blanks = s.rest_span().begin;
-    while (blanks > s.offset && source.slice({blanks - 1, blanks}).find_first_of(" \t") == 0) --blanks;
-    f.fixes.push_back({"put it on a line of its own", stops && runs_on(s.keyword), {{{blanks, s.rest_span().begin}, line_end(source, s) + indent_of(source, s)}}, true});
+    Fix fix = split_line(p, s, s.rest_span().begin, "put it on a line of its own");
+    fix.safe = fix.safe && runs_on(s.keyword);
+    f.fixes.push_back(std::move(fix));
   }
+  explain_idiom(in, id, f);
   return &f;
 }
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, true); });
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
   for_unmet_errors(in, out, [&](StatementId id, const LineError&) {
     if (p.at(id).inner_cr) return;
-    Finding* f = report(in, out, id, false);
+    Finding* f = report(in, out, id);
     f->reach = in.flow.reach(id);
     f->message += "; LinuxCNC drops it here without a word";
   });
@@ -87,6 +82,7 @@ G0 Z5
 M2
 )",
         .fix = R"(Put the rest on the next line.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where LinuxCNC drops the text without a message, or no run gets here.",
         .interpreter = "Unexpected character after O-word",
         .options = "",
     },

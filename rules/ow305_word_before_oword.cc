@@ -1,25 +1,24 @@
 // OW305 word-before-oword: a word, an assignment or a comment in front of the O-word.
-// Rests on: only `/` and a line number may stand before `o`; anywhere else `o` is not a letter the
+// Depends on: only `/` and a line number may come before `o`; anywhere else `o` is not a letter the
 // interpreter knows.
-#include "rules/stops.h"
+#include "rules/idioms.h"
 
 namespace owlint::rules {
 namespace {
 
-Finding* report(const Input& in, Reporter& out, StatementId id, bool stops) {
+Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = in.program.at(id);
-  Finding& f = out.add(in.program.syntax.error(s)->span, "an O-word must come first on its line");
+  const Span span = in.program.syntax.error(s)->span;
+  Finding& f = out.add(span, "an O-word must come first on its line");
   f.help = "put it on a line of its own; only `/` and a line number may stand before it";
-  const Source& source = *in.program.source;
-  // A comment before it may stand on the line above as well.
-  const uint64_t at = in.program.syntax.error(s)->span.begin;
-  f.fixes.push_back({"put the O-word on a line of its own", stops && !bounds_sub(s), {{{at, at}, line_end(source, s) + indent_of(source, s)}}, true});
+  f.fixes.push_back(split_line(in.program, s, span.begin, "put the O-word on a line of its own"));
+  explain_idiom(in, id, f);
   return &f;
 }
 
 void check(const Input& in, Reporter& out) {
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, true); });
-  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id, false)->reach = in.flow.reach(id); });
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = in.flow.reach(id); });
 }
 
 }  // namespace
@@ -59,6 +58,7 @@ o100 call [30]
 M2
 )",
         .fix = R"(Put the O-word on a line of its own.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "Bad character 'o' used",
         .options = "",
     },

@@ -1,10 +1,17 @@
 // OW306 label-malformed: an O-word whose label is missing, no integer, or a name that is not closed.
-// Rests on: a label is an integer (to 0.0001) or `<name>`; after `<` everything to the end of the
+// Depends on: a label is an integer (to 0.0001) or `<name>`; after `<` everything to the end of the
 // line is the name if there is no `>`, and an O-word without keyword is a program number.
-#include "rules/stops.h"
+#include <algorithm>
+
+#include "rules/idioms.h"
 
 namespace owlint::rules {
 namespace {
+
+/// Whether runs get to the end of the file because the block or sub that begins here has no end.
+bool has_file_end(const Input& in, StatementId opener) {
+  return std::ranges::any_of(in.flow.stops, [&](const FlowStop& s) { return s.statement == opener && s.kind == StopKind::kFileEnd; });
+}
 
 void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
   switch (kind) {
@@ -15,10 +22,6 @@ void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
     case StopKind::kLabelWord:
       f.message = "the O-word has no label before its keyword";
       f.help = "write a number or `<name>` after the `o`: `o100 " + std::string("if` or `o<name> call`");
-      break;
-    case StopKind::kLabelForgotten:
-      f.message = "this keyword has no O-label before it";
-      f.help = "write the label first: `o100 if [...]`";
       break;
     case StopKind::kLabelNotInteger: case StopKind::kM98Number:
       f.message = "`" + std::string(p.source->slice(s.label_span())) + "` is not a whole number";
@@ -31,6 +34,15 @@ void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
   }
 }
 
+/// Whether the block or the sub that the line was meant to end says so.
+bool ends_stopped_block(const Input& in, StatementId id) {
+  const Program& p = in.program;
+  const BlockId block = p.block_of[id];
+  if (block != kNoBlock && p.blocks[block].mistaken_end == id) return has_file_end(in, p.blocks[block].opener);
+  const Region& region = p.regions[p.region_of[id]];
+  return region.likely_end == id && has_file_end(in, region.opener);
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
@@ -38,11 +50,14 @@ void check(const Input& in, Reporter& out) {
     const LineError* error = p.syntax.error(s);
     Finding& f = out.add(error != nullptr ? error->span : s.label_span(), "");
     word(p, s, stop.kind, f);
+    if (error != nullptr && error->kind == stop.kind) explain_idiom(in, stop.statement, f);
     return &f;
   });
   for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
+    if (ends_stopped_block(in, id)) return;
     Finding& f = out.add(error.span, "");
     word(p, p.at(id), error.kind, f);
+    explain_idiom(in, id, f);
     f.interpreter = error.message;
     f.reach = in.flow.reach(id);
   });
@@ -99,6 +114,7 @@ M2
 )",
         .fix = R"(Use a whole number, or a name between `<` and `>`. Number labels in steps of ten to leave room for
 inserted blocks.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "Non integer value for integer",
         .options = "",
     },

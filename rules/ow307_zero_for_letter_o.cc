@@ -1,5 +1,5 @@
 // OW307 zero-for-letter-o: the figure zero typed where the letter O belongs.
-// Rests on: a line cannot begin with a figure; while skipping, the line is not an O-word and ends
+// Depends on: a line cannot begin with a digit; while skipping, the line is not an O-word and ends
 // nothing.
 #include "rules/stops.h"
 
@@ -54,6 +54,7 @@ o100 call [30]
 M2
 )",
         .fix = R"(Write a small `o`: it cannot be mistaken for a zero.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "Bad character '0' used",
         .options = "",
     },

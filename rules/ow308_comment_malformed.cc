@@ -1,5 +1,5 @@
 // OW308 comment-malformed: a comment inside a comment, or one that is not closed on its line.
-// Rests on: comments are found while the line is read, before anything else, in skipped lines and
+// Depends on: comments are found while the line is read, before anything else, in skipped lines and
 // uncalled subs too.
 #include "rules/stops.h"
 
@@ -59,6 +59,7 @@ G80
 M2
 )",
         .fix = R"(Use `[ ]` or a dash inside comments, or begin the comment with `;`.)",
+        .level_reason = "Error where a run reads the line: the program stops. Warning where no run does.",
         .interpreter = "Nested comment found",
         .options = "",
     },

@@ -1,5 +1,5 @@
 // OW309 line-too-long: a line with more characters than the interpreter's buffer takes.
-// Rests on: 252 characters and a line feed are read, one more is refused; skipped lines and
+// Depends on: 252 characters and a line feed are read, one more is an error; skipped lines and
 // comments count.
 #include "rules/stops.h"
 
@@ -50,6 +50,7 @@ M2
 )",
         .fix = R"(Split the comment, the expression or the call over several lines; a long expression can go into a
 named parameter first.)",
+        .level_reason = "Error where a run reads the line: the program stops. Warning where no run does.",
         .interpreter = "Command too long",
         .options = "",
     },

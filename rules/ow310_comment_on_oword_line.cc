@@ -1,5 +1,5 @@
 // OW310 comment-on-oword-line: a comment on the line of an O-word.
-// Rests on: comments after the O-word are dropped, active ones such as MSG and PRINT too; before
+// Depends on: comments after the O-word are ignored, also active ones such as MSG and PRINT; before
 // or inside it they are errors of other rules.
 #include <algorithm>
 
@@ -26,15 +26,15 @@ void check(const Input& in, Reporter& out) {
     const std::string_view line = p.source->slice(s.whole());
     const size_t at = line.find_first_of("(;", std::max(s.label_to, s.keyword_to));
     if (at == std::string_view::npos) continue;
-    Finding& f = out.add({s.offset + at, s.end()}, "a comment stands on the line of `" + p.head(id) + "`");
-    f.help = "put it on a line of its own: the documentation calls this undefined, though it runs";
+    Finding& f = out.add({s.offset + at, s.end()}, "a comment on the line of `" + p.head(id) + "`");
+    f.help = "write the comment on a line of its own: this runs, but the documentation calls it undefined";
     f.reach = in.flow.reach(id);
     if (!only_comments(line.substr(at))) continue;
-    // Never safe: on a line of its own LinuxCNC tells the comment, and a MSG or PRINT would begin to work.
+    // Never safe: on a line of its own a MSG or PRINT would begin to work.
     const std::string comment(line.substr(at, line.find_last_not_of(" \t\r") + 1 - at));
     size_t blanks = at;
     while (blanks > 0 && (line[blanks - 1] == ' ' || line[blanks - 1] == '\t')) --blanks;
-    f.fixes.push_back({"put it on the line above", false, {{{s.offset, s.offset}, indent_of(*p.source, s) + comment + line_end(*p.source, s)},
+    f.fixes.push_back({"move the comment to the line above", false, {{{s.offset, s.offset}, indent_of(*p.source, s) + comment + line_end(*p.source, s)},
                                                              {{s.offset + blanks, s.offset + at + comment.size()}, ""}}});
   }
 }
@@ -48,9 +48,9 @@ extern const Rule kOw310{
     .group = Group::kLine,
     .level = Severity::kInfo,
     .page = {
-        .what = R"(A `( … )` or `;` comment on a line that has an O-word. The documentation calls the result undefined.)",
-        .why = R"(LinuxCNC runs such lines today, but an **active comment there does nothing**: `(MSG,…)`, `(PRINT,…)`
-and `(DEBUG,…)` on an O-word line are neither shown nor evaluated, although the line is executed. A
+        .what = R"(A `( … )` or `;` comment on a line with an O-word. The documentation calls the result undefined.)",
+        .why = R"(LinuxCNC runs such lines today, but **active comments do nothing there**: it neither shows nor
+evaluates `(MSG,…)`, `(PRINT,…)` and `(DEBUG,…)` on an O-word line, although it executes the line. A
 comment before the O-word, between label and keyword, or between `if` or `return` and the bracket
 stops the program.)",
         .bad = R"(G21 G90
@@ -72,8 +72,9 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Put the comment on a line of its own, above or below. It is off unless selected, because a plain
-remark behind an O-word is harmless in the versions measured.)",
+        .fix = R"(Write the comment on a line of its own, above or below. This rule is off unless you select it,
+because an ordinary comment after an O-word is harmless in all versions that were measured.)",
+        .level_reason = "Info: the documentation calls it undefined, but every version runs it.",
         .interpreter = "",
         .options = "--select OW310",
     },

@@ -1,5 +1,5 @@
-// OW311 uppercase-o: a capital O in front of a label.
-// Rests on: letters are lowered before a line is read, so this always works.
+// OW311 uppercase-o: a capital O before a label.
+// Depends on: LinuxCNC changes letters to lower case before it reads a line, so this always works.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -11,7 +11,7 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(id);
     if (s.kind != LineKind::kOWord || p.source->bytes()[s.offset + s.label_from] != 'O') continue;
     const Span letter{s.offset + s.label_from, s.offset + s.label_from + 1};
-    Finding& f = out.add(letter, "a capital `O` is easily taken for a zero");
+    Finding& f = out.add(letter, "a capital `O` looks like a zero");
     f.help = "write a small `o`";
     f.reach = in.flow.reach(id);
     f.fixes.push_back({"write a small `o`", true, {{letter, "o"}}});
@@ -23,13 +23,13 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw311{
     .code = "OW311",
     .name = "uppercase-o",
-    .summary = "a capital `O` that reads like a zero",
+    .summary = "a capital `O` that looks like a zero",
     .group = Group::kLine,
     .level = Severity::kInfo,
     .page = {
         .what = R"(An O-word written with a capital `O`: `O100 sub`.)",
-        .why = R"(LinuxCNC does not care. On a screen `O100` and `0100` look the same, and the second stops
-the program or, in a skipped branch, is passed over (OW307).)",
+        .why = R"(LinuxCNC accepts both. But on a screen `O100` and `0100` look the same, and the second stops the
+program, or is ignored in a skipped branch (OW307).)",
         .bad = R"(G21 G90
 G0 X0 Y0 Z5
 O100 repeat [4]
@@ -48,8 +48,9 @@ o100 repeat [4]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Write a small `o`. Shops whose other controls want the capital may leave the rule off; it is off
-unless selected.)",
+        .fix = R"(Write a small `o`. If your other controls need the capital letter, leave this rule off; it is off
+unless you select it.)",
+        .level_reason = "Info: LinuxCNC reads both alike; it is for people that the letter matters.",
         .interpreter = "",
         .options = "--select OW311",
     },

@@ -1,6 +1,6 @@
-// OW312 label-spelling: a label that is spelled in an unusual way or in several ways.
-// Rests on: numbers are compared by value and names without blanks and capitals, so this always
-// works.
+// OW312 label-spelling: a label in an unusual spelling, or in several spellings.
+// Depends on: numbers are compared by value, and names without spaces and in lower case, so this
+// always works.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -27,15 +27,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw312{
     .code = "OW312",
     .name = "label-spelling",
-    .summary = "leading zeros, decimals, blanks or mixed case in a label",
+    .summary = "leading zeros, decimals, spaces or capital letters in a label",
     .group = Group::kLine,
     .level = Severity::kInfo,
     .page = {
-        .what = R"(A label with leading zeros (`o0100`), decimals (`o100.0`), a sign, blanks inside (`o 100`,
-`o<my sub>`) or capitals in a name (`o<Drill>`).)",
-        .why = R"(LinuxCNC takes `o0100`, `o100.0` and `o 1 0 0` for `o100`, `o<My Sub>` for `o<mysub>`, and `o<100>`
-for `o100`. A search for the label does not find them all, and a file for `o<Drill> call` must be
-named `drill.ngc`, in small letters.)",
+        .what = R"(A label with leading zeros (`o0100`), decimals (`o100.0`), a sign, spaces inside (`o 100`, `o<my
+sub>`) or capital letters in a name (`o<Drill>`).)",
+        .why = R"(LinuxCNC reads `o0100`, `o100.0`, `o 1 0 0` and `o<100>` as `o100`, and `o<My Sub>` as `o<mysub>`. A
+search for the label does not find them all. The file for `o<Drill> call` must have the name
+`drill.ngc`, in small letters.)",
         .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o0100 repeat [4]
@@ -54,8 +54,9 @@ o100 repeat [4]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Write a label the same way everywhere: plain figures, or small letters without blanks. The rule is
-off unless selected.)",
+        .fix = R"(Write a label the same way everywhere: plain digits, or small letters without spaces. This rule is
+off unless you select it.)",
+        .level_reason = "Info: LinuxCNC reads both spellings as one label.",
         .interpreter = "",
         .options = "--select OW312",
     },

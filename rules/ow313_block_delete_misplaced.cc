@@ -1,17 +1,17 @@
 // OW313 block-delete-misplaced: a `/` that is not the first thing on its line.
-// Rests on: block delete is looked for before the line number; a later `/` outside brackets is not
-// known.
+// Depends on: block delete is read only before the line number; a later `/` outside brackets is an
+// error.
 #include "rules/stops.h"
 
 namespace owlint::rules {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
-  Finding& f = out.add(in.program.syntax.error(in.program.at(id))->span, "block delete `/` stands behind the line number");
-  f.help = "put the `/` before the `N`";
+  Finding& f = out.add(in.program.syntax.error(in.program.at(id))->span, "block delete `/` comes after the line number");
+  f.help = "write the `/` before the `N`";
   const Statement& s = in.program.at(id);
   const uint64_t first = s.offset + indent_of(*in.program.source, s).size();
-  f.fixes.push_back({"put the `/` before the `N`", !bounds_sub(s), {{{first, first}, "/"}, {f.span, ""}}, true});
+  f.fixes.push_back({"write the `/` before the `N`", !bounds_sub(s), {{{first, first}, "/"}, {f.span, ""}}, true});
   return &f;
 }
 
@@ -29,12 +29,12 @@ extern const Rule kOw313{
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(A line such as `N40 /G0 Z5` or `N40 /o100 call`: the slash stands behind the line number. Other
-controls allow that; also several skip levels such as `/2`.)",
-        .why = R"(LinuxCNC looks for `/` at the very start of the line only. Elsewhere it stops with the message
-below; `/2 G0 X5` stops with `Bad character '2' used`, `o100 /if [1]` with
-`Unknown control command in o word`. It does so whether block delete is switched on or off. Skipped
-lines and uncalled subs are not looked at.
+        .what = R"(A line such as `N40 /G0 Z5` or `N40 /o100 call`: the slash comes after the line number. Other
+controls allow that, and also several skip levels such as `/2`.)",
+        .why = R"(LinuxCNC looks for `/` only at the very start of the line. Elsewhere it stops with the message
+below; `/2 G0 X5` stops with `Bad character '2' used`, and `o100 /if [1]` with `Unknown control
+command in o word`, whether block delete is on or off. Skipped lines and subs that nothing calls are
+not checked.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(N10 G21 G90
@@ -51,7 +51,8 @@ N30 G1 Z-2 F80
 N50 G0 Z5
 N60 M2
 )",
-        .fix = R"(Put the slash in front of the line number.)",
+        .fix = R"(Write the slash before the line number.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
         .interpreter = "Bad character '/' used",
         .options = "",
     },

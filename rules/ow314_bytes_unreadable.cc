@@ -1,7 +1,7 @@
 // OW314 bytes-unreadable: bytes that the interpreter refuses or silently stops reading at.
-// Rests on: outside comments and names only ASCII is known; a NUL ends its line; lines end at line
+// Depends on: outside comments and names only ASCII is known; a NUL ends its line; lines end at line
 // feed, not at CR.
-#include "rules/stops.h"
+#include "rules/idioms.h"
 
 namespace owlint::rules {
 namespace {
@@ -24,24 +24,37 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.help = "save it as UTF-8 without byte order mark, or as plain text";
     f.fixes.push_back({"remove the byte order mark", true, {{{0, 3}, ""}}});
   } else if (!bytes.empty() && static_cast<unsigned char>(bytes[0]) >= 0x80) {
-    const bool no_break = bytes.starts_with("\xC2\xA0") || bytes == "\xA0";
-    const bool utf16 = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
-    f.message = utf16      ? "the file is UTF-16 text, which LinuxCNC cannot read"
-                : no_break ? "a no-break space stands here"
-                           : "LinuxCNC does not know this character outside of comments and names";
-    f.help = utf16 ? "save it as plain text" : no_break ? "type it again as a plain blank" : "remove it, or put it in a comment";
+    f.message = "LinuxCNC does not know this character outside of comments and names";
+    f.help = "remove it, or put it in a comment";
+    explain_idiom(in, id, f);
   } else if (!bytes.empty() && (static_cast<unsigned char>(bytes[0]) < 0x20 || bytes[0] == 0x7F)) {
     f.message = "a control character stands here";
     f.help = "remove it";
   } else {
     f.message = "`" + std::string(bytes) + "` means nothing here";
     f.help = "remove it, or put it in a comment";
+    explain_idiom(in, id, f);
   }
   return &f;
 }
 
+/// A file that is no text: one finding, whatever its lines come to.
+void report_file(const Input& in, Reporter& out) {
+  const bool utf16 = in.index.nature.kind == Nature::kUtf16;
+  const std::string_view bytes = in.program.source->bytes();
+  Finding& f = out.add({0, std::min<uint64_t>(bytes.size(), 2)}, utf16 ? "this is a UTF-16 file, which LinuxCNC cannot read" : "this is not a text file");
+  f.help = utf16 ? "save it as UTF-8 without byte order mark, or as plain text" : "check whether it is the right file; a program is plain text";
+  for (const FlowStop& stop : in.flow.stops) {
+    if (f.stops && f.reach >= stop.reach) continue;
+    f.stops = true;
+    f.reach = stop.reach;
+    f.interpreter = stop.interpreter;
+  }
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
+  if (in.index.nature.kind == Nature::kUtf16 || in.index.nature.kind == Nature::kNoText) return report_file(in, out);
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
   bool nul_reported = false;
   for (const StatementId id : in.index.odd_lines) {
@@ -72,7 +85,7 @@ extern const Rule kOw314{
     .page = {
         .what = R"(A byte order mark at the start of the file, no-break spaces, typographic minus signs or quotes from
 a web page or a manual, letters with accents outside comments and names, control characters, NUL
-bytes, or a file whose lines end with CR alone. The example has a no-break space between `G0` and
+bytes, or a file whose lines end with CR alone. A file that is UTF-16, or no text at all, is reported once. The example has a no-break space between `G0` and
 `X10`, which no editor shows.)",
         .why = R"(The interpreter stops with `Bad character '\357' used` (a byte order mark), `'\302'` (a no-break
 space), `'\303'` (an accented letter); the number is the first byte in octal. A typographic minus in
@@ -96,6 +109,7 @@ M2
 )",
         .fix = R"(Save the file as plain text: ASCII or UTF-8 without byte order mark, lines ending in LF or CR LF.
 Retype the marked place by hand.)",
+        .level_reason = "Error where the program stops at the byte. Warning where LinuxCNC drops what follows without a message, or no run gets here.",
         .interpreter = "Bad character '\\302' used",
         .options = "",
     },

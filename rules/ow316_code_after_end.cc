@@ -1,5 +1,6 @@
-// OW316 code-after-end: lines below the program end that nothing can reach.
-// Rests on: M2 and M30 end the run at once; only a call can go below them.
+// OW316 code-after-end: lines below the program end that nothing can reach; lines outside of the subs in a called file.
+// Depends on: M2 and M30 end the run at once; only a call can go below them. A call of a file begins at the sub of its name and
+// comes back at that sub's end (measured).
 #include <algorithm>
 
 #include "rules/stops.h"
@@ -10,12 +11,46 @@ namespace {
 /// Whether `line` belongs to a sub, where calls can lead.
 bool in_sub(const Program& p, StatementId before) { return p.region_of[before] != kMainRegion && p.regions[p.region_of[before]].end != before; }
 
+/// The first line of code outside of subs in the statements from `first` on, up to `last` or to a program end; 0 if there is none.
+uint32_t code_outside(const Input& in, StatementId first, StatementId last) {
+  const Program& p = in.program;
+  for (StatementId id = first; id < last; ++id) {
+    const Statement& s = p.at(id);
+    const bool outside = p.region_of[id] == kMainRegion;
+    if (outside && s.kind == LineKind::kProgramEnd) return 0;
+    if (outside && s.kind != LineKind::kPercent && s.error == UINT32_MAX && !in.flow.executed[id]) return s.line;
+    if (s.plain_code_follows && !in_sub(p, id)) return s.first_plain_line;
+  }
+  return 0;
+}
+
+/// What a call of the file passes over before its sub, and leaves behind it.
+void check_sub_file(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  const auto lines = p.by_label[p.entry];
+  const StatementId opener = *std::ranges::find_if(lines, [&](StatementId id) { return p.at(id).is(Keyword::kSub); });
+  const std::string sub = p.label_text(p.entry);
+  const auto report = [&](uint32_t line, const std::string& why, StatementId place, const std::string& words, const std::string& help) {
+    if (line == 0) return;
+    Finding& f = out.add(p.source->line(line), "this line never runs when `" + sub + "` is called: " + why);
+    relate(f, p, place, words);
+    f.help = help + ", or remove it";
+    f.reach = Reach::kNever;
+  };
+  const uint32_t before = p.syntax.first_plain_line != 0 ? p.syntax.first_plain_line : code_outside(in, 0, opener);
+  report(before, "LinuxCNC begins at `" + sub + " sub`", opener, "a call begins here", "move it into the sub");
+  const StatementId end = p.regions[p.region_of[opener]].end;
+  if (end == kNoStatement) return;
+  const std::string closed = "`" + sub + " endsub`";
+  report(code_outside(in, end, static_cast<StatementId>(p.size())), "LinuxCNC goes back at " + closed, end, "a call ends here", "move it above " + closed);
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  if (p.sub_file) return;
-  // The first line behind an executed program end that no run gets to.
+  if (p.sub_file) return check_sub_file(in, out);
+  // The first line after an executed program end that no run gets to.
   StatementId end = kNoStatement;
-  const auto first = std::ranges::find_if(in.index.ends, [&](StatementId id) { return in.flow.executed[id] && p.at(id).kind != LineKind::kM99; });
+  const auto first = std::ranges::find_if(in.index.ends, [&](StatementId id) { return in.flow.executed[id] && !p.at(id).has_m99(); });
   for (StatementId id = first == in.index.ends.end() ? static_cast<StatementId>(p.size()) : *first; id < p.size(); ++id) {
     const Statement& s = p.at(id);
     const bool ends = (s.kind == LineKind::kProgramEnd || (s.kind == LineKind::kPercent && id > 0)) && in.flow.executed[id];
@@ -49,9 +84,15 @@ extern const Rule kOw316{
     .level = Severity::kWarning,
     .page = {
         .what = R"(Lines after the `M2` or `M30` that every run comes to, or after the closing `%`. Subs below the
-program end are not meant: a call reads ahead to them.)",
+program end are not meant: a call reads ahead to them.
+
+In a file that other programs call, lines outside of its subs: such a file has the sub of its own name
+and calls nothing outside of it.)",
         .why = R"(LinuxCNC never reads these lines. Moves there are never made and mistakes there are never reported;
-what looks like a second operation is not cut.)",
+what looks like a second operation is not cut.
+
+When a file is called, LinuxCNC skips to the sub of the file's name and goes back at its `endsub`. It
+executes nothing above or below: a `G21` or `#<depth> = 5` there does nothing.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G81 X10 Y10 Z-5 R2 F80
@@ -73,6 +114,7 @@ M2
 )",
         .fix = R"(Take the early program end out if the lines below are wanted, or the lines if they are not. To run a
 part only sometimes, put it in an `if`.)",
+        .level_reason = "Warning: the program runs as if the lines were not there, which is seldom what was meant.",
         .interpreter = "",
         .options = "",
     },

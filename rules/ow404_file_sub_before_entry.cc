@@ -1,5 +1,5 @@
-// OW404 file-sub-before-entry: a helper that stands before the called sub in its file.
-// Rests on: the interpreter passes over what stands before the called sub, and does not note it.
+// OW404 file-sub-before-entry: a helper before the called sub in its file.
+// Depends on: the interpreter ignores everything before the called sub.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -8,14 +8,14 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
-    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` calls a sub that stands before the called one in this file: LinuxCNC did not see it");
+    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` calls a sub that comes before the called one in this file: LinuxCNC does not know it");
     for (const Region& region : p.regions) {
       if (region.opener != kNoStatement && p.name(region.name) == stop.detail) {
-        relate(f, p, region.opener, "defined here, and passed over");
+        relate(f, p, region.opener, "defined here, but LinuxCNC skips this line");
         break;
       }
     }
-    f.help = "put the helper into a file of its own, named `" + stop.detail + ".ngc`";
+    f.help = "move the helper into a file of its own, named `" + stop.detail + ".ngc`";
     return &f;
   });
 }
@@ -25,13 +25,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw404{
     .code = "OW404",
     .name = "file-sub-before-entry",
-    .summary = "a helper defined before the called sub in its file is not visible to it",
+    .summary = "a helper before the called sub in its file is unknown",
     .group = Group::kFiles,
     .level = Severity::kError,
     .page = {
-        .what = R"(A called file has a helper sub in front of the sub that it is named after, and the latter calls it.)",
-        .why = R"(To call `o<drill>` LinuxCNC reads `drill.ngc` for the line `o<drill> sub` and takes no note of anything before it. A call
-of a sub from there is looked for as a file, and then from the call on to the end of the file, where it is not.
+        .what = R"(A called file has a helper sub before the sub with the file's name, and that sub calls the helper.)",
+        .why = R"(For `o<drill> call` LinuxCNC reads `drill.ngc` up to the line `o<drill> sub` and ignores everything
+before it. When the sub calls the helper, LinuxCNC looks for a file with the helper's name, and then
+from the call to the end of the file. It does not find the helper, and stops.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -57,7 +58,9 @@ o<peck> sub
   G81 X#1 Y0 Z-5 R2 F80
 o<peck> endsub
 )",
-        .fix = R"(Give the helper a file of its own. Behind the called sub it would run up to LinuxCNC 2.9, and stop from 2.10 on.)",
+        .fix = R"(Give the helper a file of its own. If you move it after the called sub, it runs up to LinuxCNC 2.9,
+and stops from 2.10 on.)",
+        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
         .interpreter = "EOF in file:FILE seeking o-word: o<peck> from line: N",
         .options = "",
     },

@@ -1,5 +1,5 @@
 // OW405 file-shadowed: a sub hides a file, or a file hides another one.
-// Rests on: known subs come before files, and the first file on the search path before all others.
+// Depends on: known subs come before files, and the first file on the search path before all others.
 #include <unordered_set>
 
 #include "rules/stops.h"
@@ -26,24 +26,24 @@ void check(const Input& in, Reporter& out) {
     const std::string& name = p.name(call.callee);
     std::vector<FoundFile> files = search.find_all(name);
     if (call.target != UINT32_MAX) {
-      if (p.sub_file && (call.callee == p.entry || opener_of_target(p, call) < call.statement)) continue;  // passed over
+      if (p.sub_file && (call.callee == p.entry || opener_of_target(p, call) < call.statement)) continue;  // skipped
       std::erase_if(files, is_own);
       if (files.empty()) continue;
       const StatementId opener = opener_of_target(p, call);
       const Statement& sub = p.at(opener);
       if (opener > call.statement) {
-        Finding& f = out.add(p.at(call.statement).head_span(), "`" + p.head(call.statement) + "` reads " + files[0].path + ", not the sub on line " + std::to_string(sub.line) + ", which comes later");
-        relate(f, p, opener, "this sub is not called from there");
+        Finding& f = out.add(p.at(call.statement).head_span(), "`" + p.head(call.statement) + "` runs " + files[0].path + ", not the sub on line " + std::to_string(sub.line) + ", which comes later");
+        relate(f, p, opener, "this sub is not called there");
         f.help = "define the sub before the call, or rename it";
         f.reach = in.flow.reach(call.statement);
         continue;
       }
-      Finding& f = out.add(sub.head_span(), "`" + p.label_text(call.callee) + "` hides the file " + files[0].path + ", which is called by the same name elsewhere");
-      f.help = "rename the sub, unless this program is meant to have its own";
+      Finding& f = out.add(sub.head_span(), "`" + p.label_text(call.callee) + "` hides the file " + files[0].path + " of the same name");
+      f.help = "rename the sub, unless this program needs its own version";
       f.reach = in.flow.reach(opener);
     } else if (files.size() > 1 && !same_bytes(files[0].path, files[1].path)) {
-      Finding& f = out.add(p.at(call.statement).head_span(), "`" + p.head(call.statement) + "` reads " + files[0].path + ", which hides " + files[1].path);
-      f.help = "remove or rename the one that is not meant";
+      Finding& f = out.add(p.at(call.statement).head_span(), "`" + p.head(call.statement) + "` runs " + files[0].path + ", which hides " + files[1].path);
+      f.help = "remove or rename the file that you do not want";
       f.reach = in.flow.reach(call.statement);
     }
   }
@@ -54,15 +54,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw405{
     .code = "OW405",
     .name = "file-shadowed",
-    .summary = "a sub hides a file, or a file hides another further down the search path",
+    .summary = "a sub hides a file, or a file hides another one further along the search path",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A sub of the program has the name of a file on the search path, or two files of one name are on it with different
-contents.)",
-        .why = R"(LinuxCNC takes a sub that it knows before it looks for a file, and the first file that it finds before all others: the
-current folder, `PROGRAM_PREFIX`, then `SUBROUTINE_PATH` from left to right. An old copy in the program's folder hides the
-shop's corrected one without a word.)",
+        .what = R"(A sub of the program has the name of a file on the search path, or the search path has two files
+with the same name but different contents.)",
+        .why = R"(LinuxCNC uses a sub that it knows before it looks for a file, and it uses the first file that it
+finds: first the current folder, then `PROGRAM_PREFIX`, then `SUBROUTINE_PATH` from left to right.
+So an old copy in the program's folder hides the corrected file of the shop, without a message.)",
         .bad = R"(G21 G90
 o<face> call
 M2
@@ -89,7 +89,8 @@ o<face> sub
   G1 Z-1 F100
 o<face> endsub
 )",
-        .fix = R"(Keep one of them. If the program is meant to have its own version, give it another name.)",
+        .fix = R"(Keep one of the two. If the program needs its own version, give it another name.)",
+        .level_reason = "Warning: the program runs, but perhaps with the other file.",
         .interpreter = "",
         .options = "--ini machine.ini",
     },

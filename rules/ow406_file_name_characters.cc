@@ -1,5 +1,5 @@
-// OW406 file-name-characters: a called file whose name has other characters than the documentation allows.
-// Rests on: such names run today; what LinuxCNC makes of them is not documented.
+// OW406 file-name-characters: a called file whose name has characters that the documentation does not allow.
+// Depends on: such names run today, but LinuxCNC's documentation does not say so.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -17,8 +17,8 @@ void check(const Input& in, Reporter& out) {
     if (odd == std::string::npos || !known) continue;
     const auto byte = static_cast<unsigned char>(name[odd]);
     const std::string which = byte >= 0x80 ? "a letter that is not English" : "`" + std::string(1, name[odd]) + "`";
-    Finding& f = out.add(p.at(call.statement).head_span(), "the called name `" + name + "` has " + which + " in it, which LinuxCNC does not promise to find");
-    f.help = "name the file and its sub with small letters, digits, `-` and `_` only";
+    Finding& f = out.add(p.at(call.statement).head_span(), "the called name `" + name + "` has " + which + " in it; LinuxCNC's documentation does not allow that");
+    f.help = "use only small letters, digits, `-` and `_` in the name of the file and of its sub";
     f.reach = in.flow.reach(call.statement);
   }
 }
@@ -28,14 +28,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw406{
     .code = "OW406",
     .name = "file-name-characters",
-    .summary = "a called name with characters other than lowercase letters, digits, `-`, `_`",
+    .summary = "a called name with characters other than small letters, digits, `-` and `_`",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A call of a file whose name has other characters than small letters, digits, `-` and `_`: a dot, a slash, an umlaut.)",
-        .why = R"(The documentation allows these characters only. Others happen to work: with a path (`o<subs/drill>`) LinuxCNC 2.9 calls the
-sub `drill` of that file, 2.8 and 2.10 stop. A name is looked at as a shell would look at it, which makes some characters
-dangerous (OW505).)",
+        .what = R"(A call of a file whose name has other characters than small letters, digits, `-` and `_`: for
+example a dot, a slash or an umlaut.)",
+        .why = R"(The documentation allows only these characters. Others may work: with a path (`o<subs/drill>`)
+LinuxCNC 2.9 calls the sub `drill` of that file, but 2.8 and 2.10 stop. LinuxCNC also expands the
+name as a shell does, which makes some characters dangerous (OW505).)",
         .bad = R"(G21 G90
 o<drill.v2> call
 M2
@@ -53,6 +54,7 @@ o<drill-v2> sub
 o<drill-v2> endsub
 )",
         .fix = R"(Rename the file and its sub.)",
+        .level_reason = "Warning: the call works on this computer and fails where the file system or the version differs.",
         .interpreter = "",
         .options = "",
     },

@@ -1,5 +1,8 @@
 // OW407 search-path-missing: a folder of the INI that does not exist.
-// Rests on: LinuxCNC passes over such folders without a word.
+// Depends on: LinuxCNC ignores such folders without a message.
+#include <algorithm>
+#include <span>
+
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -7,13 +10,26 @@ namespace {
 
 void check(const Input&, Reporter&) {}
 
+std::string words_of(const IniFolder& folder) { return "`" + folder.text + "` of `" + std::string(folder.key) + "`"; }
+
+/// One finding for all: an INI that was copied from another computer lacks most of them.
 void check_setup(const SetupInput& in, Reporter& out) {
+  std::vector<const IniFolder*> missing;
   for (const IniFolder& folder : in.setup.folders) {
-    if (folder.exists || (folder.key != "PROGRAM_PREFIX" && folder.key != "SUBROUTINE_PATH")) continue;
-    const bool blank = !folder.text.empty() && (folder.text.front() == ' ' || folder.text.back() == ' ');
-    Finding& f = out.add(folder.source, folder.span, "the folder `" + folder.text + "` of `" + std::string(folder.key) + "` does not exist (" + folder.path + ")");
-    f.help = blank ? "take out the blank: it counts as a part of the name" : "make the folder, or correct its name";
+    if (!folder.exists && (folder.key == "PROGRAM_PREFIX" || folder.key == "SUBROUTINE_PATH")) missing.push_back(&folder);
   }
+  if (missing.empty()) return;
+  const IniFolder& first = *missing[0];
+  const bool several = missing.size() > 1;
+  Finding& f = out.add(first.source, first.span, "the folder " + words_of(first) + " does not exist (" + first.path + ")");
+  if (several) f.message = std::to_string(missing.size()) + " folders of this INI do not exist, the first is " + words_of(first) + " (" + first.path + ")";
+  for (const IniFolder* folder : std::span(missing).subspan(1)) {
+    f.related.push_back({folder->span, words_of(*folder) + " does not exist (" + folder->path + ")", folder->source == first.source ? nullptr : folder->source});
+  }
+  const bool blank = std::ranges::any_of(missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
+  f.help = blank ? "remove the blanks around the names: they count as parts of them"
+           : several ? "make the folders or correct their names; for an INI of another computer, name the folders here with `--sub-path`"
+                     : "make the folder, or correct its name";
 }
 
 }  // namespace
@@ -52,6 +68,7 @@ o<face> sub
 o<face> endsub
 )",
         .fix = R"(Correct the INI.)",
+        .level_reason = "Warning: LinuxCNC starts without the folder; the calls of its subs stop later.",
         .interpreter = "",
         .options = "--ini machine.ini",
     },

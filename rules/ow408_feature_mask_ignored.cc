@@ -1,5 +1,5 @@
 // OW408 feature-mask-ignored: the INI sets the FEATURE mask.
-// Rests on: since 2.8 LinuxCNC reads a key for each bit, and not the mask (measured).
+// Depends on: since 2.8 LinuxCNC reads a key for each bit, and not the mask (measured).
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -23,7 +23,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
     if ((*in.setup.mask & bit.mask) != 0) keys += (keys.empty() ? "`" : ", `") + std::string(bit.key) + " = 1`";
   }
   Finding& f = out.add(entry->source, entry->span, "LinuxCNC ignores the mask `" + entry->key + "` since version 2.8");
-  f.help = keys.empty() ? "take the line out: no bit of it means anything" : "write " + keys + " instead, in `[RS274NGC]`";
+  f.help = keys.empty() ? "remove the line: none of its bits means anything" : "write " + keys + " instead, in `[RS274NGC]`";
 }
 
 }  // namespace
@@ -31,14 +31,14 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kOw408{
     .code = "OW408",
     .name = "feature-mask-ignored",
-    .summary = "the INI sets the FEATURE mask, which LinuxCNC ignores since 2.8; names the key that replaced the bit",
+    .summary = "the INI sets the FEATURE mask, which LinuxCNC ignores since 2.8",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page = {
         .what = R"(`FEATURE` or `FEATURES` in the `[RS274NGC]` section of the INI, with a mask that is not 0.)",
-        .why = R"(Up to LinuxCNC 2.7 the mask turned on what its bits stand for. Since 2.8 each has a key of its own, and the mask is read
-by nobody: with `FEATURES = 0x20` the O-word errors still stop the program. Where no version was given, owlint takes the mask
-as documented and says this.)",
+        .why = R"(Up to LinuxCNC 2.7 each bit of the mask turned a feature on. Since 2.8 each feature has a key of its
+own, and LinuxCNC ignores the mask: with `FEATURES = 0x20` the O-word errors still stop the program.
+If you gave no version, owlint applies the mask as documented, and reports this.)",
         .bad = R"(G21 G90
 G0 X10
 M2
@@ -53,7 +53,9 @@ M2
 [RS274NGC]
 OWORD_NARGS = 1
 )",
-        .fix = R"(Write the keys that replaced the bits, and take the mask out. `INI_VARS` and `HAL_PIN_VARS` are on by default.)",
+        .fix = R"(Write the keys that replaced the bits, and remove the mask. `INI_VARS` and `HAL_PIN_VARS` are on by
+default.)",
+        .level_reason = "Warning: LinuxCNC starts and runs, without what the mask asks for.",
         .interpreter = "",
         .options = "--ini machine.ini",
     },

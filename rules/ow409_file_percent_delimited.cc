@@ -1,5 +1,5 @@
 // OW409 file-percent-delimited: a sub file between `%` lines, called from a program between `%` lines.
-// Rests on: in such a program every `%` line ends it, also one in a called file.
+// Depends on: in such a program every `%` line ends it, also one in a called file.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -9,13 +9,13 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const Program& file = *stop.file;
-    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` finds a `%` in " + file.source->path() + " before the sub, which ends this program");
+    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` finds a `%` before the sub in " + file.source->path() + ": it ends this program");
     for (StatementId id = 0; id < file.size(); ++id) {
       if (file.at(id).kind != LineKind::kPercent) continue;
-      relate(in, f, {&file, id}, "this line");
+      relate(in, f, {&file, id}, "this `%`");
       break;
     }
-    f.help = "take the `%` lines out of the called file";
+    f.help = "remove the `%` lines from the called file";
     return &f;
   });
 }
@@ -25,14 +25,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw409{
     .code = "OW409",
     .name = "file-percent-delimited",
-    .summary = "a `%`-delimited sub file called from a `%`-delimited program: the interpreter stops",
+    .summary = "a sub file with `%` lines, called from a program with `%` lines: the interpreter stops",
     .group = Group::kFiles,
     .level = Severity::kError,
     .page = {
-        .what = R"(A program that stands between `%` lines calls a file that does so too.)",
-        .why = R"(In a program that begins with `%`, the next `%` line that is read ends it. That is true of the lines of a called file as
-well: LinuxCNC finds the first `%` there before it finds the sub, and stops. From a program without `%` the same file can
-be called.
+        .what = R"(A program between `%` lines calls a file that is between `%` lines too.)",
+        .why = R"(In a program that begins with `%`, the next `%` line ends the program, also in a called file.
+LinuxCNC finds the first `%` of the file before it finds the sub, and stops. A program without `%`
+can call the same file.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(%
@@ -55,7 +55,8 @@ o<slot> sub
   G1 X10 F100
 o<slot> endsub
 )",
-        .fix = R"(Take the `%` lines out of files that are called: they end with `endsub`.)",
+        .fix = R"(Remove the `%` lines from called files: they end with `endsub`.)",
+        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
         .interpreter = "Failed to find sub 'Oslot' before EOF",
         .options = "",
     },

@@ -1,6 +1,5 @@
 // OW501 stale-break: a `break` out of a `while` after which a `do` … `while` can run.
-// Rests on: all loops share one "breaking" flag, and only the `while` that closes a `do` clears
-// it.
+// Depends on: all loops share one "breaking" flag, and only the `while` that closes a `do` clears it.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -12,7 +11,7 @@ void check(const Input& in, Reporter& out) {
     if (h.kind != HazardKind::kStaleBreak) continue;
     Elsewhere loop = place_of(in, h.other, h.other_elsewhere);
     if (loop.program == nullptr) loop = {&p, h.statement};
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` makes the `do` loop that ends on " + line_words(in, loop) + " run only once: LinuxCNC does not forget the break");
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` makes the `do` loop that ends on " + line_words(in, loop) + " run only once: LinuxCNC still remembers the `break`");
     relate(in, f, loop, "this loop ends early");
     f.help = "leave the `while` by its condition instead, or write the other loop as a `while`";
     f.reach = h.reach;
@@ -24,16 +23,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw501{
     .code = "OW501",
     .name = "stale-break",
-    .summary = "`break` out of a `while` after which a `do … while` can run: it ends after one pass",
+    .summary = "a `break` out of a `while` makes a later `do … while` loop end after one pass",
     .group = Group::kHazards,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A `while` loop that can be left by `break`, and a `do` loop that the program can run after that. The
-`do` loop then makes only one pass.)",
-        .why = R"(`break` sets a mark that LinuxCNC clears only at the end of a `do` loop, not at `endwhile`. The next
-`do` loop, however far below, finds the mark at its first closing `while`, ignores the condition and
-is done. Measured: a `do` loop for four holes drills one, with no message. It depends on whether the
-`break` was executed, so one part comes out right and the next does not.
+        .what = R"(A `while` loop that a `break` can leave, and a `do` loop that can run after it. The `do` loop then
+makes only one pass.)",
+        .why = R"(`break` sets a flag. LinuxCNC clears it only at the end of a `do` loop, not at `endwhile`. The next
+`do` loop, even far below, sees the flag at its `while`, ignores the condition, and ends. Measured:
+a `do` loop for four holes drills one, without a message. It happens only if the `break` was
+executed, so one part comes out right and the next one does not.
 
 A loop with `while` … `endwhile` is not affected.)",
         .bad = R"(G21 G90
@@ -78,8 +77,9 @@ o120 endwhile
 G80
 M2
 )",
-        .fix = R"(Write the later loop with `while` … `endwhile`, or end the first one by its condition instead of
+        .fix = R"(Write the later loop with `while` … `endwhile`, or end the first loop by its condition instead of
 `break`.)",
+        .level_reason = "Warning: the program runs, and a later loop ends too early.",
         .interpreter = "",
         .options = "",
     },

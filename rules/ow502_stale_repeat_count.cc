@@ -1,6 +1,6 @@
 // OW502 stale-repeat-count: a `return` out of a `repeat` in a sub that can be called again.
-// Rests on: the remaining count is kept with the label, labels live for the whole run, and
-// `return` does not reset it.
+// Depends on: the remaining count is kept with the label, labels live for the whole run, and
+// `return` does not reset the count.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -10,8 +10,8 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kStaleRepeatCount || h.other == kNoStatement) continue;
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a `repeat` before its last pass: the next call of the sub runs only the passes that are left");
-    relate(f, p, h.other, "this count is left behind");
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a `repeat` before its last pass: the next call of the sub runs only the remaining passes");
+    relate(f, p, h.other, "the count of this `repeat` stays");
     f.help = "use a `while` with a counter, or leave the loop before returning";
     f.reach = h.reach;
   }
@@ -22,15 +22,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw502{
     .code = "OW502",
     .name = "stale-repeat-count",
-    .summary = "`return` out of a `repeat` in a sub that can be called again: it repeats only the rest",
+    .summary = "after a `return` out of a `repeat`, the next call of the sub runs only the remaining passes",
     .group = Group::kHazards,
     .level = Severity::kWarning,
     .page = {
         .what = R"(A sub that can `return` from inside a `repeat`, and is called more than once.)",
-        .why = R"(LinuxCNC keeps the number of passes still to do with the label of the `repeat`. Leaving by `return`
-does not clear it, so the next call does not begin anew: it makes only the passes that were left
-over. Measured: `repeat [4]`, left in its first pass, makes three passes in the next call and the
-full four in the one after. No message.)",
+        .why = R"(LinuxCNC keeps the number of remaining passes with the label of the `repeat`. `return` does not
+clear it. So the next call does not start again: it makes only the passes that were left. Measured:
+`repeat [4]`, left in its first pass, makes three passes in the next call and four in the one after.
+There is no message.)",
         .bad = R"(G21 G90
 o100 sub
   o110 repeat [4]
@@ -69,8 +69,9 @@ o100 call
 G0 Z5
 M2
 )",
-        .fix = R"(Make it a `while` with a counter, which starts anew in each call, or let the `repeat` run to its end
+        .fix = R"(Use a `while` with a counter, which starts again in each call, or let the `repeat` run to its end
 and skip the work inside.)",
+        .level_reason = "Warning: the program runs, and the next call makes fewer passes.",
         .interpreter = "",
         .options = "",
     },

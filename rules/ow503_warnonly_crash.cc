@@ -1,6 +1,6 @@
-// OW503 warnonly-crash: under FEATURE 0x20, a finding after which the interpreter crashes.
-// Rests on: with OWORD_WARNONLY an undefined label is reported and then used all the same, which
-// ends the process.
+// OW503 warnonly-crash: under FEATURE 0x20, an error after which the interpreter crashes.
+// Depends on: with OWORD_WARNONLY LinuxCNC prints a message for an undefined label and then uses it
+// anyway, which ends the process.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -10,7 +10,7 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kCrash) continue;
-    Finding& f = out.add(p.at(h.statement).head_span(), "LinuxCNC crashes at `" + p.head(h.statement) + "`: the label is unknown, and FEATURE 0x20 makes it go on");
+    Finding& f = out.add(p.at(h.statement).head_span(), "LinuxCNC crashes at `" + p.head(h.statement) + "`: the label is unknown, and with FEATURE 0x20 it goes on");
     f.help = "correct the label; do not rely on FEATURE 0x20";
     f.interpreter = h.interpreter;
     f.reach = h.reach;
@@ -25,16 +25,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw503{
     .code = "OW503",
     .name = "warnonly-crash",
-    .summary = "under 0x20, a finding after which the interpreter crashes",
+    .summary = "under FEATURE 0x20, an error after which the interpreter crashes",
     .group = Group::kHazards,
     .level = Severity::kError,
     .page = {
-        .what = R"(With FEATURE 0x20 (`OWORD_WARNONLY`) in effect: an `else`, `elseif`, `endif`, `break`, `continue`,
-`endwhile` or `endrepeat` whose label nothing has opened, on a line that a run can get to.)",
+        .what = R"(With FEATURE 0x20 (`OWORD_WARNONLY`): an `else`, `elseif`, `endif`, `break`, `continue`, `endwhile`
+or `endrepeat` whose label no line has opened, on a line that a run can get to.)",
         .why = R"(The setting turns the documented O-word errors into messages. For an undefined label LinuxCNC prints
-the message, goes on, and the **interpreter crashes** at that very line: a program fault of the
-controller in the middle of a cut, not a warning. Without the setting the program stops in an
-orderly way. Crossed blocks lead to the same, because the inner end meets a label that was skipped.)",
+the message, goes on, and the **interpreter crashes** at that line, in the middle of a cut. Without
+the setting the program stops normally. Crossed blocks lead to the same crash, because the inner end
+has a label that was skipped.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
@@ -53,8 +53,9 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Correct the label; the finding under the OW1 code at the same place says which one. Better still,
-take `OWORD_WARNONLY` out of the INI.)",
+        .fix = R"(Correct the label; the finding with an OW1 code at the same line says which one. Better still,
+remove `OWORD_WARNONLY` from the INI.)",
+        .level_reason = "Error: LinuxCNC crashes, which is worse than a stop.",
         .interpreter = "undefined O-word label: 'o101 endif'",
         .options = "--feature 0x20",
     },

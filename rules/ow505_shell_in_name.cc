@@ -1,5 +1,5 @@
-// OW505 shell-in-name: a called name in which the interpreter lets a shell replace parts.
-// Rests on: the name of an unknown sub is expanded as a shell would, commands included (measured, 2.9).
+// OW505 shell-in-name: a called name that LinuxCNC passes to a shell.
+// Depends on: the name of an unknown sub is expanded as a shell does, commands included (measured, 2.9).
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -7,7 +7,7 @@ namespace {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  if (in.profile.version < Version::k2_9) return;  // earlier ones open the name as it is
+  if (in.profile.version < Version::k2_9) return;  // earlier versions open the name as it is
   for (const Call& call : p.calls) {
     if (call.callee == kNoName) continue;
     const std::string& name = p.name(call.callee);
@@ -16,12 +16,12 @@ void check(const Input& in, Reporter& out) {
     // A sub that the program defines is found before any file is looked for.
     if (call.target != UINT32_MAX && p.regions[call.target].opener < call.statement) continue;
     Finding& f = out.add(p.at(call.statement).head_span(), command
-                             ? "LinuxCNC hands the called name `" + name + "` to a shell, which can run commands on the controller"
-                             : "LinuxCNC crashes when it looks for a file of the name `" + name + "`");
-    f.help = command ? "do not run this program unless you know who wrote it and why; name subs with letters, digits, `-` and `_`"
-                     : "name the sub with small letters, digits, `-` and `_` only";
+                             ? "LinuxCNC passes the called name `" + name + "` to a shell, which can run commands on the controller"
+                             : "LinuxCNC crashes when it looks for a file with the name `" + name + "`");
+    f.help = command ? "do not run this program until you know who wrote it and why; use only small letters, digits, `-` and `_` in names of subs"
+                     : "use only small letters, digits, `-` and `_` in the name of the sub";
     f.reach = in.flow.reach(call.statement);
-    f.stops = !command && f.reach != Reach::kNever;
+    f.stops = !command && f.reach != Reach::kNever && !has_stop(in, call.statement);
     f.never_ends = f.stops || command;
   }
 }
@@ -31,16 +31,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw505{
     .code = "OW505",
     .name = "shell-in-name",
-    .summary = "a called name that the interpreter hands to a shell (security)",
+    .summary = "a called name that LinuxCNC passes to a shell (security)",
     .group = Group::kHazards,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `call` whose name has characters that a shell gives a meaning: a back quote or `$`, or such as `&`, `;`, `|`, brackets or
-a quote that is not closed.)",
-        .why = R"(To find the file of a sub that it does not know, LinuxCNC 2.9 and later expand the called name as a shell does. With a back
-quote or `$` in it, that **runs a command** with the rights of the user who started the machine control, before any motion and
-without a question. No honest program needs such a name: treat the file as you would treat an unknown program. With the other
-characters the expansion fails, and LinuxCNC crashes.
+        .what = R"(A `call` whose name has characters with a meaning for a shell: a back quote or `$`, or characters
+such as `&`, `;`, `|`, brackets or an open quote.)",
+        .why = R"(To find the file of an unknown sub, LinuxCNC 2.9 and later expand the called name as a shell does. A
+back quote or `$` in the name **runs a command** with the rights of the user who started the machine
+control, before any motion and without asking. No honest program needs such a name: treat the file
+like an unknown program. With the other characters the expansion fails, and LinuxCNC crashes.
 
 owlint expands nothing and looks for no such file.)",
         .bad = R"(G21 G90
@@ -54,7 +54,9 @@ o<drill-tap> endsub
 o<drill-tap> call
 M2
 )",
-        .fix = R"(Do not run a program with such a name before you know where it comes from. If the name is a typing mistake, correct it.)",
+        .fix = R"(Do not run a program with such a name until you know where it comes from. If the name is a typing
+error, correct it.)",
+        .level_reason = "Error: a program from outside can run any command on the machine's computer.",
         .interpreter = "",
         .options = "",
     },

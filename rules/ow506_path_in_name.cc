@@ -1,5 +1,5 @@
 // OW506 path-in-name: a called name that leads out of the search path.
-// Rests on: the name of an unknown sub is put behind each folder of the search path, and opened.
+// Depends on: LinuxCNC adds the name of an unknown sub to each folder of the search path, and opens that file.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const std::string& name = p.name(call.callee);
     if (!leaves_folders(name)) continue;
     Finding& f = out.add(p.at(call.statement).head_span(), "the called name `" + name + "` leads out of the machine's search path");
-    f.help = "put the file into a folder of `SUBROUTINE_PATH`, and call it by its name alone";
+    f.help = "put the file into a folder of `SUBROUTINE_PATH`, and call it by its name only";
     f.reach = in.flow.reach(call.statement);
     f.never_ends = true;
   }
@@ -23,16 +23,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw506{
     .code = "OW506",
     .name = "path-in-name",
-    .summary = "a called name that leaves the search path: absolute, `..`, `~` (security)",
+    .summary = "a called name that leads out of the search path: absolute, `..`, `~` (security)",
     .group = Group::kHazards,
     .level = Severity::kError,
     .page = {
         .what = R"(A `call` with a name that is an absolute path, begins with `~`, or has `..` in it.)",
-        .why = R"(LinuxCNC 2.9 opens the file where the path leads, and runs the sub of that name in it. A program from outside can so run
-what somebody has put anywhere on the controller, a memory stick included, and the shop's search path, which is there to say
-which subs are meant, has no part in it. Other versions stop at the call.
+        .why = R"(LinuxCNC 2.9 opens the file at that path and runs the sub of that name in it. So a program from
+outside can run a file from anywhere on the controller, even from a memory stick. The shop's search
+path, which should decide which subs may run, is not used. Other versions stop at the call.
 
-owlint does not follow such names: what the called file does is not checked.)",
+owlint does not follow such names, so it does not check the called file.)",
         .bad = R"(G21 G90
 o<../incoming/drill> call
 M2
@@ -44,7 +44,9 @@ o<drill> endsub
 o<drill> call
 M2
 )",
-        .fix = R"(Move the file into the search path. Until then the program depends on where it lies.)",
+        .fix = R"(Move the file into the search path and call it by its name. Until then the program depends on where
+the file is.)",
+        .level_reason = "Error: a program from outside can reach files that it was not given.",
         .interpreter = "",
         .options = "",
     },

@@ -1,5 +1,5 @@
 // OW507 argument-not-passed: a call that does not pass an argument which the sub reads.
-// Rests on: a call sets #1 to #30, and those without a value are 0, although the documentation
+// Depends on: a call sets #1 to #30, and those without a value are 0, although the documentation
 // says they keep the caller's value.
 #include <map>
 
@@ -46,8 +46,8 @@ extern const Rule kOw507{
     .page = {
         .what = R"(A `call` with fewer values than the sub uses: the sub reads `#3`, the call passes two.
 
-An argument that the sub tests may be left out, and is not reported: `if [#3 EQ 0]`, or `#<depth> = #3` and then
-`if [#<depth> EQ 0]`.)",
+Arguments that the sub can do without are not reported: those that it tests (`if [#3 EQ 0]`, `EXISTS[#3]`, or `#<depth> = #3` and then
+`if [#<depth> EQ 0]`), all of a sub that reads `#<n_args>`, and those that most of its calls leave out.)",
         .why = R"(LinuxCNC sets what was not passed to **0**. The documentation says that the caller's values stay,
 but the interpreter does not do that, so a `#3` set before the call does not arrive either. A depth,
 a feed or a safe height of 0 is a plunge to the zero face or a rapid through the part, with no
@@ -76,6 +76,7 @@ M2
 )",
         .fix = R"(Pass a value for every argument. If 0 is meant as "use the default", pass `[0]` so that it can be
 seen, or test it in the sub.)",
+        .level_reason = "Warning: the program runs with a 0 that nobody wrote. What the sub treats as optional is left alone.",
         .interpreter = "",
         .options = "",
     },

@@ -1,5 +1,5 @@
 // OW509 stale-continue: a `continue` in a `do` … `while` after which a `break` or a `repeat` can run.
-// Rests on: all loops share one "continuing" flag, and only `endwhile` and `endrepeat` at the end
+// Depends on: all loops share one "continuing" flag, and only `endwhile` and `endrepeat` at the end
 // of a skip clear it.
 #include "rules/stops.h"
 
@@ -13,7 +13,7 @@ void check(const Input& in, Reporter& out) {
     Elsewhere shown = place_of(in, h.other, h.other_elsewhere);
     if (shown.program == nullptr) shown = {&p, h.statement};
     const std::string effect = shown.program->at(shown.statement).is(Keyword::kEndrepeat) ? " runs its passes twice" : " goes on after its `break`";
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` is not forgotten: the loop that ends on " + line_words(in, shown) + effect);
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` still has an effect later: the loop that ends on " + line_words(in, shown) + effect);
     relate(in, f, shown, "this loop" + effect);
     f.help = "skip the rest of the `do` loop with an `if` instead";
     f.reach = h.reach;
@@ -25,16 +25,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw509{
     .code = "OW509",
     .name = "stale-continue",
-    .summary = "`continue` in a `do … while` after which a `break` or a `repeat` can run: the `break` goes on, the `repeat` runs its passes twice",
+    .summary = "a `continue` in a `do … while` makes a later `break` go on, or a later `repeat` run its passes twice",
     .group = Group::kHazards,
     .level = Severity::kWarning,
     .page = {
         .what = R"(A `do` loop with a `continue` that can be executed, and below it (or in a sub called later) a
-`repeat`, or a `while` that is left by `break`.)",
-        .why = R"(`continue` sets a mark that the `while` at the end of a `do` loop does not clear. The next loop end
-that a skip comes to takes it for its own: a later `repeat` **runs its passes twice** (measured: six
-pecks instead of three), and a later `break` out of a `while` does not leave the loop but begins its
-next pass. No message; versions 2.8.4 to 2.10 behave alike.)",
+`repeat`, or a `while` with a `break`.)",
+        .why = R"(`continue` sets a flag that the `while` at the end of a `do` loop does not clear. The next end of a
+loop that LinuxCNC skips to uses the flag: a later `repeat` **runs its passes twice** (measured: six
+pecks instead of three), and a later `break` does not leave its `while` but begins the next pass.
+There is no message. Versions 2.8.4 to 2.10 behave alike.)",
         .bad = R"(G21 G90
 #<x> = 0
 o100 do
@@ -68,8 +68,9 @@ o120 endrepeat
 G90 G0 Z5
 M2
 )",
-        .fix = R"(Put the rest of the pass in an `if` instead of using `continue`, or write the loop with `while` …
+        .fix = R"(Put the rest of the pass into an `if` instead of using `continue`, or write the loop with `while` …
 `endwhile`, where `continue` works.)",
+        .level_reason = "Warning: the program runs, and a later loop makes another number of passes.",
         .interpreter = "",
         .options = "",
     },

@@ -1,6 +1,6 @@
 // OW511 continue-meets-break: a `continue` in a `do` loop that has a `break` of the same loop further down.
-// Rests on: `continue` skips to the loop's label, and every line with that label counts: a `break`
-// is obeyed while skipping, whatever `if` it stands in.
+// Depends on: `continue` skips to the next line with the loop's label. A `break` with that label acts
+// even if the `if` around it is skipped.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -10,8 +10,8 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kContinueMeetsBreak || h.other == kNoStatement) continue;
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` ends the loop: LinuxCNC meets the `break` on line " + std::to_string(p.at(h.other).line) + " on its way to the `while`");
-    relate(f, p, h.other, "this `break` acts although it is skipped");
+    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` ends the loop: on the way to the `while`, LinuxCNC executes the `break` on line " + std::to_string(p.at(h.other).line));
+    relate(f, p, h.other, "this `break` ends the loop");
     f.help = "move the `break` above the `continue`, or write the loop as a `while`";
     f.reach = h.reach;
   }
@@ -26,11 +26,11 @@ extern const Rule kOw511{
     .group = Group::kHazards,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A `do` loop in which a `continue` stands above a `break` of the same loop.)",
-        .why = R"(After `continue` LinuxCNC skips forward to the next line with the loop's label. It expects the
-closing `while`, but the `break` comes first and is obeyed, although the `if` around it was never
-looked at: **the loop ends** where a pass was to be left out. Measured: the example drills one hole
-instead of four, with no message. In a `while` … `endwhile` loop the same lines work.)",
+        .what = R"(A `do` loop with a `continue` above a `break` of the same loop.)",
+        .why = R"(After `continue` LinuxCNC skips to the next line with the loop's label. That should be the `while`
+at the end, but the `break` comes first, and LinuxCNC obeys it without looking at the `if` around
+it. So **the loop ends** instead of beginning its next pass. Measured: the example drills one hole
+instead of four, without a message. In a `while` … `endwhile` loop the same lines work.)",
         .bad = R"(G21 G90
 #<x> = 0
 o100 do
@@ -61,8 +61,9 @@ o100 endwhile
 G80
 M2
 )",
-        .fix = R"(Write the loop with `while` … `endwhile`, move the test with the `break` above the `continue`, or
+        .fix = R"(Write the loop with `while` … `endwhile`, move the `if` with the `break` above the `continue`, or
 replace the `continue` by an `if`.)",
+        .level_reason = "Warning: the program runs, and the loop ends too early.",
         .interpreter = "",
         .options = "",
     },

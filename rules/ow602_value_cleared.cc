@@ -1,5 +1,5 @@
-// OW602 value-cleared: `#<_value>` is read after another call has cleared it.
-// Rests on: every `endsub`, `return` and M99 without a value sets `#<_value>` to 0, whatever call came before (measured).
+// OW602 value-cleared: `#<_value>` is read after another call has set it to 0.
+// Depends on: every `endsub`, `return` and M99 without a value sets `#<_value>` to 0, whatever call came before (measured).
 #include "rules/parameters.h"
 
 namespace owlint::rules {
@@ -12,9 +12,9 @@ void check(const Input& in, Reporter& out) {
     if (h.kind != HazardKind::kValueCleared) continue;
     const Elsewhere from = place_of(in, h.other, h.other_elsewhere);
     const std::string sub = returning_sub(from, "another sub");
-    Finding& f = out.add(p.at(h.statement).whole(), "`#<_value>` is 0 here: " + sub + ", which returns no value, was called since the call that returned one");
-    if (from.program != nullptr) relate(in, f, from, "the value is cleared here");
-    f.help = "keep the value right behind the call that returns it: `#<result> = #<_value>`";
+    Finding& f = out.add(p.at(h.statement).whole(), "`#<_value>` is 0 here: after the call that returned a value, the program called " + sub + ", which returns none");
+    if (from.program != nullptr) relate(in, f, from, "`#<_value>` becomes 0 here");
+    f.help = "copy the value right after the call that returns it: `#<result> = #<_value>`";
     f.reach = h.reach;
   }
 }
@@ -24,14 +24,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw602{
     .code = "OW602",
     .name = "value-cleared",
-    .summary = "`#<_value>` is read after another call has cleared it",
+    .summary = "`#<_value>` is read after another call has set it to 0",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A value that one sub has returned and that is read only after another sub was called, which returns
+        .what = R"(A sub returns a value, but the program reads it only after a call of another sub, which returns
 none.)",
-        .why = R"(There is one `#<_value>` for all subs. A sub that comes back without a value, or by M99, sets it to
-**0**; a definition that is passed over does so, too. LinuxCNC says nothing.
+        .why = R"(There is one `#<_value>` for all subs. A sub that returns without a value, or with M99, sets it to
+**0**; so does a definition that is skipped. There is no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -59,7 +59,8 @@ o200 call
 G0 X#<width>
 M2
 )",
-        .fix = R"(Put the value into a parameter of your own on the line behind the call.)",
+        .fix = R"(Copy the value into a parameter of your own on the line after the call.)",
+        .level_reason = "Warning: the program runs with the value of the other call, or 0.",
         .interpreter = "",
         .options = "",
         .moves = "X0",

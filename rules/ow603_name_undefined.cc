@@ -1,10 +1,13 @@
 // OW603 name-undefined: a named parameter that is read where some path has not assigned it.
-// Rests on: reading an unassigned name stops the run; `#<name>` is local to the sub that runs,
-// `#<_name>` is global.
+// Depends on: reading an unassigned name stops the run; `#<name>` is local to the sub that runs,
+// `#<_name>` is global. A name reads 0 in the value that it is first assigned, and a comment shows one that is not assigned as
+// `######` (measured).
 #include <optional>
+#include <set>
 
 #include "analyzer/machine/predefined.h"
-#include "rules/stops.h"
+#include "analyzer/machine/remap_names.h"
+#include "rules/parameters.h"
 
 namespace owlint::rules {
 namespace {
@@ -34,9 +37,183 @@ void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
   f.help = "LinuxCNC looks for section and entry in capital letters, and takes nothing but a decimal number: no unit, no comment behind it; `EXISTS[#<…>]` asks first";
 }
 
+/// What is said of a local name that is read where it has no value: which other one it may have been taken for.
+class LocalNames {
+ public:
+  explicit LocalNames(const Input& in) : in_(in) {}
+
+  /// Words for another one's name, which becomes a place of the finding.
+  std::string belongs(const Elsewhere& other, Finding& f) const {
+    const std::string whose = region_words(*other.program, other.program->region_of[other.statement]);
+    relate(in_, f, other, "assigned here for " + whose);
+    return "the one on " + line_words(in_, other) + " belongs to " + whose;
+  }
+
+  /// Finds words, place and help for a name that `reader` reads. `caller`: the call in which it does, if one is known.
+  void explain(const std::string& name, RegionId reader, const Elsewhere& caller, Finding& f) {
+    constexpr int kMost = 100;  // each goes through all lines
+    if (in_.data.too_large() || ++asked_ > kMost) return;
+    const Program& p = in_.program;
+    if (assigns(reader, name)) return;
+    const Elsewhere other = owner(name, reader, caller);
+    if (other.statement == kNoStatement) return suggest(name, reader, f);
+    f.message = "`#<" + name + ">` has no value in " + region_words(p, reader) + ": " + belongs(other, f);
+    f.help = (reader == kMainRegion ? "return the value, as `endsub [#<" + name + ">]`, and read `#<_value>`"
+                                    : "a name without `_` starts without a value in every call: pass the value as an argument") +
+             ", or write `#<_" + name + ">` in both places, which is global";
+  }
+
+  /// The same for a name that a sub assigns from itself, which reads 0 there (measured).
+  void explain_zero(const std::string& name, RegionId sub, Finding& f) {
+    const Program& p = in_.program;
+    f.message = "`#<" + name + ">` reads 0 here: a name without `_` starts without a value in every call of " + region_words(p, sub);
+    const auto call = std::ranges::find(p.calls, sub, &Call::target);
+    const Elsewhere other = owner(name, sub, call == p.calls.end() ? Elsewhere{} : Elsewhere{&p, call->statement});
+    if (other.statement != kNoStatement) f.message += "; " + belongs(other, f);
+    f.help = "pass the value as an argument, or write `#<_" + name + ">`, which is global";
+  }
+
+ private:
+  bool assigns(RegionId region, const std::string& name) const {
+    const NameId id = in_.program.syntax.names.find(name);
+    return id != kNoName && in_.data.first_assignment(region, flow::key_of_name(in_.program.syntax, id)) != kNoStatement;
+  }
+
+  /// A line that assigns the name for somebody else: for the caller, or else in the caller's file, or else in this one.
+  Elsewhere owner(const std::string& name, RegionId reader, const Elsewhere& caller) const {
+    Elsewhere found = caller.program == nullptr ? Elsewhere{} : in_file(name, reader, caller);
+    if (found.statement == kNoStatement) found = in_file(name, reader, {&in_.program, kNoStatement});
+    return found;
+  }
+
+  Elsewhere in_file(const std::string& name, RegionId reader, const Elsewhere& caller) const {
+    const Program& p = *caller.program;
+    const NameId id = p.syntax.names.find(name);
+    Elsewhere first;
+    for (StatementId line = 0; id != kNoName && line < p.size(); ++line) {
+      const Statement& s = p.at(line);
+      for (uint32_t i = 0; i < s.item_count; ++i) {
+        if (p.syntax.items[s.first + i].target_name != id || (&p == &in_.program && p.region_of[line] == reader)) continue;
+        if (caller.statement != kNoStatement && p.region_of[line] == p.region_of[caller.statement]) return {&p, line};
+        if (first.program == nullptr) first = {&p, line};
+      }
+    }
+    return first;
+  }
+
+  /// The name that was probably meant: one that the same lines assign.
+  void suggest(const std::string& name, RegionId reader, Finding& f) const {
+    const Program& p = in_.program;
+    std::vector<std::string> names;
+    for (const flow::Write& write : in_.data.accesses_of(reader).all_writes()) {
+      const flow::ParameterId target = flow::parameter_of(write.key);
+      if (target.named && !flow::is_global(write.key)) names.push_back(p.name(target.id));
+    }
+    const std::string near = nearest(name, names);
+    if (!near.empty()) f.help = "did you mean `#<" + near + ">`";
+  }
+
+  const Input& in_;
+  int asked_ = 0;
+};
+
+/// Whether a remap may give a name to the sub whose lines read it.
+bool given(const Input& in, const std::string& name, RegionId reader) {
+  const Program& p = in.program;
+  return p.sub_file && p.regions[reader].name == p.entry && remap_gives(name, p.name(p.entry), in.profile);
+}
+
+/// Calls `each` for the names that a value reads, and for those that it asks for.
+// Depth is bounded by the length of a line.
+template <typename Each>
+void for_names(const Program& p, ExprId id, const Each& each) {
+  const Expr& expr = p.syntax.exprs[id];
+  if (expr.op == Operator::kNumber) return;
+  if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return each(expr.name(), expr.op == Operator::kExistsNamed);
+  for_names(p, expr.left(), each);
+  if (expr.right() != kNoExpr) for_names(p, expr.right(), each);
+}
+
+/// The same for all values of a line.
+template <typename Each>
+void for_names_of(const Program& p, const Statement& s, const Each& each) {
+  if (s.label_expr != kNoExpr) for_names(p, s.label_expr, each);
+  for (uint32_t i = 0; i < s.value_count; ++i) for_names(p, p.syntax.values[s.first + i], each);
+  for (uint32_t i = 0; i < s.item_count; ++i) for_names(p, p.syntax.items[s.first + i].value, each);
+}
+
+/// Names that a sub assigns from themselves: they do not keep what an earlier call has left in them.
+void check_own_values(const Input& in, LocalNames& names, Reporter& out) {
+  const Program& p = in.program;
+  for (RegionId r = 1; r < p.regions.size(); ++r) {
+    for (const StatementId id : in.data.lines_of(r)) {
+      const Statement& s = p.at(id);
+      for (uint32_t i = 0; i < s.item_count; ++i) {
+        const Item& item = p.syntax.items[s.first + i];
+        if (item.target_name == kNoName) continue;
+        bool reads_itself = false;
+        for_names(p, item.value, [&](NameId name, bool exists) { reads_itself |= name == item.target_name && !exists; });
+        if (!reads_itself) continue;
+        const std::string& name = p.name(item.target_name);
+        if (name.starts_with('_') || in.data.assigned_before(r, id, flow::key_of_name(p.syntax, item.target_name)) || given(in, name, r)) continue;
+        Finding& f = out.add(item_span(p, id, i), "");
+        names.explain_zero(name, r, f);
+        f.reach = in.flow.reach(id);
+      }
+    }
+  }
+}
+
+/// Whether some run is in the lines of a region.
+bool reached(const Input& in, RegionId region) {
+  const Region& r = in.program.regions[region];
+  if (region == kMainRegion) return true;
+  const auto executed = [&](StatementId id) { return in.flow.executed[id] && id != r.opener && id != r.end; };
+  return std::ranges::any_of(in.data.lines_of(region), executed);
+}
+
+/// Names without a value in comments that show them.
+void check_comments(const Input& in, LocalNames& names, Reporter& out) {
+  const Program& p = in.program;
+  for (const flow::Shown& shown : in.data.shown()) {
+    if (!shown.acts || shown.local.empty() || given(in, shown.local, shown.region)) continue;
+    const StatementId above = shown.above;
+    if (above != kNoStatement && p.at(above).kind == LineKind::kProgramEnd) continue;
+    if (shown.key != flow::kComputedKey && in.data.assigned_before(shown.region, above == kNoStatement ? 0 : above + 1, shown.key)) continue;
+    Finding& f = out.add(shown.span, "`#<" + shown.local + ">` has no value here");
+    names.explain(shown.local, shown.region, {}, f);
+    f.message += "; LinuxCNC shows `######`";
+    if (f.help.empty()) f.help = "assign it before";
+    f.reach = !reached(in, shown.region) ? Reach::kNever : above == kNoStatement ? Reach::kAlways : in.flow.reach(above);
+  }
+}
+
+/// Names that the lines of a sub read and never assign, in subs that no run gets to.
+void check_unreached(const Input& in, LocalNames& names, Reporter& out) {
+  const Program& p = in.program;
+  for (RegionId r = 1; r < p.regions.size(); ++r) {
+    if (reached(in, r)) continue;
+    const auto missing = [&](NameId name) {
+      const std::string& text = p.name(name);
+      return !text.starts_with('_') && !remap_gives(text, "", {}) && in.data.first_assignment(r, flow::key_of_name(p.syntax, name)) == kNoStatement;
+    };
+    std::set<NameId> told;
+    for (const StatementId id : in.data.lines_of(r)) {
+      for_names_of(p, p.at(id), [&](NameId name, bool exists) {
+        if (!missing(name) || !told.insert(name).second || exists) return;
+        Finding& f = out.add(p.at(id).whole(), "`#<" + p.name(name) + ">` is read here, but " + region_words(p, r) + " never assigns it");
+        f.help = "assign it first, or pass it as an argument";
+        names.explain(p.name(name), r, {}, f);
+        f.reach = Reach::kNever;
+      });
+    }
+  }
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   std::optional<std::string> documented;
+  LocalNames names(in);
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
     // A global that the program says it needs comes from outside.
     if (!documented) documented = leading_comment(*p.source);
@@ -52,9 +229,18 @@ void check(const Input& in, Reporter& out) {
       f.help = "do without it, ask with `EXISTS[" + name.substr(1, name.size() - 2) + "]` first, or say which version the machine has (`--linuxcnc`)";
     } else if (s.detail.starts_with("_ini[") && in.profile.setup != nullptr) {
       tell_entry(in.profile, name, f);
+    } else if (const std::string other = look_alike_name(in, s.detail); !other.empty()) {
+      f.help = other;
+    } else if (!s.detail.starts_with("_")) {
+      const bool called = s.call != kNoStatement || s.call_elsewhere.program != nullptr;
+      names.explain(s.detail, p.region_of[s.statement], called ? place_of(in, s.call, s.call_elsewhere) : Elsewhere{}, f);
     }
     return &f;
   });
+  if (in.data.too_large()) return;
+  check_own_values(in, names, out);
+  check_comments(in, names, out);
+  check_unreached(in, names, out);
 }
 
 }  // namespace
@@ -72,9 +258,12 @@ the called sub.)",
         .why = R"(The interpreter stops at the line that reads the name, on the run that gets there without an
 assignment. Unlike numbers, which read 0, names have no value until they get one. `#<name>` belongs
 to the sub that is running: the main program's `#<depth>` does not exist inside a sub, nor the sub's
-outside. `#<_name>` with an underscore is shared by all. Skipped lines are not looked at, and
+outside. `#<_name>` with an underscore is shared by all. In a sub such a name starts anew in every call, so a
+counter in a sub, `#<n> = [#<n> + 1]`, reads 0 and gives 1 each time, without a message. A comment
+`(debug, #<name>)` that shows a name without a value shows `######`. Skipped lines are not looked at, and
 `EXISTS[#<name>]` may ask. A global name that the comment at the top of the program speaks of is taken to be
-there.
+there. A file that is called from outside gets its arguments as numbers; a remap passes letters (`#<p>`), which are
+taken to be there, with an INI only those of its `REMAP` line.
 
 `#<_ini[section]entry>` is an entry of the machine's INI, which owlint looks up where it knows the INI;
 `#<_hal[pin]>` is taken to be there. A name that only some releases of the version have gets a warning.
@@ -101,6 +290,7 @@ M2
 )",
         .fix = R"(Assign the name before the branch, pass it to the sub as an argument, or use a global name with an
 underscore.)",
+        .level_reason = "Error where a run gets here without the name: the program stops. Warning where another program may have set a global name.",
         .interpreter = "Named parameter #<top> not defined",
         .options = "",
     },

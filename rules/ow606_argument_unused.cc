@@ -1,5 +1,5 @@
-// OW606 argument-unused: a call passes what its sub never reads.
-// Rests on: arguments are #1 to #30 of the sub, and nothing else sees them.
+// OW606 argument-unused: a call passes an argument that its sub never reads.
+// Depends on: arguments are #1 to #30 of the sub, and nothing else sees them.
 #include <bit>
 
 #include "rules/parameters.h"
@@ -16,11 +16,11 @@ void check(const Input& in, Reporter& out) {
     const flow::Summary& sub = in.data.of(call.target);
     if (!sub.known || sub.any_number) continue;
     // One in the middle has to be passed for the sake of those behind it.
-    const int read = std::max(sub.last_argument(), in.data.last_printed_argument());
+    const int read = sub.last_argument();
     if (s.value_count <= read) continue;
     const std::string reads = read == 0 ? "reads none" : read == 1 ? "reads only `#1`" : "reads only `#1` to `#" + std::to_string(read) + "`";
     Finding& f = out.add(s.head_span(), "`" + p.head(call.statement) + "` passes " + std::to_string(s.value_count) + (s.value_count == 1 ? " argument" : " arguments") + ", but the sub " + reads);
-    relate(f, p, p.regions[call.target].opener, "the sub");
+    relate(f, p, p.regions[call.target].opener, "the sub begins here");
     f.help = "remove the argument, or use it in the sub";
     f.reach = in.flow.reach(call.statement);
   }
@@ -35,10 +35,10 @@ extern const Rule kOw606{
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A call that passes more arguments than its sub, which stands in the same program, reads: a feed that
-is passed and then programmed as a fixed number, or one `[...]` too many.)",
-        .why = R"(LinuxCNC takes up to 30 arguments for every sub and says nothing when they are not used. What the
-call seems to say does not happen: in the first program below, the machine goes to X0.
+        .what = R"(A call passes more arguments than its sub reads, and the sub is in the same program. For example,
+the call passes a feed but the sub has a fixed number, or there is one `[...]` too many.)",
+        .why = R"(LinuxCNC accepts up to 30 arguments for every sub, and gives no message if the sub does not read
+them. The value in the call has no effect: in the first program below, the machine goes to X0.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -60,7 +60,8 @@ G0 X50 Z5
 o100 call [20]
 M2
 )",
-        .fix = R"(Remove what is not used from the call, or read it in the sub.)",
+        .fix = R"(Remove the unused arguments from the call, or read them in the sub.)",
+        .level_reason = "Warning: the program runs, and what the caller passes has no effect.",
         .interpreter = "",
         .options = "",
         .moves = "X0",

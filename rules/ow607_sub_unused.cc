@@ -1,5 +1,5 @@
 // OW607 sub-unused: a sub that nothing calls.
-// Rests on: a definition is passed over; its lines run only in a call.
+// Depends on: a definition is skipped; its lines run only in a call.
 #include <algorithm>
 
 #include "rules/parameters.h"
@@ -51,7 +51,7 @@ bool in_cycles(const Program& p) {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   const std::vector<RegionId> alone = called_by_no_other(p);
-  if (alone.empty() || does_nothing(p)) return;  // a collection of subs is called from elsewhere
+  if (alone.empty() || does_nothing(p)) return;  // other programs call a collection of subs
   if (!p.syntax.errors.empty()) return;  // the call may be on a line that is broken
   std::unordered_set<std::string> from_files;
   for (const LinkedFile& file : in.linked.files()) {
@@ -76,7 +76,7 @@ void check(const Input& in, Reporter& out) {
     if (std::ranges::any_of(p.regions, [&](const Region& other) { return other.name == region.name && &other != &region; })) continue;
     if (!in.data.structure().regular || in_cycles(p)) return;
     Finding& f = out.add(p.at(region.opener).head_span(), "nothing calls " + region_words(p, r));
-    f.help = "call it, or remove it; a label that the calls spell otherwise is another sub";
+    f.help = "call it or remove it; check that the calls have this label";
     f.reach = in.flow.reach(region.opener);
   }
 }
@@ -90,11 +90,11 @@ extern const Rule kOw607{
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A sub in a program that neither the program nor a file that it calls ever calls. A file's own sub (of
-the file's name) is called from elsewhere, and so is a file that only has subs; where a call has a
-computed label nothing is said.)",
-        .why = R"(LinuxCNC passes over the definition. That is harmless, but the moves in it are never made: a call was
-forgotten, or calls another label. In the first program below the hole at X20 is missing.
+        .what = R"(A sub that neither the program nor a file that it calls ever calls. A file's own sub (with the name
+of the file) is not reported, because other programs call it; nor is a file that has only subs. If a
+call has a computed label, nothing is reported.)",
+        .why = R"(LinuxCNC skips the definition. That is harmless, but the moves in it are never made: a call is
+missing, or it has another label. In the first program below the hole at X20 is missing.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -128,7 +128,8 @@ o100 call [10]
 o200 call
 M2
 )",
-        .fix = R"(Call the sub, or remove it. A sub that is kept for later can be suppressed with a reason.)",
+        .fix = R"(Call the sub, or remove it. If you keep a sub for later, suppress the finding with a reason.)",
+        .level_reason = "Warning: the program runs without the sub, whose call may have been forgotten or misspelt.",
         .interpreter = "",
         .options = "",
         .moves = "X10",

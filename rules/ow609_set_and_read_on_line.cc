@@ -1,5 +1,5 @@
 // OW609 set-and-read-on-line: a parameter is set and then read on one line.
-// Rests on: all values of a line are read before any of its assignments is made; a new name reads 0 for the rest of its line
+// Depends on: all values of a line are read before any of its assignments is made; a new name is 0 for the rest of its line
 // (measured: `#1=5`, then `#1=6 G0 X#1` moves to 5).
 #include <algorithm>
 
@@ -37,9 +37,9 @@ void check(const Input& in, Reporter& out) {
       for (uint32_t k = i + 1; k < s.item_count; ++k) {
         if (!reads(p, p.syntax.items[s.first + k].value, parameter)) continue;
         const std::string words = parameter_words(p, parameter);
-        Finding& f = out.add(item_span(p, id, k), words + " is read here as it was before this line: what the line sets counts from the next one on");
+        Finding& f = out.add(item_span(p, id, k), "this reads the old value of " + words + ": the value set on this line counts from the next line on");
         f.related.push_back({item_span(p, id, i), "set here", nullptr});
-        f.help = "set " + words + " on a line of its own before this one";
+        f.help = "set " + words + " on a line of its own, before this line";
         f.reach = in.flow.reach(id);
         break;
       }
@@ -52,14 +52,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw609{
     .code = "OW609",
     .name = "set-and-read-on-line",
-    .summary = "a parameter set and read on one line: the old value is read",
+    .summary = "a parameter set and read on one line: the line reads the old value",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A line that first sets a parameter and then reads it: `#1=6 G0 X#1`. A read that stands before the
-assignment, or in the assigned value itself, is meant as it is and not reported.)",
-        .why = R"(LinuxCNC reads all values of a line before it sets anything. The move goes to the **old** value; a name
-that is new reads 0. No message.
+        .what = R"(A line that first sets a parameter and then reads it: `#1=6 G0 X#1`. A read before the assignment,
+or in the assigned value itself, is normal and not reported.)",
+        .why = R"(LinuxCNC reads all values of a line before it sets anything. The move goes to the **old** value; a
+new name is 0. There is no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -75,7 +75,8 @@ G0 Y#1
 G0 X#1
 M2
 )",
-        .fix = R"(Put the assignment on a line of its own, above.)",
+        .fix = R"(Write the assignment on a line of its own, before this line.)",
+        .level_reason = "Warning: the program runs with the old value.",
         .interpreter = "",
         .options = "",
         .moves = "X5",

@@ -1,5 +1,5 @@
 // OW610 value-unused: a parameter that is assigned and never read, or assigned again on the next line.
-// Rests on: names without `_` are the sub's own; a line's values are read before it assigns.
+// Depends on: names without `_` are the sub's own; a line's values are read before it assigns.
 #include <algorithm>
 
 #include "rules/parameters.h"
@@ -12,17 +12,23 @@ std::string sorted(std::string text) {
   return text;
 }
 
-/// The name that was probably meant: one that is read, with a letter more or less, or the same letters. Names that differ in
-/// one letter are often those of two axes.
-std::string meant(const Program& p, NameId name) {
-  const std::string& text = p.name(name);
+/// The name that was probably meant: one that this sub reads, or a global one that any reads, with a letter more or less, or the
+/// same letters. Names that differ in one letter are often those of two axes.
+std::string meant(const Input& in, const flow::UnusedValue& unused) {
+  const Program& p = in.program;
+  const std::string& text = p.name(unused.parameter.id);
   const std::string letters = sorted(text);
   std::vector<std::string> names;
-  for (const Expr& expr : p.syntax.exprs) {
-    if (expr.op != Operator::kNamed || expr.target) continue;
-    const std::string& other = p.name(expr.name());
-    if (other.size() != text.size() || sorted(other) == letters) names.push_back(other);
-  }
+  const auto add = [&](RegionId region, bool own) {
+    for (const flow::ParameterKey key : in.data.reads_of(region)) {
+      const flow::ParameterId other = flow::parameter_of(key);
+      if (!other.named || (!own && !flow::is_global(key)) || other.id == unused.parameter.id) continue;
+      const std::string& name = p.name(other.id);
+      if (name.size() != text.size() || sorted(name) == letters) names.push_back(name);
+    }
+  };
+  const RegionId own = p.region_of[unused.statement];
+  for (RegionId region = 0; region < p.regions.size(); ++region) add(region, region == own);
   return nearest(text, names, 2);
 }
 
@@ -41,9 +47,18 @@ void check(const Input& in, Reporter& out) {
       continue;
     }
     Finding& f = out.add(item_span(p, u.statement, u.item), words + " is assigned here and never read in " + where);
-    const std::string near = suggestions++ < kMaxSuggestions ? meant(p, u.parameter.id) : std::string();
-    f.help = (near.empty() ? "remove the line" : "did you mean `#<" + near + ">`") + "; a name without `_` can be read only in the sub that assigns it";
     f.reach = in.flow.reach(u.statement);
+    const std::string near = suggestions++ < kMaxSuggestions ? meant(in, u) : std::string();
+    if (!near.empty()) {
+      f.help = "did you mean `#<" + near + ">`?";
+    } else if (u.argument != 0) {
+      f.message += ": argument `#" + std::to_string(u.argument) + "` has no effect";
+      f.help = "use the value, or remove the argument";
+    } else {
+      f.help = "remove the line";
+      f.remark = true;
+    }
+    if (in.profile.may_be_python()) f.remark = true;  // a remap's Python code may read the names of its sub
   }
 }
 
@@ -56,10 +71,13 @@ extern const Rule kOw610{
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A name that a sub or the main program assigns and nowhere reads: often another name is spelt almost
-alike. Or a value that the next line overwrites. A name that `(debug, …)`, `(print, …)` or `(log, …)`
-prints counts as read; one that only gives a name to another parameter (`#<feed> = #3`) is not reported;
-global names and numbers above `#30` may be read by other programs.)",
+        .what = R"(A name that a sub or the main program assigns and never reads, while another name, spelt almost alike, is
+read. An argument that is computed into such a name, and so has no effect. A value that the next line overwrites.
+
+Other names that are never read are info, off unless selected: the line could go, and the program would do the same.
+A name that `(debug, …)`, `(print, …)`, `(log, …)` or `(msg, …)` mentions counts as read. One that only gives a name to another
+parameter (`#<feed> = #3`) is not reported. Global names and numbers above `#30` may be read by other programs, and all
+names by the Python code of a machine whose INI has a `[PYTHON]` section.)",
         .why = R"(LinuxCNC makes a new parameter of every name that it has not met, so a slip of the pen sets one that
 nothing reads, and the one that is meant keeps its old value. No message: in the first program below
 the machine goes to X10.
@@ -80,6 +98,7 @@ G0 X#<width>
 M2
 )",
         .fix = R"(Correct the name, or remove the line.)",
+        .level_reason = "Warning where a value is lost: the name is nearly one that is read, the next line overwrites the value, or an argument ends in it. Info for a line that could go without a change.",
         .interpreter = "",
         .options = "",
         .moves = "X10",

@@ -1,5 +1,5 @@
 // OW611 compare-computed-equal: `EQ` or `NE` on values that are computed with fractions.
-// Rests on: EQ holds for what differs by less than 0.0001 (measured), and sums of fractions drift by less or more than that.
+// Depends on: EQ is true for numbers that differ by less than 0.0001 (measured); sums of fractions drift by less or more than that.
 #include "rules/parameters.h"
 
 namespace owlint::rules {
@@ -44,8 +44,8 @@ void check(const Input& in, Reporter& out) {
   for (const StatementId id : in.index.tests) {
     const Statement& s = p.at(id);
     if (!compares(p, by, p.syntax.values[s.first])) continue;
-    Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` asks whether a computed value is equal: `EQ` holds only within 0.0001");
-    f.help = "compare with `LT` or `GT`, or the distance: `[ABS[#1 - #2] LT 0.001]`";
+    Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` tests whether a computed value is equal: `EQ` is true only within 0.0001");
+    f.help = "compare with `LT` or `GT`, or test the distance: `[ABS[#1 - #2] LT 0.001]`";
     f.reach = in.flow.reach(id);
   }
 }
@@ -55,16 +55,17 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw611{
     .code = "OW611",
     .name = "compare-computed-equal",
-    .summary = "`EQ`/`NE` on computed values",
+    .summary = "`EQ` or `NE` on computed values",
     .group = Group::kDataFlow,
     .level = Severity::kInfo,
     .page = {
-        .what = R"(A condition that asks with `EQ` or `NE` for a value which is a quotient, a root, an angle or a sum of
-fractions. This rule is off unless it is selected.)",
-        .why = R"(Numbers such as 1/3 or 25.4/20 are rounded, and steps of them do not meet their end exactly. LinuxCNC takes
-two numbers as equal when they differ by less than 0.0001: a step that misses by more goes past the
-end, and a loop on `NE` then never ends. In the first program below the last pass is missed: the step is
-1/3 rounded to four digits, the end is 10, and the loop is left only because the first condition says so.
+        .what = R"(A condition with `EQ` or `NE` on a value that is a quotient, a root, an angle or a sum of fractions.
+This rule is off unless you select it.)",
+        .why = R"(Numbers such as 1/3 or 25.4/20 are rounded, and steps of them do not reach their end exactly. For
+LinuxCNC two numbers are equal if they differ by less than 0.0001. If a step misses the end by more,
+the loop goes past it, and a loop with `NE` never ends. In the first program below, the step is 1/3
+rounded to four digits and the end is 10, so `EQ` is never true. The loop ends only because of its
+first condition.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -91,7 +92,8 @@ o100 endwhile
 G0 X[#<found> * 50]
 M2
 )",
-        .fix = R"(Compare with `LT`, `LE`, `GT` or `GE`, count passes with whole numbers, or ask for the distance.)",
+        .fix = R"(Compare with `LT`, `LE`, `GT` or `GE`, count passes in whole numbers, or test the distance.)",
+        .level_reason = "Info: the comparison works in most programs; what it needs is a look.",
         .interpreter = "",
         .options = "--extend-select OW611",
         .moves = "X0",

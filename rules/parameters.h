@@ -6,11 +6,11 @@
 
 namespace owlint::rules {
 
-/// `#5`, `#<name>`: as it is written, with backticks.
+/// `#5`, `#<name>`: as written, with backticks.
 std::string parameter_words(const Program& program, flow::ParameterId parameter);
-/// The sub that a line returns from, or `otherwise` where that is not known.
+/// The sub that a line returns from, or `otherwise` if that is not known.
 std::string returning_sub(const Elsewhere& line, std::string_view otherwise);
-/// The place of an assignment or a word on its line.
+/// The position of an assignment or a word on its line.
 Span item_span(const Program& program, StatementId statement, uint32_t item);
 /// `o100`, or `the main program`.
 std::string region_words(const Program& program, RegionId region);

@@ -1,7 +1,8 @@
 // What a rule is: its place in the catalogue, its page, its check. One rule, one file `owNNN_name.cc`; everything
-// else that speaks of rules (`owlint rules`, `explain`, the JSON, the tests) is derived from these objects.
+// else about rules (`owlint rules`, `explain`, the JSON, the tests) is made from these objects.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -13,6 +14,7 @@
 #include "analyzer/flow/flow.h"
 #include "analyzer/machine/profile.h"
 #include "analyzer/program/program.h"
+#include "analyzer/syntax/nature.h"
 
 namespace owlint {
 
@@ -25,25 +27,28 @@ class DataFlow;
 enum class Group : uint8_t { kLinter, kAbortList, kBlocks, kLine, kFiles, kHazards, kDataFlow };
 std::string_view group_title(Group group);
 
-/// What rules look for in a file, gathered in one pass over its lines: the flow's stops by rule and by statement, and
-/// the few lines that each rule is about. A file may have millions of lines; no rule goes through all of them.
+/// What rules look for in a file, collected in one pass over its lines: the flow's stops by rule and by statement, and the
+/// few lines that each rule needs. A file may have millions of lines; no rule goes through all of them.
 struct Index {
   Index(const Program& program, const FlowResult& flow);
 
+  Nature nature;  ///< where it is no LinuxCNC program, that is the only finding
   std::unordered_map<std::string_view, std::vector<const FlowStop*>> by_code;
   std::unordered_map<std::string_view, std::vector<const Hazard*>> warned_by_code;
   std::unordered_set<uint64_t> unreadable;  ///< region << 32 | label: a line there has an unknown keyword
   std::vector<bool> at;  ///< by statement: a stop, or a message under FEATURE 0x20, is there
-  std::unordered_multimap<StatementId, const FlowStop*> consequences;  ///< by the statement of their mistake
-  std::unordered_map<std::string_view, std::vector<StatementId>> unmet_by_code;  ///< errors of reading that no run meets
+  std::unordered_multimap<StatementId, const FlowStop*> consequences;  ///< by the statement of the mistake that causes them
+  std::unordered_map<std::string_view, std::vector<StatementId>> unmet_by_code;  ///< reading errors that no run reaches
   std::vector<StatementId> sub_lines;     ///< `sub`, `endsub`, `return`
   std::vector<StatementId> ends;          ///< M2, M30, M99, `%`
-  std::vector<StatementId> stray_parts;   ///< parts and ends of blocks that belong to none, or close one by mistake
-  std::vector<StatementId> odd_lines;     ///< with an open name, a NUL, a carriage return inside, or a refused character
+  std::vector<StatementId> program_numbers;  ///< O-words without a keyword
+  std::vector<StatementId> stray_parts;   ///< parts and ends of blocks that belong to no block, or close one by mistake
+  std::vector<StatementId> odd_lines;     ///< with an open name, a NUL, a carriage return inside, or a bad character
+  std::vector<NameId> foreign_names;      ///< names with characters that are not ASCII
   std::vector<StatementId> several_items;  ///< lines that assign a parameter and do more
   std::vector<StatementId> tests;          ///< `if`, `elseif` and `while` with a condition
   mutable std::unordered_set<long> given_numbers;  ///< labels that fixes already take
-  std::vector<std::pair<StatementId, StatementId>> shared_labels;  ///< openers of one region: first and later with its label
+  std::vector<std::pair<StatementId, StatementId>> shared_labels;  ///< first lines of blocks in one region: the first with a label, and a later one
 
  private:
   void add_line(const Program& program, StatementId id);
@@ -69,17 +74,18 @@ struct SetupInput {
   Library& library;
 };
 
-/// The rule's documentation: `owlint explain`, the pages under docs/. All of it is tested: `bad` has the finding,
-/// `good` has none, and both are run through the interpreter.
+/// The rule's documentation: `owlint explain`, the pages under docs/. The tests check it: `bad` has the finding,
+/// `good` has none, and the interpreter runs both.
 struct Page {
   std::string_view what;         ///< what it finds, in a machinist's words
   std::string_view why;          ///< what LinuxCNC does, also under FEATURE 0x20
   std::string_view bad;          ///< a program
   std::string_view good;         ///< the same program fixed
-  std::string_view fix;          ///< how to fix it, when to ignore it
+  std::string_view fix;          ///< how to fix it, when to suppress it
+  std::string_view level_reason;  ///< why its findings are errors, warnings or info
   std::string_view interpreter;  ///< the message LinuxCNC prints for `bad`; N stands for a line number
   std::string_view options;      ///< command line options that `bad` needs
-  std::string_view moves = {};   ///< where the last rapid move of `bad` goes, as `X5`, if that is the surprise
+  std::string_view moves = {};   ///< where the last rapid move of `bad` goes, as `X5`, if that shows the problem
   std::string_view moves_good = {};  ///< the same of `good`
 };
 
@@ -88,14 +94,14 @@ struct Rule {
   std::string_view name;
   std::string_view summary;
   Group group;
-  Severity level;  ///< for a finding that some run meets; info rules are off unless selected
+  Severity level;  ///< for a finding that some run reaches; info rules are off unless selected
   Page page;
   void (*check)(const Input&, Reporter&);
   void (*check_setup)(const SetupInput&, Reporter&) = nullptr;  ///< for rules about the INI; their findings name its file
 };
 
-/// Takes a rule's findings. The rule fills in place, words and what the interpreter does; code and severity are
-/// added from the rule.
+/// Collects a rule's findings. The rule sets position, words and what the interpreter does; code and severity come from the
+/// rule.
 class Reporter {
  public:
   Reporter(const Rule& rule, std::vector<Finding>& findings) : rule_(rule), findings_(findings) {}
@@ -117,6 +123,13 @@ const std::vector<const Rule*>& catalogue();
 const Rule* find_rule(std::string_view code_or_name);
 /// Whether at least one code begins with `prefix`.
 bool known_prefix(std::string_view prefix);
+/// The code that a text means, wherever users write codes: `OW104` for `ow104` and `if-label-reused`, `OW1` for `ow1`; empty
+/// if there is no such rule.
+std::string code_meant(std::string_view text);
+/// What is wrong with a text that means no code.
+std::string unknown_rule(std::string_view text);
+/// The same for words of a suppression; see CodeOf.
+std::optional<std::string> suppressed_code(std::string_view word, bool first);
 /// The code or rule name nearest to a misspelt one; empty when nothing is near.
 std::string_view nearest_rule(std::string_view text);
 

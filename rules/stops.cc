@@ -2,9 +2,14 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "analyzer/syntax/known_line.h"
+#include "analyzer/syntax/look_alike.h"
+
 namespace owlint {
 
-Index::Index(const Program& program, const FlowResult& flow) : at(program.size()) {
+Index::Index(const Program& program, const FlowResult& flow) : nature(nature_of(program.source->bytes())), at(program.size()) {
   std::vector<bool> stopped(program.size());
   for (const FlowStop& stop : flow.stops) {
     if (stop.statement == kNoStatement) continue;
@@ -22,10 +27,12 @@ Index::Index(const Program& program, const FlowResult& flow) : at(program.size()
   }
   for (const FlowStop& stop : flow.stops) {
     if (stop.kind == StopKind::kFileEnd && stop.statement != kNoStatement) {
-      // A block whose end carries a wrong label: the stop at that end and the end of the file, which a run meets
+      // A block whose end has a wrong label: the stop at that end and the end of the file, which a run meets
       // when it skips the block, are one mistake.
       const BlockId block = program.block_of[stop.statement];
-      const StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
+      StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
+      // Or one that LinuxCNC cannot read.
+      if (block != kNoBlock && program.blocks[block].end != kNoStatement && program.at(program.blocks[block].end).refused) mistaken = program.blocks[block].end;
       if (mistaken != kNoStatement && stopped[mistaken]) {
         consequences.emplace(mistaken, &stop);
         continue;
@@ -34,6 +41,9 @@ Index::Index(const Program& program, const FlowResult& flow) : at(program.size()
     by_code[rules::code_of(stop, program)].push_back(&stop);
   }
   for (StatementId id = 0; id < program.size(); ++id) add_line(program, id);
+  for (NameId id = 0; id < program.syntax.names.size(); ++id) {
+    if (std::ranges::any_of(program.syntax.names.text(id), is_foreign)) foreign_names.push_back(id);
+  }
   find_shared_labels(program);
 }
 
@@ -50,7 +60,8 @@ void Index::add_line(const Program& program, StatementId id) {
   if (s.name_open || s.nul || s.inner_cr) {
     if (odd_lines.empty() || odd_lines.back() != id) odd_lines.push_back(id);
   }
-  if (s.kind == LineKind::kProgramEnd || s.kind == LineKind::kM99 || s.kind == LineKind::kPercent) ends.push_back(id);
+  if (s.is(Keyword::kBare)) program_numbers.push_back(id);
+  if (s.kind == LineKind::kProgramEnd || s.has_m99() || s.kind == LineKind::kPercent) ends.push_back(id);
   if (s.has_items() && s.item_count > 1) several_items.push_back(id);
   if (s.kind != LineKind::kOWord) return;
   if ((s.keyword == Keyword::kIf || s.keyword == Keyword::kElseif || s.keyword == Keyword::kWhile) && s.value_count > 0) tests.push_back(id);
@@ -63,7 +74,7 @@ void Index::add_line(const Program& program, StatementId id) {
 }
 
 void Index::find_shared_labels(const Program& program) {
-  // Blocks stand region by region: what was noted for an earlier region is out of date.
+  // Blocks are region by region: what was noted for an earlier region is out of date.
   std::vector<BlockId> first(program.syntax.names.size(), kNoBlock);
   for (BlockId id = 0; id < program.blocks.size(); ++id) {
     const Block& block = program.blocks[id];
@@ -82,8 +93,13 @@ namespace owlint::rules {
 
 namespace {
 
-/// Whether text begins with a byte that is no ASCII character, such as a no-break space.
-bool foreign(std::string_view text) { return !text.empty() && static_cast<unsigned char>(text[0]) >= 0x80; }
+/// Whether an error of reading is about a character that is not ASCII, such as a no-break space.
+bool is_about_foreign(const Program& program, const Statement& s, StopKind kind) {
+  const LineError* error = program.syntax.error(s);
+  if (error == nullptr || error->kind != kind) return false;
+  const std::string_view text = program.source->slice(error->span);
+  return !text.empty() && is_foreign(text[0]);
+}
 
 }  // namespace
 
@@ -92,8 +108,12 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kLineTooLong: return "OW309";
     case StopKind::kCommentNested: case StopKind::kCommentUnclosed: return "OW308";
     case StopKind::kLabelMissing: case StopKind::kLabelWord: case StopKind::kLabelNotInteger:
-    case StopKind::kLabelExpression: case StopKind::kM98Number: case StopKind::kLabelForgotten: return "OW306";
+    case StopKind::kLabelExpression: case StopKind::kM98Number: case StopKind::kLabelForgotten:
+    case StopKind::kLetterForgotten: return "OW306";
+    case StopKind::kWordUnreadable: return "OW318";
     case StopKind::kM98NoTarget: return "OW208";
+    case StopKind::kM98Words: case StopKind::kM98Behind: case StopKind::kM99Jump: case StopKind::kM99Behind:
+    case StopKind::kM99Rest: return "OW217";
     case StopKind::kKeywordUnknown: return "OW301";
     case StopKind::kBracketMissing: return "OW302";
     case StopKind::kLineNumber: case StopKind::kExpression: case StopKind::kParameterRange: case StopKind::kValueFails:
@@ -155,14 +175,14 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
   // Carriage returns alone as line ends put a whole file on one line: that is the mistake, whatever it leads to.
   if (s.inner_cr && stop.kind < StopKind::kSubNested) return "OW314";
   if (stop.kind == StopKind::kTrailingText && program.source->slice(s.rest_span()).starts_with("]")) return "OW303";
-  if (stop.kind == StopKind::kKeywordUnknown && foreign(program.source->slice(s.keyword_span()))) return "OW314";
+  if (is_about_foreign(program, s, stop.kind)) return "OW314";
   return code_of(stop.kind, s);
 }
 
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {
   if (statement == kNoStatement) return;
   const Statement& s = program.at(statement);
-  const Span span = s.kind == LineKind::kOWord || s.kind == LineKind::kM98 ? s.head_span() : s.whole();
+  const Span span = s.kind == LineKind::kOWord || s.calls() ? s.head_span() : s.whole();
   finding.related.push_back({span, std::move(message), nullptr});
 }
 
@@ -190,6 +210,16 @@ std::string line_end(const Source& source, const Statement& statement) {
 std::string indent_of(const Source& source, const Statement& statement) {
   const std::string_view line = source.slice(statement.whole());
   return std::string(line.substr(0, std::min(line.find_first_not_of(" \t"), line.size())));
+}
+
+Fix split_line(const Program& program, const Statement& statement, uint64_t at, std::string title) {
+  const Source& source = *program.source;
+  std::string_view before = source.slice({statement.offset, at});
+  const uint64_t blanks = statement.offset + before.find_last_not_of(" \t") + 1;
+  if (statement.block_delete) before.remove_prefix(before.find('/') + 1);
+  const bool good = surely_runs(before) && surely_runs(source.slice({at, statement.end()}));
+  const std::string begin = line_end(source, statement) + indent_of(source, statement) + (statement.block_delete ? "/" : "");
+  return {std::move(title), good, {{{blanks, at}, begin}}, true};
 }
 
 StatementId outermost(const Program& program, StatementId statement) {
@@ -293,6 +323,29 @@ std::optional<FlowStop> as_stop(const Input& in, const Reporter& out, const Haza
 }
 
 bool has_stop(const Input& in, StatementId statement) { return statement < in.index.at.size() && in.index.at[statement]; }
+
+std::string look_alike_text(std::string_view text) {
+  const char32_t code = character_at(text).code;
+  const LookAlike same = *look_alike(code);
+  const std::string who = fmt::format("U+{:04X} {}", static_cast<uint32_t>(code), same.name);
+  if (same.plain.empty()) return who + " stands here, which no editor shows";
+  return who + (same.plain == " " ? " looks like a blank, and is none" : " looks like `" + same.plain + "`, and is another character");
+}
+
+std::string look_alike_name(const Input& in, std::string_view name) {
+  const Names& names = in.program.syntax.names;
+  const auto differs = [](std::string_view foreign) {
+    const auto first = std::ranges::find_if(foreign, is_foreign);
+    return look_alike_text({first, foreign.end()});
+  };
+  const std::string plain = plain_text(name);
+  const bool known = plain != name && (names.find(plain) != kNoName || in.linked.search_path().find(plain));
+  if (plain != name) return !known ? std::string() : "in `<" + std::string(name) + ">` " + differs(name) + ": write `<" + plain + ">`";
+  for (const NameId id : in.index.foreign_names) {
+    if (plain_text(names.text(id)) == name) return "in `<" + names.text(id) + ">` " + differs(names.text(id)) + ": write `<" + plain + ">`";
+  }
+  return {};
+}
 
 std::string ordinal(size_t n) {
   const size_t tens = n % 100;

@@ -1,5 +1,5 @@
-// From the interpreter's errors to rules: which rule speaks of which stop, and the parts of a finding that all
-// rules about stops have in common.
+// From the interpreter's errors to rules: which rule reports which stop, and the parts of a finding that all rules about
+// stops have in common.
 #pragma once
 
 #include <optional>
@@ -18,17 +18,17 @@ std::string_view code_of(StopKind kind, const Statement& statement);
 /// Fills reach, stops, interpreter and the path of a finding about `stop`.
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding);
 
-/// Names the other stops that the mistake at `statement` leads to.
+/// Adds the other stops that the mistake at `statement` causes.
 void add_consequences(const Input& in, StatementId statement, Finding& finding);
 
 /// The stops that belong to the rule and are not the consequence of another mistake.
 std::span<const FlowStop* const> stops_of(const Input& in, const Reporter& out);
 /// The errors of the rule that FEATURE 0x20 turned into messages.
 std::span<const Hazard* const> warned_of(const Input& in, const Reporter& out);
-/// Errors of reading that the rule is about but no run meets.
+/// Reading errors for this rule that no run reaches.
 std::span<const StatementId> unmet_of(const Input& in, const Reporter& out);
-/// A message of warned_of() as the stop that it would be without FEATURE 0x20; nothing where it stops all the same,
-/// with another message: then that is the finding.
+/// A message of warned_of() as the stop that it would be without FEATURE 0x20; nothing if it still stops, with another
+/// message: then that is the finding.
 std::optional<FlowStop> as_stop(const Input& in, const Reporter& out, const Hazard& warned);
 
 /// Calls `each` for every stop of the rule; `each` adds the finding and returns it, or null. (Templates, as most rules have
@@ -55,7 +55,7 @@ void for_warned(const Input& in, Reporter& out, const Each& each) {
 /// Whether some stop (or message under 0x20) of any rule is at this statement.
 bool has_stop(const Input& in, StatementId statement);
 
-/// Calls `each` for the errors of reading that the rule is about but no run meets.
+/// Calls `each` for the reading errors of this rule that no run reaches.
 template <typename Each>
 void for_unmet_errors(const Input& in, Reporter& out, const Each& each) {
   for (const StatementId id : unmet_of(in, out)) each(id, *in.program.syntax.error(in.program.at(id)));
@@ -63,27 +63,39 @@ void for_unmet_errors(const Input& in, Reporter& out, const Each& each) {
 
 /// Adds "first defined here" and the like.
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message);
-/// The same for a line that may be in another file; nothing where there is none.
+/// The same for a line that may be in another file; does nothing if there is none.
 void relate(const Input& in, Finding& finding, const Elsewhere& place, std::string message);
 
-/// The line that a stop or hazard speaks of, in this file or another one.
+/// The line that a stop or hazard names, in this file or another one.
 Elsewhere place_of(const Input& in, StatementId here, const Elsewhere& elsewhere);
 /// `line 12`, or `line 12 of probe.ngc`.
 std::string line_words(const Input& in, const Elsewhere& place);
 /// The line end that the statement's line has, for lines that a fix adds.
 std::string line_end(const Source& source, const Statement& statement);
-/// The blanks that the statement's line begins with.
+/// The spaces at the beginning of the statement's line.
 std::string indent_of(const Source& source, const Statement& statement);
-/// The first line of the outermost block, or of the sub, that `statement` stands in; the statement itself if it is in none.
-/// What is put before it is out of all of them.
+/// Puts what stands from `at` on on a line of its own, below. Safe only where both lines are surely ones that LinuxCNC runs,
+/// and all runs stop at the line as it is.
+Fix split_line(const Program& program, const Statement& statement, uint64_t at, std::string title);
+/// The first line of the outermost block or sub around `statement`; the statement itself if there is none. A line before it
+/// is outside of all of them.
 StatementId outermost(const Program& program, StatementId statement);
-/// Moves the lines from `first` to `last` to before the line of `before`, which stands above them. Nobody knows what they
-/// do on the way: never safe.
+/// Moves the lines from `first` to `last` up, before the line of `before`. Never safe: the moved lines may run in another
+/// order.
 Fix move_up(const Program& program, StatementId first, StatementId last, StatementId before, std::string title);
-/// Whether a line begins or ends a sub: made one, it changes what a definition holds that was passed over before.
+/// Whether a line begins or ends a sub: a line that becomes one changes what is inside a definition.
 bool bounds_sub(const Statement& statement);
+/// Whether an O-word without a keyword has the label of a sub, in the program or in a file, and is not the program's own
+/// number: then its `call` was forgotten.
+bool lacks_call(const Input& in, StatementId statement);
 /// The last part of a file's path.
 std::string file_name(const Source& source);
+
+/// What is wrong with the character that a text begins with, which only looks like another: `U+2212 MINUS SIGN looks
+/// like "-"`.
+std::string look_alike_text(std::string_view text);
+/// Of a name that nothing defines: another one of the program that looks like it, and how they differ. Empty if there is none.
+std::string look_alike_name(const Input& in, std::string_view name);
 
 /// `1st`, `2nd`... for arguments and passes.
 std::string ordinal(size_t n);

@@ -1,0 +1,67 @@
+// OW318 word-unreadable: a letter without a value: text, or a word of another language.
+// Depends on: a word is a letter and a value; what else stands on a line is refused when the line is executed.
+#include <algorithm>
+
+#include "rules/idioms.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const LineError& error = *p.syntax.error(p.at(stop.statement));
+    const std::string text(p.source->slice(error.span));
+    const bool letter = text.size() == 1;
+    Finding& f = out.add(error.span, "`" + text + "` is not a word of a program: a word is a letter and a number");
+    f.help = "put text in a comment: `(text)`";
+    if (letter) {
+      f.message = "`" + text + "` has no number";
+      f.help = "write the number behind `" + text + "`";
+    }
+    explain_idiom(in, stop.statement, f);
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw318{
+    .code = "OW318",
+    .name = "word-unreadable",
+    .summary = "text, or a word of another language, among the words of a program",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A line with text that is in no comment, or with words of another control or of BASIC: `GOTO 20`, `END1`,
+`GOSUB`, `THEN`, a headline above the program. owlint looks at lines on which two letters stand side by side, and says what LinuxCNC has
+instead.)",
+        .why = R"(A word is a letter and a value. The interpreter stops where such a line is executed, with
+`Unknown word where unary operation could be` or `Unknown word starting with e`; in a branch that is skipped it says
+nothing.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+GOTO 90
+G1 Z-2 F80
+N90 G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+o100 if [#5070 EQ 1]
+  G1 Z-2 F80
+o100 endif
+G0 Z5
+M2
+)",
+        .fix = R"(Put text in a comment. A jump becomes an `if` or a loop, a loop of another control `o100 while`.)",
+        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .interpreter = "Unknown word where unary operation could be",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

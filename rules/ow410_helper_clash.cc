@@ -1,0 +1,99 @@
+// OW410 helper-clash: a call that runs a sub of another file, although its own file has a sub of that label.
+// Depends on: all files share one table of subs. A label is entered when its `sub` line is met first, and stays for the run.
+#include "rules/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+/// The line on which this file defines the sub that a call was meant for.
+StatementId own_sub(const Program& p, NameId sub) {
+  for (const StatementId id : p.by_label[sub]) {
+    if (p.at(id).opens_sub()) return id;
+  }
+  return kNoStatement;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kOtherHelper || h.other_elsewhere.program == nullptr) continue;
+    const Statement& s = p.at(h.statement);
+    const Elsewhere& runs = h.other_elsewhere;
+    const std::string file = file_name(*runs.program->source);
+    Finding& f = out.add(s.head_span(), "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " + file + ", not the sub in this file");
+    relate(in, f, runs, "this sub runs: LinuxCNC met it first");
+    if (s.label != kNoName) relate(f, p, own_sub(p, s.label), "this sub does not run");
+    f.help = "give the sub in this file a name that no other file uses, or move it to a file of its own";
+    f.reach = h.reach;
+    f.runs_other = true;
+    f.unproven = h.unproven;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw410{
+    .code = "OW410",
+    .name = "helper-clash",
+    .summary = "two files define a helper sub of one label: LinuxCNC calls the one that it met first",
+    .group = Group::kFiles,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A file calls a helper sub that it defines itself, but another file of the same run has a sub with the same label.)",
+        .why = R"(LinuxCNC keeps one table of subs for the whole run, not one for each file. The first `o500 sub` that it meets goes into the
+table. Every later `o500 call`, from any file, runs that one. In the example the machine moves twice to X1 and never to X9. There is no
+message, and each of the two files is right when it is used alone.
+
+LinuxCNC 2.10 refuses helpers in called files (OW403), but still runs a sub of the main program that has the label.)",
+        .bad = R"(G21 G90
+o<probe_left> call
+o<probe_right> call
+M2
+; file: probe_left.ngc
+o<probe_left> sub
+  o500 call
+o<probe_left> endsub
+o500 sub
+  G0 X1
+o500 endsub
+; file: probe_right.ngc
+o<probe_right> sub
+  o500 call
+o<probe_right> endsub
+o500 sub
+  G0 X9
+o500 endsub
+)",
+        .good = R"(G21 G90
+o<probe_left> call
+o<probe_right> call
+M2
+; file: probe_left.ngc
+o<probe_left> sub
+  o<go_left> call
+o<probe_left> endsub
+; file: go_left.ngc
+o<go_left> sub
+  G0 X1
+o<go_left> endsub
+; file: probe_right.ngc
+o<probe_right> sub
+  o<go_right> call
+o<probe_right> endsub
+; file: go_right.ngc
+o<go_right> sub
+  G0 X9
+o<go_right> endsub
+)",
+        .fix = R"(Give each helper a file of its own, named after it, or at least a label that no other file uses, such as
+`o<probe_right_500>`.)",
+        .level_reason = "Error where some run certainly calls the other sub: the machine goes elsewhere than is written. Warning where owlint is not sure.",
+        .interpreter = "",
+        .options = "",
+        .moves = "X1",
+        .moves_good = "X9",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

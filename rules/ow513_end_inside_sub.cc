@@ -1,0 +1,74 @@
+// OW513 end-inside-sub: M2 or M30 in a sub, where its caller has lines below the call.
+// Depends on: M2 and M30 end the run wherever they stand, in a called file too (measured).
+#include "rules/parameters.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kEndsInSub) continue;
+    const Elsewhere call = place_of(in, h.other, h.other_elsewhere);
+    const Statement& s = p.at(h.statement);
+    const Region& sub = p.regions[p.region_of[h.statement]];
+    const bool fanuc = sub.opener != kNoStatement && p.at(sub.opener).is(Keyword::kBare);
+    const std::string name = p.label_text(sub.name);
+    Finding& f = out.add(s.whole(), "the program ends here, inside `" + name + "`: no line below the call on " + line_words(in, call) + " is executed");
+    relate(in, f, call, "called from here");
+    f.help = fanuc ? "go back with `M99`; the program that calls the sub has the `M2`"
+                   : "go back with `" + name + " endsub`; the program that calls the sub has the `M2`";
+    f.reach = h.reach;
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw513{
+    .code = "OW513",
+    .name = "end-inside-sub",
+    .summary = "M2 or M30 in a sub ends the program: the lines below the call are not executed",
+    .group = Group::kHazards,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(An `M2` or `M30` in a sub, or in a called file in the place of its `endsub`, that every run of the
+call comes to, while the caller has more to do below the call. An `M2` inside an `if` is not reported,
+and neither is a call inside an `if`: that is how programs are aborted on purpose.)",
+        .why = R"(`M2` and `M30` end the program wherever they stand; they do not end the sub only. LinuxCNC says
+nothing: the job looks finished. In the first program below the second hole is missing.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o<hole> sub
+  G0 X#1
+  G1 Z-5 F80
+  G0 Z5
+  M2
+o<hole> endsub
+G0 Z5
+o<hole> call [10]
+o<hole> call [30]
+M2
+)",
+        .good = R"(G21 G90
+o<hole> sub
+  G0 X#1
+  G1 Z-5 F80
+  G0 Z5
+o<hole> endsub
+G0 Z5
+o<hole> call [10]
+o<hole> call [30]
+M2
+)",
+        .fix = R"(Remove the `M2` from the sub. A file that is called needs none: its `endsub` is its end.)",
+        .level_reason = "Warning: the program runs, but ends before the lines after the call.",
+        .interpreter = "",
+        .options = "",
+        .moves = "X10",
+        .moves_good = "X30",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules
