@@ -4,13 +4,13 @@
 usage: agree.py --owlint build/release/owlint [--programs 2000] [--seed S] [--jobs 2] [--keep DIR] [--warnonly] [--files] [--values]
 
 Each program runs under many combinations of its unknown values (explore.py).  Every stop seen must be claimed by a
-finding with `stops` at that line under that rule, and every claim must be seen in some run; a claim of reach `always`
-must end every run.  What disagrees is shrunk and printed.  With --warnonly the interpreter has OWORD_WARNONLY and
+finding with `stops` at that line under that rule that quotes the interpreter's message, and every claim must be seen in some
+run; a claim of reach `always` must end every run.  What disagrees is shrunk and printed.  With --warnonly the interpreter has OWORD_WARNONLY and
 owlint `--feature 0x20`: crashes and endless loops after a warning must then be predicted by OW503 and OW504.
 With --coarse owlint analyses each program like a very large one, without values: no stop may be missed but of an
 expression that fails for its values.
 
-Exit status: 0 agreement; 1 a miss, a stop of reach `never`, or fewer than 99.5 % of the claims witnessed; 2 trouble.
+Exit status: 0 agreement; 1 a miss, another message, a stop of reach `never`, or fewer than 99.5 % of the claims witnessed; 2 trouble.
 """
 import argparse
 import multiprocessing
@@ -22,7 +22,7 @@ import time
 from collections import Counter
 
 from generate import generate, generate_files, generate_values
-from judge import HANGS, MISS, NEVER_STOPS, NOT_ALWAYS, UNWITNESSED, hazards_of, is_witnessed, to_witness
+from judge import HANGS, MISS, NEVER_STOPS, NOT_ALWAYS, NO_OTHER_BODY, OTHER_BODY, OTHER_WORDS, UNWITNESSED, hazards_of, is_witnessed, to_witness
 from linter import Linter, LinterFailed
 from oracle import Interpreter, scratch
 from shrink import Shrinker, investigate
@@ -48,6 +48,7 @@ def _check(task):
     explorer, disagreements = investigate(_interpreter, text, findings, warnonly, seed=name)
     counts = Counter(runs=explorer.runs, complete=explorer.complete)
     counts.update({"run: " + outcome: count for outcome, count in explorer.outcomes.items()})
+    counts.update(asked=explorer.asked, other_bodies=explorer.other_bodies)
     for (outcome, codes, _), run in explorer.ends.items():
         if outcome == "error" or (run.warned and outcome in ("crash", "hang")):
             counts["stops"] += 1
@@ -157,6 +158,11 @@ def summary(options, counts, seconds):
         print("claims of reach %s: %d, unwitnessed: %d (%s)%s" % (
             reach, claims[reach], unwitnessed[reach], percent(unwitnessed[reach], claims[reach]),
             ", not so in every run: %d" % counts[NOT_ALWAYS] if reach == "always" else ""))
+    if counts["asked"]:
+        print("places where another sub might run than the one that is written: %d, runs: %d, not claimed: %d, claimed and not seen: %d" % (
+            counts["asked"], counts["other_bodies"], counts[OTHER_BODY], counts[NO_OTHER_BODY]))
+    if counts[OTHER_WORDS]:
+        print("stops with another message than owlint quotes: %d" % counts[OTHER_WORDS])
     if counts[NEVER_STOPS]:
         print("findings of reach never that stop: %d" % counts[NEVER_STOPS])
     for key in ("endless loops announced", "endless loops seen", "programs that hang unannounced", "programs that crash"):
@@ -169,7 +175,7 @@ def summary(options, counts, seconds):
     if options.coarse:
         print("of the missed ones a value fails, which is not followed in very large programs: %d" % counts["missed for lack of values"])
         missed -= counts["missed for lack of values"]
-    return not missed and not counts[NEVER_STOPS] and total - wrong >= enough * total
+    return not missed and not counts[NEVER_STOPS] and not counts[OTHER_WORDS] and not counts[OTHER_BODY] and total - wrong >= enough * total
 
 
 def main(argv):

@@ -20,7 +20,7 @@ from collections import Counter
 
 from explore import Explorer
 from generate import generate
-from messages import EOF, call_line, codes_of, moved_up, warned_lines
+from messages import EOF, call_line, codes_of, renumbered, warned_lines
 from oracle import PADDING, Interpreter, for_interpreter, pad
 
 TIME_LIMIT_S = 1.0
@@ -61,7 +61,7 @@ def stand_alone(interpreter, text, choices, message):
     everything, _, last = error.rstrip("\n").rpartition("\n")
     everything = everything.replace(path, "PROGRAM")
     if interpreter.warnonly:
-        everything = moved_up(everything, PADDING)
+        everything = renumbered(everything, lambda line: line - PADDING)
     codes = codes_of(message if message and everything.endswith(message) else everything)
     place = re.findall(r"\(u(\d+)\)", last)
     return "error", codes, 0 if EOF in codes else call_line(message) or (int(place[-1]) if place else 0)

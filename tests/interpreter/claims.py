@@ -1,19 +1,8 @@
 """What owlint's findings say about how a program ends, held against how it ended in rs274."""
-import re
+from messages import same_words
 
 CRASHES = frozenset({"OW503", "OW505"})
 ENDLESS = frozenset({"OW504", "OW508", "OW510"})
-
-
-def plain(message):
-    """A message without what depends on where the program lies and how blanks are written."""
-    message = re.sub(r"(?i)(file:)\s*\S+?(?=\s|$)", r"\1PROGRAM", message)
-    return re.sub(r"\s+", "", re.sub(r"^\d+: ", "", message)).lower()
-
-
-def same_words(message, quote):
-    """Whether this is the message that owlint quotes. Under OWORD_WARNONLY warnings may stand before it."""
-    return bool(quote) and plain(message).endswith(plain(quote.encode().decode("latin-1")))
 
 
 class Claims:
@@ -24,6 +13,7 @@ class Claims:
         self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
         self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
         self.endless = [f for f in met if f["code"] in ENDLESS]
+        self.foreign = any(f["code"] == "OW319" for f in met)  # for another controller: it stops, and nobody is told where
         self.always = [f for f in self.stops + self.crashes if f["reach"] == "always" and f["severity"] == "error"]
 
     @property
@@ -47,13 +37,15 @@ def _fits(outcome, line):
 
 def judge(outcome, claims):
     """What owlint says wrongly about this outcome."""
-    if outcome.kind == "error" and not claims.stop_at(outcome):
+    if outcome.kind == "error" and not claims.foreign and not claims.stop_at(outcome):
         at = " on line %d" % outcome.line if outcome.line else ""
         yield "the interpreter stops%s (%s), owlint claims %s" % (at, outcome.message, claims.quoted or "no stop")
     if outcome.kind == "crash" and not any(f["start"]["line"] == outcome.line or not outcome.line for f in claims.crashes):
         yield "the interpreter crashes on line %d (%s), without OW503 there" % (outcome.line, outcome.message)
     if outcome.kind == "hang" and not claims.endless:
         yield "the interpreter never ends, without OW504, OW508 or OW510"
+    if outcome.kind == "ok" and claims.foreign:
+        yield "OW319 says that it is for another controller, but it runs"
     if outcome.kind == "ok":
         for f in claims.always:
             yield "%s on line %d is claimed for every run, but the program ends" % (f["code"], f["start"]["line"])

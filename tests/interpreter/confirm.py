@@ -3,10 +3,10 @@
 
 usage: confirm.py --owlint build/release/owlint [--record] [--only TEXT]
 
-Runs `rs274 -g` over the fixtures (tests/programs), the corpus, the examples on every rule's page and the table of
-expressions (tests/unit/expressions.tsv), and holds the outcomes against owlint's findings: each stop is claimed by a
-finding that quotes the interpreter's message; a stop of reach `always` happens; without such a finding the program
-ends.  The outcomes are kept in recorded.tsv (--record or OWLINT_UPDATE=1 writes it) and serve where rs274 is not installed.
+Runs `rs274 -g` over the fixtures (tests/programs), the corpus, the examples on every rule's page and the tables of
+expressions and of lines (tests/unit/expressions.tsv, known_lines.tsv), and holds the outcomes against owlint's findings: each stop is claimed by a
+finding that quotes the interpreter's message to the letter, but for where files lie; a stop of reach `always` happens;
+without such a finding the program ends.  The outcomes are kept in recorded.tsv (--record or OWLINT_UPDATE=1 writes it) and serve where rs274 is not installed.
 """
 import argparse
 import hashlib
@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import bundle
 import rs274
-from claims import Claims, judge, plain
+from claims import Claims, judge
 from linter import Linter
 from rs274 import Outcome
 
@@ -60,6 +60,12 @@ class Program:
         """What the interpreter's outcome depends on: not the words of expectations, which are comments."""
         text = re.sub(r"(?m)^; (asks|expect|options): .*?(?=\r?$)", ";", self.text)
         return hashlib.sha256(text.encode("latin-1")).hexdigest()[:12]
+
+
+def plain(message):
+    """A message as a page may write it: without what depends on the program and on how it is written."""
+    message = re.sub(r"(?i)(file:)\s*\S+?(?=\s|$)", r"\1PROGRAM", message)
+    return re.sub(r"\s+", "", re.sub(r"^\d+: ", "", message)).lower()
 
 
 # -- what there is to confirm
@@ -105,6 +111,19 @@ def expressions():
         if row and not row.startswith("#"):
             text, wanted = row.split("\t")
             yield Program("expression:" + text, "G21 G90\n#100=[%s]\nG0 X#100\nM2\n" % text), wanted
+
+
+# What a line that runs in any mode may find: LinuxCNC's start, and the opposite of all that.
+MODES = ["", "G20 G18 G91 G93 G99 G64 G59 G0 X1 M4 S5 M7 M49\n", "G19 G95 S100 M3 F1\nG81 X1 Y1 Z1 R2\n", "F100\nG2 X1 I0.5\nG92 X2\n"]
+
+
+def known_lines():
+    """Lines that surely_runs() says yes to, each in several modes: they must run."""
+    for row in read(os.path.join(ROOT, "tests", "unit", "known_lines.tsv")).splitlines():
+        kind, _, text = row.partition("\t")
+        if kind == "runs":
+            for number, modes in enumerate(MODES):
+                yield Program("line:%s:%d" % (text, number), "%s%s\nM2\n" % (modes, text))
 
 
 # -- recorded outcomes
@@ -189,7 +208,7 @@ def main(argv):
         options.record = True
     owlint = os.path.abspath(options.owlint)
     wanted = dict(expressions())
-    programs = [p for p in [*fixtures(), *corpus(), *pages(owlint), *wanted] if options.only in p.name]
+    programs = [p for p in [*fixtures(), *corpus(), *pages(owlint), *wanted, *known_lines()] if options.only in p.name]
     recorded = load()
     stale = []
     if rs274.available:
@@ -211,6 +230,8 @@ def main(argv):
             if said != wanted[program]:
                 problems.append("%s: `%s` expected, the interpreter says `%s`" % (program.name, wanted[program], said))
             continue
+        if program.name.startswith("line:") and outcome.kind != "ok":
+            problems.append("%s: said to run, the interpreter says %s: %s" % (program.name, outcome.kind, outcome.message))
         problems += ["%s: %s" % (program.name, p) for p in judge(outcome, Claims(findings[program.name]))]
         problems += ["%s: %s" % (program.name, p) for p in judge_page(program, outcome)]
     print("\n".join(problems) if problems else "all as owlint says")

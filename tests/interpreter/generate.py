@@ -13,7 +13,7 @@ import random
 import sys
 from dataclasses import replace
 
-from maker import Maker
+from maker import Line, Maker
 from mistakes import misspell, mutate
 from spelling import spell
 from value_maker import ValueMaker
@@ -59,6 +59,7 @@ def generate_files(seed):
     """A bundle (bundle.py) of a program and one to three files that it calls, with this seed."""
     rng = random.Random("files/%s" % seed)
     names = rng.sample(("drill", "probe_z", "300", "301", "face"), rng.randint(1, 3))
+    helper = rng.choice((500, 500, "step")) if rng.random() < 0.3 else None      # of one label in several files
     texts = {}
     for name in (None, *names):
         for _ in range(100):
@@ -70,13 +71,14 @@ def generate_files(seed):
                 break
         lines = [line for line in lines if not (name and line.plain == "%" and rng.random() < 0.7)]
         if name:
-            lines = called_file(lines, name, maker, rng)
+            lines = fanuc_file(name, maker) if name.isdigit() and rng.random() < 0.2 else called_file(lines, name, helper, maker, rng)
         # Calls of the other files, now and then of one that is not there.
         for _ in range(rng.choice((1, 1, 2)) if not name else rng.choice((0, 0, 1))):
             target = rng.choice([n for n in names if n != name] or ["nowhere"]) if rng.random() < 0.96 else "nowhere"
-            lines.insert(rng.randrange(len(lines) + 1), maker.oword(target, "call"))
-        if not name and rng.random() < 0.15:        # a sub of the program with the name of a file
-            lines[0:0] = maker.definition(rng.choice(names), 3)
+            fanuc = target.isdigit() and rng.random() < 0.15
+            lines.insert(rng.randrange(len(lines) + 1), Line(plain="M98 P%s" % target) if fanuc else maker.oword(target, "call"))
+        if not name and rng.random() < 0.15:        # a sub of the program with the name of a file, or of a helper
+            lines[0:0] = maker.definition(rng.choice([*names, helper or names[0]]), 3)
         if rng.random() < 0.08:
             lines = misspell(lines, maker, rng)
         texts[name] = spell(lines, rng)
@@ -88,22 +90,50 @@ def generate_files(seed):
     return text
 
 
-def called_file(lines, name, maker, rng):
+def called_file(lines, name, helper, maker, rng):
     """The lines of a file that is called `name`: mostly the sub of that name, with helpers behind or before it."""
     body = [line for line in lines if line.plain not in ("M2", "M30", "%")] if rng.random() < 0.8 else lines
+    own = [maker.oword(name, "sub")] + maker.block(6, 1, [], name) + [maker.oword(name, "endsub")]
     if rng.random() < 0.5:      # what the lines define stays, as helpers
-        cut = rng.randrange(len(lines) + 1)
-        own = [maker.oword(name, "sub")] + maker.block(6, 1, [], name) + [maker.oword(name, "endsub")]
-        lines = lines[:cut] + own + lines[cut:] if rng.random() < 0.3 else own + lines
+        cut = rng.randrange(len(lines) + 1) if rng.random() < 0.3 else 0
+        before, after = lines[:cut], lines[cut:]
     elif not any(line.keyword in ("sub", "endsub") for line in body):
-        lines = [maker.oword(name, "sub")] + body + [maker.oword(name, "endsub")]
+        before, own, after = [], [own[0], *body, own[-1]], []
     else:
-        lines = [maker.oword(name, "sub")] + maker.block(10, 1, [], name) + [maker.oword(name, "endsub")] + lines
+        before, after = [], lines
+    if helper and rng.random() < 0.8:
+        own.insert(rng.randrange(1, len(own)), maker.oword(helper, "call"))
+        definition = maker.definition(helper, 4)
+        before, after = (definition + before, after) if rng.random() < 0.2 else (before, definition + after)
+    if rng.random() < 0.15:     # passed over when the file is called
+        before = [maker.plain() for _ in range(rng.randint(1, 3))] + before
+    lines = before + inside(own, maker, rng) + after
     if rng.random() < 0.06:
         lines = [replace(line, label=rng.choice((name, 77))) if line.label == name else line for line in lines]
     if rng.random() < 0.06:
         del lines[rng.randrange(len(lines))]
     return lines
+
+
+def inside(own, maker, rng):
+    """A file's own sub, now and then with what does not belong into one."""
+    own = list(own)
+    at = rng.randrange(1, len(own))
+    kind = rng.random()
+    label = maker.label()
+    if kind < 0.1:
+        inner = maker.definition(label, 3)
+        own[at:at] = inner + ([maker.oword(label, "call")] if rng.random() < 0.6 else [])
+    elif kind < 0.16:
+        own.insert(at, maker.oword(label, "endsub"))
+    elif kind < 0.22:
+        own.insert(at, Line(plain=rng.choice(("M2", "M30"))))
+    return own
+
+
+def fanuc_file(name, maker):
+    """A file for M98."""
+    return [Line(int(name))] + maker.block(5, 1, [], None) + [Line(plain="M99")]
 
 
 def main(argv):

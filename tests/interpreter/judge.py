@@ -6,15 +6,20 @@ A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNO
   unwitnessed   no run ends where owlint claims a stop
   not always    a run ends elsewhere although owlint says that every run gets to this stop
   never stops   a finding says that nothing gets there, and that it stops there
+  other words   the stop is claimed there, with a message that the interpreter does not print
+  other body    another sub runs than the one that is written, and owlint does not say so (bodies.py)
+  no other body owlint says so, and no run shows it
 """
 from dataclasses import dataclass
 
-from messages import EOF, EOF_CODES, FILE_LACKS_SUB, UNKNOWN, codes_of
+from messages import EOF, EOF_CODES, FILE_LACKS_SUB, UNKNOWN, codes_of, same_words
+from oracle import for_interpreter
 
 CRASH = "OW503"
 HANGS = frozenset({"OW504", "OW508", "OW510"})
 HAZARDS = HANGS | {CRASH}
-MISS, UNWITNESSED, NOT_ALWAYS, NEVER_STOPS = "miss", "unwitnessed", "not always", "never stops"
+MISS, UNWITNESSED, NOT_ALWAYS, NEVER_STOPS, OTHER_WORDS = "miss", "unwitnessed", "not always", "never stops", "other words"
+OTHER_BODY, NO_OTHER_BODY = "other body", "no other body"
 
 
 @dataclass(frozen=True)
@@ -23,6 +28,7 @@ class Claim:
     line: int
     reach: str
     at_file_end: bool = False   # the finding stands at the cause; the interpreter stops where the file ends
+    message: str = ""           # what LinuxCNC says, as owlint quotes it, of the program as it runs here
 
 
 @dataclass(frozen=True)
@@ -36,7 +42,7 @@ class Disagreement:
     @property
     def key(self):
         """What must stay the same while a program is shrunk."""
-        return self.kind, self.codes, self.reach
+        return self.kind, self.codes, self.reach if self.kind != OTHER_WORDS else ""
 
     def __str__(self):
         codes = "|".join(sorted(self.codes))
@@ -45,6 +51,8 @@ class Disagreement:
             what = "the interpreter stops (%s)" % self.run.message if self.run.outcome == "error" else \
                 "the interpreter %ss after this line" % self.run.outcome.rstrip("e")
             return "miss: %s at %s: %s" % (codes or self.run.outcome, at, what)
+        if self.kind == OTHER_WORDS:
+            return "other words: %s at %s: `%s` is claimed, `%s` is said" % (codes, at, self.reach, self.run.words)
         if self.kind == NOT_ALWAYS:
             ends = self.run.message or "the program ends"
             where = " on line %d" % self.run.line if self.run.line else ""
@@ -58,9 +66,9 @@ def claims_of(findings):
     for f in findings:
         if f["stops"] and f["reach"] != "never" and f["code"] not in HAZARDS:
             at_file_end = codes_of(f.get("interpreter", "")) & {EOF} != set()
-            claims.add(Claim(f["code"], f["start"]["line"], f["reach"], at_file_end))
+            claims.add(Claim(f["code"], f["start"]["line"], f["reach"], at_file_end, for_interpreter(f.get("interpreter", ""))))
         if f["stops"] and f["reach"] != "never":
-            claims.update(Claim(c["code"], c["start"]["line"], "maybe") for c in f.get("consequences", []))
+            claims.update(Claim(c["code"], c["start"]["line"], "maybe", message=for_interpreter(c.get("interpreter", ""))) for c in f.get("consequences", []))
     return claims
 
 
@@ -106,8 +114,11 @@ def judge(findings, explorer, warnonly=False):
     found = []
     for end, run in explorer.ends.items():
         outcome, codes, line = end
-        if outcome == "error" and not any(_agrees(claim, end) for claim in claims):
+        agreeing = [claim for claim in claims if _agrees(claim, end)]
+        if outcome == "error" and not agreeing:
             found.append(Disagreement(MISS, codes, line, run))
+        elif outcome == "error" and not any(same_words(run.words, claim.message) for claim in agreeing):
+            found.append(Disagreement(OTHER_WORDS, codes, line, run, "|".join(sorted({claim.message for claim in agreeing}))))
         elif warnonly and run.warned and (
                 (outcome == "crash" and not any(h.code == CRASH and h.line == line for h in hazards)) or
                 (outcome == "hang" and not any(h.code in HANGS for h in hazards))):

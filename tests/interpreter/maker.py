@@ -10,6 +10,8 @@ CONDITIONAL = ("if", "elseif", "while", "repeat")
 KEYWORDS = ("sub", "endsub", "call", "do", "while", "repeat", "if", "elseif", "else", "endif", "break", "continue",
             "endwhile", "endrepeat", "return")
 
+M98_WORDS = ("", "", "", "", " L2", " L0", " G0 X7", " M2", " #31=4", " L-1", " P1", " X[1/0]")   # behind M98 P1
+M99_LINES = ("M99",) * 8 + ("G0 X8 M99", "M99 G0 X8", "(back) M99")
 
 @dataclass(frozen=True)
 class Line:
@@ -198,15 +200,15 @@ class Maker:
     def fanuc(self):
         rng = self.rng
         main, one, two = rng.sample((1, 2, 3, 100, 200), 3)
-        call = lambda label: Line(plain="M98 P%d%s" % (label, rng.choice(("", "", " L2", " L0"))))
+        call = lambda label: Line(plain="M98 P%d%s" % (label, rng.choice(M98_WORDS)))
         body = lambda label: [self.plain()] + self.block(5, 2, [], None) + ([call(two)] if rng.random() < 0.3 else [])
         lines = [Line(main)] if rng.random() < 0.5 else []
         for _ in range(rng.randint(1, 3)):
             lines += [self.plain(), call(rng.choice((one, one, two))) if rng.random() < 0.8 else self.oword(one, "call")]
-        lines.append(Line(plain=rng.choice(("M2", "M2", "M30", "M99", "G0 X9"))))
+        lines.append(Line(plain=rng.choice(("M2", "M2", "M30", "M99", "G0 X9", "G0 X8 M99", "M99 P10"))))
         for label in (one, two):
             if rng.random() < 0.15:
                 lines += self.definition(label, 4)
             else:
-                lines += [Line(label)] + body(label) + [Line(plain="M99") if rng.random() < 0.85 else self.plain()]
+                lines += [Line(label)] + body(label) + [Line(plain=rng.choice(M99_LINES)) if rng.random() < 0.85 else self.plain()]
         return lines

@@ -15,6 +15,8 @@ _BY_KEYWORD = {
     "duplicate O-word label": {"repeat": "OW102", "while": "OW103", "if": "OW104"},
     "no matching label": {"endif": "OW106", "endwhile": "OW108", "endrepeat": "OW108"},
 }
+_FILE = re.compile(r"((?i:file):)\s*\S+?(?=\s|$)")
+_WARNING = re.compile(r"\d+: (duplicate|undefined|no matching|not in a)")
 # The quoted line of a message: 'o100 end if (comment)'.  Blanks inside words are kept there, the case is not.
 _KEYWORDS = ("endsub", "sub", "endwhile", "while", "endrepeat", "repeat", "elseif", "else", "endif", "if",
              "break", "continue", "return", "call", "do")
@@ -35,22 +37,23 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"Too many subroutine levels", "OW210"),
     (r"Fanuc 'O|'O\.\.\.\. ", "OW211"),
     (r"Found 'm98' code", "OW208"),
-    (r"Unknown control command", "OW301"),
+    (r"Unknown m code used: M98|convert_stop\(\) from M99|Multiple \S+ words|Negative l word|P word with no", "OW217"),
+    (r"Unknown control command", "OW301 OW314"),
     (r"Left bracket missing", "OW302"),
-    (r"Unexpected character after O-word", "OW304 OW303"),
+    (r"Unexpected character after O-word", "OW304 OW303 OW217"),
     (r"Named parameter .* not defined", "OW603"),
     (r"read-?only", "OW604"),
     (r"divide by zero|Zero to negative power|[Nn]egative argument to|raise negative|Calculation resulted|out of range",
      "OW512 OW303 OW604"),
     (r"Unclosed expression|Unknown operation|Unknown word where|Slash missing|bad number format|"
-     r"Unknown operator|Bad number", "OW303 OW306"),
+     r"Unknown operator|Bad number", "OW303 OW306 OW314 OW318"),
     (r"comment found", "OW308"),
     (r"Command too long", "OW309"),
-    (r"No characters found in reading real value|Unknown word starting with", "OW306 OW303"),
-    (r"Non integer value", "OW306 OW303 OW512"),
+    (r"No characters found in reading real value|Unknown word starting with", "OW306 OW303 OW318"),
+    (r"Non integer value", "OW306 OW303 OW512 OW217"),
     (r"Bad character 'o'", "OW305"),
     (r"Bad character '%'", "OW315 OW314"),
-    (r"Bad character", "OW303 OW305 OW306 OW307 OW313 OW314"),
+    (r"Bad character", "OW303 OW305 OW306 OW307 OW313 OW314 OW318"),
 )]
 
 
@@ -80,9 +83,16 @@ def call_line(message):
     return int(found.group(1)) if found else None
 
 
-def moved_up(message, lines):
-    """The message with its line numbers less by `lines`."""
-    return re.sub(r"^\d+(?=: )|(?<=line )\d+|(?<=line:)\d+|(?<=line: )\d+", lambda m: str(int(m[0]) - lines), message)
+def same_words(message, quote):
+    """Whether the interpreter's message is what owlint quotes, to the letter but for where files lie.  Under OWORD_WARNONLY
+    the messages of its warnings stand before it."""
+    message, quote = (_FILE.sub(r"\1FILE", text).replace("\t", " ") for text in (message, quote.encode().decode("latin-1")))
+    return bool(quote) and (message == quote or (message.endswith(quote) and _WARNING.match(message) is not None))
+
+
+def renumbered(message, change):
+    """The message with its line numbers changed."""
+    return re.sub(r"^\d+(?=: )|(?<=line )\d+|(?<=line:)\d+|(?<=line: )\d+", lambda m: str(change(int(m[0]))), message)
 
 
 def warned_lines(text):

@@ -41,7 +41,7 @@ except ImportError as error:
     sys.exit(2)
 
 import bundle
-from messages import EOF, FILE_LACKS_SUB, call_line, codes_of, moved_up, warned_lines
+from messages import EOF, FILE_LACKS_SUB, call_line, codes_of, renumbered, warned_lines
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CPU_LIMIT_S = 0.05          # of its own processor time: what a busy machine adds in the kernel makes no hang; 150 usual runs
@@ -69,6 +69,12 @@ class Run:
     trace: tuple
     warned: tuple = ()              # OWORD_WARNONLY: the lines warned about
     calls: tuple = ()               # with `record`: what the machine was told, a text for each call
+    in_files: bool = False          # the program calls files
+
+    @property
+    def words(self):
+        """The message with the line numbers of its file: called files begin behind FILE_LINES lines each."""
+        return renumbered(self.message, lambda line: line % FILE_LINES) if self.in_files else self.message
 
     @property
     def choices(self):
@@ -200,12 +206,12 @@ class Interpreter:
         if not failed:
             return Run("ok", 0, frozenset(), "", self._trace(), warned)
         if self.warnonly:
-            message = moved_up(message, PADDING)
+            message = renumbered(message, lambda line: line - PADDING)
         codes = codes_of(message)
         call = call_line(message)
         line = 0 if EOF in codes or FILE_LACKS_SUB in codes else self._line(call) if call and self.called else \
             call or self._line_at(data, offset)
-        return Run("error", line, codes, message, self._trace(), warned)
+        return Run("error", line, codes, message, self._trace(), warned, in_files=bool(self.called))
 
     def _lay_out(self, text):
         """Put the files that the program calls where it finds them: -> its parts as in bundle.split"""

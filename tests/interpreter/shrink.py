@@ -1,6 +1,7 @@
 """Makes a program that shows a disagreement as short as it can be while it still shows it."""
 import os
 
+from bodies import judge_bodies
 from explore import Explorer
 from judge import is_witnessed, judge, to_witness
 from oracle import FROM_BEFORE
@@ -12,7 +13,8 @@ def investigate(interpreter, text, findings, warnonly, seed=0, first=150, patien
     explorer.explore(first, patience)
     claims = to_witness(findings, warnonly)
     explorer.search(more, lambda: all(is_witnessed(claim, explorer) for claim in claims))
-    return explorer, judge(findings, explorer, warnonly)
+    bodies, explorer.asked, explorer.other_bodies = judge_bodies(interpreter, text, findings, seed) if not warnonly else ([], 0, 0)
+    return explorer, judge(findings, explorer, warnonly) + bodies
 
 
 def has_before(lines):

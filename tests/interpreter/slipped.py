@@ -39,9 +39,9 @@ from dataclasses import dataclass, replace
 
 import bundle
 import rs274
-from claims import Claims, same_words
+from claims import Claims
 from confirm import Program, corpus, fixtures, read
-from messages import EOF, UNKNOWN, codes_of
+from messages import EOF, UNKNOWN, codes_of, same_words
 from slips import slip
 
 NCFILES = "/usr/share/linuxcnc/ncfiles"
