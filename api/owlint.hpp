@@ -1,5 +1,5 @@
-// owlint for C++ programs: checks the text of a program for LinuxCNC and gives the findings. Find it with CMake's
-// find_package(owlint) and link owlint::owlint; examples/check.cc is a whole program.
+// owlint for C++ programs: checks the text of a LinuxCNC program and returns the findings. In CMake, use
+// find_package(owlint) and link owlint::owlint; examples/check.cc is a complete program.
 //
 // Any number of threads may check at the same time. Lines and columns count from 1, columns in code points; offsets count
 // bytes from 0; ends are exclusive.
@@ -14,9 +14,9 @@ namespace owlint::api {
 
 enum class Severity { kInfo, kWarning, kError };
 
-/// As the options of `owlint check`; empty where not given.
+/// The same as the options of `owlint check`; empty if not given.
 struct Options {
-  std::string path;      ///< what the program is called; its folder is where called files are looked for without an INI
+  std::string path;      ///< the program's path; without an INI, called files are looked for in its folder
   std::string ini;       ///< INI of the machine
   std::string linuxcnc;  ///< 2.7, 2.8, 2.9, 2.10 or all
   std::string feature;   ///< FEATURE mask, as 32 or 0x20
@@ -32,14 +32,14 @@ struct Finding {
   std::string code;         ///< OW104
   std::string rule;         ///< if-label-reused
   Severity severity{};
-  bool stops = false;       ///< LinuxCNC stops here with this error, on some run at least
-  std::string message;      ///< what was seen
-  std::string interpreter;  ///< what LinuxCNC prints; may be empty
+  bool stops = false;       ///< LinuxCNC stops here with this error, at least on some runs
+  std::string message;      ///< what is wrong
+  std::string interpreter;  ///< the message that LinuxCNC prints; may be empty
   std::string help;         ///< how to fix it; may be empty
   Place begin, end;
 };
 
-/// The findings in a program, ordered by place. Throws std::invalid_argument where the options are wrong, or the INI cannot
+/// The findings in a program, ordered by position. Throws std::invalid_argument if the options are wrong or the INI cannot
 /// be read.
 std::vector<Finding> check(std::string_view text, const Options& options = {});
 

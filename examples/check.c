@@ -1,4 +1,4 @@
-/* Checks a program before it is sent to the machine: `check FILE`; ends with 1 where LinuxCNC would stop. */
+/* Checks a program before it is sent to the machine: `check FILE`; exits with 1 if LinuxCNC would stop. */
 #include <owlint.h>
 #include <stdio.h>
 #include <stdlib.h>

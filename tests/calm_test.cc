@@ -1,4 +1,4 @@
-// Very large programs are analysed coarsely, and stretches of lines in which nothing can go wrong are passed over in one
+// Very large programs are analysed coarsely, and stretches of lines in which nothing can go wrong are skipped in one
 // step. Nothing may be lost by that: on fixtures, on the corpus and on a few thousand damaged copies of both, the findings
 // must be those of going line by line.
 #include <random>

@@ -57,7 +57,7 @@ TEST_CASE("exit status 2 for wrong usage", "[cli]") {
 TEST_CASE("an unknown option is named, also where it took the place of a path", "[cli]") {
   CHECK(run({"-x.ngc"}).err == "owlint: unknown option `-x.ngc`; `--help` lists all, and what comes after `--` is a path\n");
   CHECK(run({"--selct", "OW1", "a.ngc"}).err == "owlint: unknown option `--selct`, did you mean `--select`?\n");
-  CHECK(contains(run({"check"}).err, "PATH is required"));
+  CHECK(contains(run({"check"}).err, "needs PATH"));
 }
 
 TEST_CASE("a path in a report is the file's, line ends and all", "[cli]") {
@@ -110,7 +110,7 @@ TEST_CASE("what cannot be read does not keep the rest from being checked", "[cli
   }
 }
 
-TEST_CASE("a folder takes its programs and none is worth a word", "[cli]") {
+TEST_CASE("a folder takes its programs; one without any is an error, unless it may be empty", "[cli]") {
   const Scratch s;
   s.write("programs/a.ngc", kGood);
   s.write("programs/deep/b.NC", kBad);
@@ -122,9 +122,16 @@ TEST_CASE("a folder takes its programs and none is worth a word", "[cli]") {
   CHECK(contains(r.err, "in 2 files"));
   std::filesystem::create_directory(s.path() + "/empty");
   const Run none = run({"--isolated", s.path() + "/empty"});
-  CHECK(none.status == 0);
+  CHECK(none.status == 2);
   CHECK(contains(none.err, "no programs in "));
   CHECK(none.out.empty());
+  CHECK(run({"fmt", s.path() + "/empty"}).status == 2);
+  const Run allowed = run({"--isolated", "--allow-empty", s.path() + "/empty"});
+  CHECK(allowed.status == 0);
+  CHECK(allowed.err.empty());
+  const Run both = run({"--isolated", s.path() + "/empty", s.path() + "/programs"});  // the rest is still checked
+  CHECK(both.status == 2);
+  CHECK(contains(both.out, "deep/b.NC:3:1"));
 }
 
 TEST_CASE("a file given twice is checked once", "[cli]") {

@@ -69,7 +69,7 @@ TEST_CASE("every rule is one file that is named after it", "[coverage]") {
 TEST_CASE("every rule has a page with all parts", "[coverage]") {
   for (const auto& rule : rules()) {
     INFO(rule["code"].get<std::string>());
-    for (const char* part : {"summary", "what", "why", "bad", "good", "fix"}) {
+    for (const char* part : {"summary", "what", "why", "bad", "good", "fix", "level_reason"}) {
       INFO(part);
       const auto text = rule[part].get<std::string>();
       CHECK_FALSE(text.empty());
@@ -77,7 +77,7 @@ TEST_CASE("every rule has a page with all parts", "[coverage]") {
       CHECK(text.find(" \n") == std::string::npos);
     }
     for (const char* part : {"bad", "good"}) CHECK(rule[part].get<std::string>().back() == '\n');
-    for (const char* part : {"what", "why", "fix"}) CHECK(rule[part].get<std::string>().back() == '.');
+    for (const char* part : {"what", "why", "fix", "level_reason"}) CHECK(rule[part].get<std::string>().back() == '.');
     CHECK(rule["bad"].get<std::string>() != rule["good"].get<std::string>());
     CHECK_FALSE(rule["summary"].get<std::string>().ends_with('.'));
   }

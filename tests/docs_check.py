@@ -10,6 +10,8 @@ What a document may say, each fence and comment at the beginning of its line:
                            status the command ends; without it the status must be 0.  A command whose line ends in a
                            backslash goes on in the next one.
 <!-- files: a.ngc, b.ngc --> the next fenced blocks, as many as there are names, are the contents of these files.
+                           A file below `wrong/` must stop, hang or move otherwise than the one of that name below `right/`, which
+                           must run, and owlint must find nothing in it; of a folder there, its `program.ngc`.
 <!-- owlint.toml -->       the next block, marked ```toml, must be accepted by owlint as its configuration.
 
 All other blocks are left alone.  A document's files and commands come in their order and share one scratch folder, in which
@@ -26,6 +28,9 @@ import re
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "interpreter"))
+import rs274  # noqa: E402
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 ANY = "…"
@@ -148,6 +153,26 @@ class Folder:
         lines = done.stdout.decode("utf-8", "replace").replace(self.home, HOME).splitlines()
         return lines + ["[exit %d]" % done.returncode] if done.returncode else lines
 
+    def confirm(self, right):
+        """What the interpreter and owlint have against a right program, or do not have against the wrong one."""
+        wrong = "wrong/" + right.split("/", 1)[1]
+        printed = self.run("owlint check " + os.path.basename(right), os.path.dirname(right))
+        if printed != ["nothing found in 1 file"]:
+            yield "owlint finds something in %s:\n  %s" % (right, "\n  ".join(printed))
+        if not rs274.available:
+            return
+        paths = [os.path.join(self.path, name) for name in (right, wrong)]
+        outcomes = [rs274.run(path, "files") for path in paths]
+        if outcomes[0].kind != "ok":
+            yield "%s does not run: %s" % (right, outcomes[0].message)
+        if outcomes[1].kind == "ok" and self.moves(paths[0]) == self.moves(paths[1]):
+            yield "%s runs and moves as %s does" % (wrong, right)
+
+    def moves(self, path):
+        folder = os.path.dirname(path)
+        done = subprocess.run(["rs274", "-g", os.path.basename(path)], stdin=subprocess.DEVNULL, capture_output=True, cwd=folder, env=self.env, timeout=60)
+        return re.findall(r"(?:STRAIGHT|ARC)_\w+\([^)]*\)", done.stdout.decode("latin-1"))
+
     def refusal(self, toml):
         """What owlint has against a configuration. An INI that it names is there."""
         with tempfile.TemporaryDirectory(dir=self.home) as folder:
@@ -171,6 +196,7 @@ class Document:
         self.problems = []
         self.other_outputs = 0    # how many of the problems are fixed by --update
         self.commands = self.configurations = 0
+        self.rights = []          # (line, name) of files below right/
         self.unmarked = []        # lines of blocks that look as if they were meant to be run
 
     def complain(self, line, message):
@@ -191,11 +217,17 @@ class Document:
                     changes += self.run(block, folder)
                 elif any(line.startswith("$ ") for line in block.lines):
                     self.unmarked.append(block.first)
+                if block.name is not None and block.name.startswith("right/"):
+                    self.rights.append((block.first, block.name))
                 if block.is_configuration:
                     self.configurations += 1
                     refused = folder.refusal("".join(line + "\n" for line in block.lines))
                     if refused:
                         self.complain(block.first, "owlint does not accept this configuration:\n  " + "\n  ".join(refused))
+            for line, name in self.rights:
+                if name.count("/") == 1 or name.endswith("/program.ngc"):
+                    for complaint in folder.confirm(name):
+                        self.complain(line, complaint)
         updated = list(self.lines)
         for begin, end, new in reversed(changes):
             updated[begin:end] = new

@@ -172,3 +172,59 @@ TEST_CASE("a comment never comes before the % that begins a program", "[cli][sup
   check({"--extend-select", "OW", "--add-suppressions", "--reason", "(old)", path});
   CHECK(read_file(path).starts_with("%\n"));
 }
+
+TEST_CASE("what --fix cannot write is still there, and is reported", "[cli][fix]") {
+  const Scratch s;
+  ::chmod(s.path().c_str(), 0755);
+  const auto fails = [&](const std::string& script, const std::string& reason) {
+    const Run run = shell(script, s.path());
+    INFO(run.out << run.err);
+    CHECK(run.status == 2);
+    CHECK(run.err.find("owlint: cannot write bad.ngc: " + reason + "\n") == 0);
+    CHECK(run.out.find("bad.ngc:5:1: error") == 0);
+    CHECK(run.err.find("1 error in ") != std::string::npos);
+    CHECK(read_file(s.path() + "/bad.ngc") == kTwice);
+    CHECK(files_below(s.path()).size() == (std::filesystem::exists(s.path() + "/other.ngc") ? 2 : 1));  // no rest of a try
+    return run;
+  };
+  s.write("bad.ngc", kTwice);
+  // The file gets no longer than nothing: a full disk.
+  const Run full = fails("trap '' XFSZ; ulimit -f 0; $OWLINT --isolated --no-find-ini --fix bad.ngc 2>&1 >&3 3>&- | cat >&2; exit ${PIPESTATUS[0]}", "File too large");
+  CHECK(full.err.find("fixed") == std::string::npos);
+  if (::geteuid() != 0) return;  // root may write everything, and becomes somebody else for this
+  const std::string as_nobody = "setpriv --reuid 65534 --regid 65534 --clear-groups $OWLINT --isolated --no-find-ini --fix ";
+  fails(as_nobody + "bad.ngc", "Permission denied");
+  // The rest is still fixed.
+  s.write("other.ngc", kTwice);
+  ::chmod((s.path() + "/other.ngc").c_str(), 0666);
+  const Run folder = fails(as_nobody + "bad.ngc other.ngc", "Permission denied");
+  CHECK(folder.err.find("owlint: cannot write other.ngc: no file can be made in its folder: Permission denied\n") != std::string::npos);
+  ::chmod(s.path().c_str(), 0777);
+  const Run other = fails(as_nobody + "bad.ngc other.ngc", "Permission denied");
+  CHECK(other.err.find("fixed 1 finding in 1 file\n1 error in 2 files\n") != std::string::npos);
+  CHECK(read_file(s.path() + "/other.ngc") == kFixed);
+}
+
+TEST_CASE("two names of one file are fixed once", "[cli][fix]") {
+  const Scratch s;
+  const std::string path = s.write("twice.ngc", kTwice);
+  std::filesystem::create_symlink("twice.ngc", s.path() + "/link.ngc");
+  const Run run = check({"--fix", path, s.path() + "/link.ngc"});
+  CHECK(run.status == 0);
+  CHECK(read_file(path) == kFixed);
+  CHECK(std::filesystem::is_symlink(s.path() + "/link.ngc"));
+}
+
+TEST_CASE("a fixed program that cannot be put out is an error", "[cli][fix]") {
+  const Scratch s;
+  s.write("twice.ngc", kTwice);
+  const Run full = shell("owlint --isolated --fix - < twice.ngc > /dev/full", s.path());
+  CHECK(full.status == 2);
+  CHECK(full.err.find("owlint: cannot write to standard output\n") != std::string::npos);
+  CHECK(shell("owlint --isolated twice.ngc > /dev/full", s.path()).status == 2);
+  CHECK(shell("owlint explain OW101 > /dev/full", s.path()).status == 2);
+}
+
+TEST_CASE("standard input that needs no suppression is put out as it is", "[cli][suppression]") {
+  CHECK(check({"--add-suppressions", "--reason", "old", "-"}, kFixed).out == kFixed);
+}

@@ -65,6 +65,25 @@ TEST_CASE("of several INIs none is used", "[machine]") {
   CHECK(check(folder, "--isolated --ini other.ini programs").status == 1);
 }
 
+TEST_CASE("however many INIs there are, a check and an audit say it in two lines", "[machine]") {
+  const Scratch folder;
+  for (const std::string name : {"a", "b", "c", "d", "e"}) {
+    folder.write(name + "/machine.ini", kIni);
+    folder.write(name + "/p.ngc", "M2\n");
+    folder.write(name + "2/one.ini", kIni);
+    folder.write(name + "2/two.ini", kIni);
+    folder.write(name + "2/p.ngc", "M2\n");
+  }
+  for (const char* command : {"check --isolated .", "audit --isolated ."}) {
+    INFO(command);
+    const Run run = owlint::test::owlint(words(command), "", folder.path());
+    CHECK(contains(run.err, "using 5 machine INIs, each for the programs in and below its folder: a/machine.ini, b/machine.ini, c/machine.ini and 2 more (--no-find-ini turns this off)\n"));
+    CHECK(contains(run.err, "5 folders have several machine INIs each, and none of these is used: "));
+    CHECK(contains(run.err, "is used: a2, b2, c2 and 2 more; choose one with --ini, or with `ini` in an owlint.toml there\n"));
+    CHECK_FALSE(contains(run.err, "d/machine.ini"));
+  }
+}
+
 TEST_CASE("an INI that cannot be read is a usage error, an include that cannot is a note", "[machine]") {
   const Scratch folder;
   write_machine(folder);
@@ -130,7 +149,7 @@ TEST_CASE("called files and the INI of a program with an absolute path have abso
 TEST_CASE("files that others call are no programs", "[machine]") {
   const Scratch folder;
   folder.write("machine.ini", kIni + "REMAP = M410 modalgroup=10 ngc=remapped\n[HALUI]\nMDI_COMMAND = o<button> call [1]\n");
-  // Code behind the sub, no M2: as a program each of these would stop at its end.
+  // Code after the sub, no M2: as a program each of these would stop at its end.
   for (const char* name : {"called", "remapped", "button"}) {
     folder.write(std::string("subs/") + name + ".ngc", std::string("o<") + name + "> sub\nG0 X#1\no<" + name + "> endsub\nG0 X0\n");
   }

@@ -43,7 +43,7 @@ std::vector<Deletion> deletions() {
   return out;
 }
 
-/// Whether between two lines of the program without the end nothing but blank lines and comments stand.
+/// Whether only blank lines and comments are between two lines of the program without the end.
 bool same_place(const Source& source, uint32_t a, uint32_t b) {
   for (uint32_t line = std::min(a, b); line < std::max(a, b); ++line) {
     const std::string_view text = source.slice(source.line(line));

@@ -9,6 +9,7 @@ Needs Debian's python3-jsonschema; without it ctest shows the test as not run.
 import argparse
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -47,7 +48,8 @@ CONFIGURATIONS = (
     (True, 'select = ["OW1", "OW304"]\nignore = []\nextend-select = ["OW311"]'), (True, '[severity]\nOW315 = "off"'),
     (True, '[[overrides]]\nfiles = ["old/*"]\nignore = ["OW3"]\n[overrides.severity]\nOW2 = "info"'),
     (False, "ini = 5"), (False, 'sub-path = "."'), (False, 'sub-path = [""]'), (False, 'linuxcnc = "3.0"'), (False, "feature = -1"), (False, 'feature = "x"'), (False, 'find-ini = "no"'), (False, 'selekt = ["OW1"]'),
-    (False, 'select = "OW1"'), (False, 'select = ["X1"]'), (False, 'select = ["ow1"]'), (False, '[severity]\nOW315 = "fatal"'), (False, '[[overrides]]\nignore = ["OW3"]'),
+    (False, 'select = "OW1"'), (False, 'select = ["X1"]'), (True, 'select = ["ow1", "if-label-reused"]'), (True, '[severity]\nif-label-reused = "off"'), (False, 'select = ["if label reused"]'),
+    (True, 'fail-on = "warning"'), (False, 'fail-on = "off"'), (True, 'exclude = ["old/", "*.bak"]\ninclude = ["*.txt"]'), (False, 'exclude = "old"'), (False, 'include = [""]'), (False, '[severity]\nOW315 = "fatal"'), (False, '[[overrides]]\nignore = ["OW3"]'),
     (False, '[[overrides]]\nfiles = []'), (False, '[[overrides]]\nfiles = ["a"]\nini = "a.ini"'), (False, "[overrides]"),
 )
 
@@ -63,6 +65,25 @@ def wrong_configurations(owlint, validator):
             valid = validator.is_valid(tomllib.loads(text))
             if (taken, valid) != (right, right):
                 yield "owlint.toml %r: owlint says %s, the schema %s" % (text, taken, valid)
+
+
+def undocumented_keys(validator):
+    """Keys without a description in the schema, or without a heading in docs/configuration.md; headings of no key."""
+    def keys(schema):
+        for key, value in schema.get("properties", {}).items():
+            if not value.get("description"):
+                yield key, "has no description in the schema"
+            yield key, None
+            yield from keys(value.get("items", {}))
+    with open(os.path.join(ROOT, "docs", "configuration.md"), encoding="utf-8") as f:
+        headings = set(re.findall(r"^#+ `([^`]+)`$", f.read(), re.M))
+    named = set()
+    for key, problem in keys(validator.schema):
+        named.add(key)
+        if problem or key not in headings:
+            yield "owlint.toml: `%s` %s" % (key, problem or "has no heading in docs/configuration.md")
+    for key in headings - named:
+        yield "docs/configuration.md has `%s`, which the schema does not" % key
 
 
 def wrong_baselines(owlint, validator):
@@ -99,7 +120,8 @@ def main(argv):
         print("schema_check.py: skipped, python3-jsonschema is not installed")
         return SKIPPED
     validator = validator_of(jsonschema, "report")
-    problems = [*wrong_reports(validator), *wrong_configurations(options.owlint, validator_of(jsonschema, "config")),
+    config = validator_of(jsonschema, "config")
+    problems = [*wrong_reports(validator), *wrong_configurations(options.owlint, config), *undocumented_keys(config),
                 *wrong_baselines(options.owlint, validator_of(jsonschema, "baseline"))]
     files = findings = 0
     for more in RUNS:

@@ -7,7 +7,7 @@
 namespace owlint {
 namespace {
 
-/// By statement: how much deeper its own line is than the level before it, and the lines behind it. Both are sums.
+/// By statement: how much deeper its own line is than the level before it, and the lines after it. Both are sums.
 struct Steps {
   std::vector<int> line, behind;
 };

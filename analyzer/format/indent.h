@@ -1,5 +1,5 @@
-// The formatter: leading indentation follows subs and blocks, nothing else changes. LinuxCNC drops blanks, so that it
-// sees the same program, but counts them: no line grows beyond what it reads.
+// The formatter: indents lines by subs and blocks and changes nothing else. LinuxCNC removes spaces, so it sees the same
+// program; but it counts them, so no line grows beyond what LinuxCNC reads.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 namespace owlint {
 
 struct IndentStyle {
-  size_t width = 2;    ///< columns a level
-  bool spaces = true;  ///< else one tab a level
+  size_t width = 2;    ///< columns for each level
+  bool spaces = true;  ///< else one tab for each level
 };
 
-/// What has to change for a program to be indented by its structure; edits of the blanks at the beginning of lines, in
-/// the order of the lines. Blocks and subs without their ends do not indent.
+/// The edits that indent a program by its structure: only spaces at the beginning of lines, in the order of the lines.
+/// Blocks and subs without an end do not indent.
 std::vector<Edit> indentation(const Program& program, const IndentStyle& style);
 
 }  // namespace owlint

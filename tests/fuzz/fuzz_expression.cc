@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (parser.cursor > line.size()) std::abort();
   if (id == kNoExpr) {
     const Span span = line.span(parser.error().from, parser.error().to);
-    if (parser.error().message.empty() || span.begin > span.end || span.end > size + 1) std::abort();
+    if (parser.error().message.empty() || span.begin > span.end || span.end > size) std::abort();
     return 0;
   }
   for (ExprId i = 0; i < pool.size(); ++i) {

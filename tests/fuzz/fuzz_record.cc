@@ -1,4 +1,4 @@
-// Any bytes may stand in a damaged store: they are refused, or give findings that every format can write.
+// A damaged store may contain any bytes: they are refused, or give findings that every format can write.
 #include <sstream>
 
 #include "analyzer/audit/record.h"

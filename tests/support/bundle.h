@@ -1,4 +1,4 @@
-// Programs of several files in one text: what stands before the first line `; file: NAME` is `program.ngc`, what follows
+// Programs of several files in one text: the text before the first line `; file: NAME` is `program.ngc`, what follows
 // such a line is the file of that name. Fixtures and the examples of rules about files are written so.
 #pragma once
 

@@ -5,7 +5,7 @@
 //   ; expect: OW104 7:1-7:8 error always stops
 //   ; expect: nothing
 //
-// The lines stand anywhere in the program, or, where they would change it, in `<program>.expect` without the `; `.
+// The lines are anywhere in the program, or, where they would change it, in `<program>.expect` without the `; `.
 // An expectation is a finding's code, place, severity, reach, and whether the interpreter stops there or runs on; in a
 // bundle (bundle.h) the file comes first where it is not the program.
 #pragma once

@@ -15,12 +15,13 @@
 
 namespace owlint::test {
 
-Run owlint(const std::vector<std::string>& arguments, const std::string& input, const std::string& folder) {
+namespace {
+
+Run run_program(std::string program, const std::vector<std::string>& arguments, const std::string& input, const std::string& folder) {
   const Scratch scratch;
   const std::string in = scratch.write("in", input);
   const std::string out = scratch.write("out", "");
   const std::string err = scratch.write("err", "");
-  std::string program = OWLINT_PROGRAM;
   std::vector<char*> argv{program.data()};
   std::vector<std::string> copies = arguments;
   for (std::string& argument : copies) argv.push_back(argument.data());
@@ -45,6 +46,14 @@ Run owlint(const std::vector<std::string>& arguments, const std::string& input, 
   run.out = read_file(out);
   run.err = read_file(err);
   return run;
+}
+
+}  // namespace
+
+Run owlint(const std::vector<std::string>& arguments, const std::string& input, const std::string& folder) { return run_program(OWLINT_PROGRAM, arguments, input, folder); }
+
+Run shell(const std::string& script, const std::string& folder) {
+  return run_program("/bin/bash", {"-c", std::string("owlint() { ") + OWLINT_PROGRAM + " \"$@\"; }; export OWLINT=" + OWLINT_PROGRAM + "; " + script}, "", folder);
 }
 
 std::vector<std::string> words(const std::string& line) {

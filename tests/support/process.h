@@ -18,6 +18,9 @@ struct Run {
 /// Runs owlint with these arguments; `input` is its standard input, `folder` where it runs (here, when empty).
 Run owlint(const std::vector<std::string>& arguments, const std::string& input = {}, const std::string& folder = {});
 
+/// Runs a script with bash in a folder; `owlint` is the built program there.
+Run shell(const std::string& script, const std::string& folder);
+
 /// The words of a line of options; blanks separate them.
 std::vector<std::string> words(const std::string& line);
 

@@ -43,7 +43,7 @@ def installed(build, prefix):
     for path in ("share/owlint/owlint-report-1.schema.json", "share/owlint/owlint-config-1.schema.json", "share/owlint/owlint-baseline-1.schema.json",
                  "share/doc/owlint/rules/OW104.md", "include/owlint.h"):
         check(os.path.isfile(os.path.join(prefix, path)), "not installed: " + path)
-    commands = [line.split()[0] for line in run(owlint, "--help").stdout.split("Subcommands:")[1].splitlines() if line.startswith("  ") and line[2] != " "]
+    commands = [line.split()[0] for line in run(owlint, "--help").stdout.split("Commands:")[1].splitlines() if line.startswith("  ") and line[2] != " "]
     check(len(commands) >= 7, "commands: %s" % commands)
     for page in ["owlint"] + ["owlint-" + command for command in commands]:
         check(os.path.isfile(os.path.join(prefix, "share/man/man1/%s.1" % page)), "no manual page " + page)
@@ -68,6 +68,27 @@ def readable(prefix, commands):
     check(set(commands) <= set(offered("owlint", "")), "bash does not offer the commands")
     check(offered("owlint", "check", "--format", "sa") == ["sarif"], "bash does not offer values")
     check("--baseline" in offered("owlint", "check", "--b"), "bash does not offer options")
+    check(offered("owlint", "check", "--select", "OW104") == ["OW104"], "bash does not offer codes")
+    check(offered("owlint", "check", "--select", "ow104") == ["OW104"], "bash does not offer codes for small letters")
+    check(offered("owlint", "check", "--ignore", "OW1,if-label") == ["OW1,if-label-reused"], "bash does not offer names behind a comma")
+    check(offered("owlint", "explain", "if-part") == ["if-part-mismatch"], "bash does not offer rules to explain")
+    check(offered("owlint", "check", "--severity", "OW104", "=", "w") == ["warning"], "bash does not offer severities")
+    check(offered("owlint", "check", "--fail-on", "=", "w") == ["warning"], "bash does not offer values behind `=`")
+    check(offered("owlint", "check", "--linuxcnc", "2.1") == ["2.10"], "bash does not offer versions")
+    check(offered("owlint", "audit", "export", "--format", "sa") == ["sarif"], "bash does not offer values of a command's command")
+    check({"list", "show"} <= set(offered("owlint", "audit", "")), "bash does not offer a command's commands")
+    if shutil.which("fish"):
+        fish = os.path.join(prefix, "share/fish/vendor_completions.d/owlint.fish")
+
+        def by_fish(line):
+            done = run("fish", "--no-config", "-c", "source $argv[1]; complete -C $argv[2]", fish, line)
+            return [offer.split("\t")[0] for offer in done.stdout.splitlines()]
+
+        check(by_fish("owlint check --format sa") == ["sarif"], "fish does not offer values")
+        check(by_fish("owlint check --select OW104") == ["OW104"], "fish does not offer codes")
+        check(by_fish("owlint check --ignore OW1,if-label") == ["OW1,if-label-reused"], "fish does not offer names behind a comma")
+        check("OW104=warning" in by_fish("owlint check --severity OW104=w"), "fish does not offer severities")
+        check(by_fish("owlint explain if-part") == ["if-part-mismatch"], "fish does not offer rules to explain")
 
 
 def embedded(prefix, folder):
@@ -77,7 +98,7 @@ def embedded(prefix, folder):
     check(done.returncode == 0, "the examples: " + done.stdout)
     for program in ("check_c", "check_cc"):
         done = run(os.path.join(folder, program), BAD)
-        check(done.returncode == 1 and done.stdout == "line 33: label `o130` already opened an `if` on line 16 [OW104]\n", "%s: %s" % (program, done.stdout))
+        check(done.returncode == 1 and done.stdout == "line 33: label `o130` is already used for an `if` on line 16 [OW104]\n", "%s: %s" % (program, done.stdout))
         check(run(os.path.join(folder, program), os.path.join(ROOT, "corpus", "bolt-circle-ngcgui.ngc")).returncode == 0, program)
 
 

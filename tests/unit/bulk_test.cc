@@ -10,7 +10,7 @@ using namespace owlint;
 
 namespace {
 
-/// All that passing over a whole text gives: where it stops, again and again from the line after.
+/// Every place where skipping through a whole text stops, again and again from the next line on.
 std::vector<Passed> walk(const std::string& bytes, Passed (*pass)(std::string_view, size_t)) {
   std::vector<Passed> out;
   for (size_t at = 0; at < bytes.size();) {
@@ -33,7 +33,7 @@ struct EveryTarget {
 };
 
 std::string random_text(std::mt19937& random, size_t length) {
-  // Mostly what motion is made of, so that lines are passed over; lines of all lengths around a block and the limit.
+  // Mostly what motion is made of, so that lines are skipped; lines of all lengths around a block and the limit.
   static const std::string kUsual = "GXYZFgxyz 0123456789.-+\t\r\n\n\n";
   std::string text;
   const int strange = static_cast<int>(random() % 60);

@@ -6,6 +6,7 @@
 #include "analyzer/format/indent.h"
 #include "analyzer/lsp/document.h"
 #include "analyzer/lsp/lexer.h"
+#include "analyzer/lsp/parameters.h"
 #include "support/corpus.h"
 #include "support/files.h"
 #include "support/fixture.h"
@@ -106,6 +107,26 @@ TEST_CASE("a line's tokens", "[lsp]") {
   CHECK(kinds("o#1 call") == "Lo|P#1|Wc|Wa|Wl|Wl|");
   CHECK(kinds("/G0") == "WG0|");
   CHECK(kinds("(open") == "C(open|");
+}
+
+TEST_CASE("the parameters of a line, as LinuxCNC reads them", "[lsp]") {
+  const auto names = [](std::string_view line) {
+    std::string out;
+    for (const lsp::ParameterUse& use : lsp::parameter_uses(line)) {
+      out += use.name.empty() ? "?" : use.name;
+      out += std::string(use.assigned ? "=" : "") + (use.printed ? "!" : "") + "@" + std::string(line.substr(use.begin, use.end - use.begin)) + "|";
+    }
+    return out;
+  };
+  CHECK(names("#<depth> = [#1 + #<De PTH>]") == "<depth>=@#<depth>|1@#1|<depth>@#<De PTH>|");
+  CHECK(names("G0 X#3.0 Y# 0 3 Z#5.") == "3@#3.0|3@# 0 3|5@#5.|");
+  CHECK(names("##<a> = 1 #[#2 + 1] = 3") == "?@#|<a>=@#<a>|?@#|2@#2|");
+  CHECK(names("o<#1> call [EXISTS[#<_b>]] ; #4") == "<_b>@#<_b>|");
+  CHECK(names("o#7 if [#<a> EQ 1]") == "7@#7|<a>@#<a>|");
+  CHECK(names("(Debug, #<A> and #3.5 # 4 #[5])(note #6)(MSG,#8)") == "<a>!@#<A>|3!@#3|");
+  CHECK(names("( print,#1)(log , #2)(print #3)(abort,#04)") == "1!@#1|4!@#04|");
+  CHECK(names("#<open (debug,#<open") == "");
+  CHECK(names("#1.5") == "?@#1.5|");
 }
 
 TEST_CASE("the formatter changes indentation only, and once", "[format]") {

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<Suppression> parse(const std::string& words, uint32_t line = 5, bool own_line = true) {
   const auto source = Source::own("p.ngc", words);
-  return parse_suppressions(*source, {0, words.size()}, line, own_line);
+  return parse_suppressions(*source, {0, words.size()}, line, own_line, suppressed_code);
 }
 
 /// `line code` of all findings.
@@ -42,6 +42,25 @@ TEST_CASE("words of a suppression", "[suppression]") {
   CHECK(parse(" -- why")[0].malformed);
 }
 
+TEST_CASE("codes of a suppression may be small or names, and the words behind them are the reason", "[suppression]") {
+  const auto codes = [](const std::string& words) {
+    Found out;
+    for (const Suppression& s : parse(words)) out.push_back(s.code);
+    return out;
+  };
+  CHECK(codes(" ignore ow104") == Found{"OW104"});
+  CHECK(codes(" ignore if-label-reused, OW3") == Found{"OW104", "OW3"});
+  CHECK(codes(" ignore IF-LABEL-REUSED") == Found{"OW104"});
+  CHECK(codes(" ignore OW104 because the clamp is closed") == Found{"OW104"});
+  CHECK(codes(" ignore OW104, OW301: left-over from the post") == Found{"OW104", "OW301"});
+  CHECK(codes(" ignore OW104 (owner: Ann)") == Found{"OW104"});
+  // What was meant for a code and is none is not taken for a reason.
+  CHECK(codes(" ignore this line") == Found{"this"});
+  CHECK(codes(" ignore if-lable-reused") == Found{"if-lable-reused"});
+  CHECK(codes(" ignore OW104 ow1o5 why") == Found{"OW104", "OW1O5"});
+  CHECK(codes(" ignore OW104 if-lable-reused") == Found{"OW104", "if-lable-reused"});
+}
+
 TEST_CASE("a suppression on its own line suppresses the next one", "[suppression]") {
   CHECK(found("o1 if [0]\no1 endif done\nM2\n") == Found{"2 OW304"});
   CHECK(found("o1 if [0]\n(owlint: ignore OW304 -- old post)\no1 endif done\nM2\n").empty());
@@ -59,6 +78,8 @@ TEST_CASE("a suppression that suppresses nothing is a finding", "[suppression]")
   CHECK(found("(owlint: ignore OW104)\nG0 X1\nM2\n") == Found{"1 OW002"});
   CHECK(found("(owlint: ignore OW999)\nG0 X1\nM2\n") == Found{"1 OW001"});
   CHECK(found("(owlint: silence OW104)\nG0 X1\nM2\n") == Found{"1 OW001"});
+  CHECK(found("(owlint: ignore this line)\no1 if [0]\no1 endif done\nM2\n") == Found{"1 OW001", "3 OW304"});
+  CHECK(found("o1 if [0]\n(owlint: ignore text-after-oword because the post writes it)\no1 endif done\nM2\n").empty());
 }
 
 TEST_CASE("one comment may suppress several rules on its line", "[suppression]") {

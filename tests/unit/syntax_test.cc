@@ -25,6 +25,7 @@ struct Read {
           break;
         case LineKind::kM98: out += "M98"; break;
         case LineKind::kM99: out += "M99"; break;
+        case LineKind::kM99Behind: out += "M99 behind"; break;
         case LineKind::kProgramEnd: out += "end"; break;
         case LineKind::kPercent: out += "%"; break;
         case LineKind::kAbort: out += "abort"; break;
@@ -106,6 +107,19 @@ TEST_CASE("places point into the machinist's own text", "[syntax]") {
   CHECK(s.has_bracket);
 }
 
+TEST_CASE("nothing lies outside of its line, also where the file ends with it", "[syntax]") {
+  for (const std::string line : {"o#EXISTS[#<a>] if [ATAN[#1]/[2] GT -#<b c>] x", "o<f> call [#1] [2 ** 3] ; c", "#[1+2] = SIN[EXISTS[#5]] (c) X#<a", "N10 M98 P#1 L[2", "o1.5 sub", "/G0 X[1", "n o"}) {
+    for (size_t length = 0; length <= line.size(); ++length) {
+      const Read read(line.substr(0, length));
+      for (const Statement& s : read.syntax.statements) {
+        const LineError* error = read.syntax.error(s);
+        CHECK((error == nullptr || (error->span.begin <= error->span.end && error->span.end <= length)));
+        CHECK(std::max({s.label_to, s.keyword_to, s.rest_to}) <= length);
+      }
+    }
+  }
+}
+
 TEST_CASE("the program end in its spellings", "[syntax]") {
   CHECK(shape("M2\nM30\nm02\nM 3 0\nM2.0\nG0 X1 M2\nN5 M2 (end)\n") == "1 end; 2 end; 3 end; 4 end; 5 end; 6 end; 7 end");
   CHECK(shape("M3\nM20\nM200\nM230\nM300\n(M2)\n;M30\n").empty());
@@ -121,6 +135,52 @@ TEST_CASE("Fanuc style calls", "[syntax]") {
   CHECK(read.syntax.statements[0].label == read.syntax.statements[1].label);
   CHECK(read.syntax.statements[0].value_count == 1);
   CHECK(read.syntax.statements[4].label == kNoName);
+}
+
+TEST_CASE("M98 and M99 beside words", "[syntax]") {
+  CHECK(shape("G0 X1 M99\nM99 G0 X1\n(x) M99\nM099\nM99.5\n") == "1 M99 behind; 2 M99; 3 M99 behind; 4 M99");
+  const Read read("M98 P1 G0 X#1\nM99 P5\nM99 (c)\nM98 L2 X#1 P1\n");
+  CHECK(read.shape().starts_with("1 M98; 2 M99 (P word with no"));
+  CHECK(read.source->slice(read.syntax.statements[0].rest_span()) == "G0 X#1");
+  CHECK(read.syntax.statements[0].value_count == 1);
+  CHECK_FALSE(read.syntax.statements[0].repeats);
+  CHECK(read.source->slice(read.syntax.statements[1].rest_span()) == "P5");
+  CHECK(read.syntax.statements[2].rest_span().begin == read.syntax.statements[2].rest_span().end);
+  CHECK(read.syntax.statements[3].repeats);
+  CHECK(read.syntax.statements[3].value_count == 2);
+  CHECK(shape("G0 M98 P1\nM98 P1 P2\nM98 P-1 P2\nM98 P1 L-1\nM98 P1 L.5\nM98 L2\nM98 P1 )\n") ==
+        "1 words (Unknown m code used: M98); 2 M98 (Multiple p words on one line); 3 M98; 4 M98 (Negative l word used); "
+        "5 M98 (Non integer value for integer); 6 M98 (Found 'm98' code with no P-word); 7 M98 (Bad character ')' used)");
+}
+
+TEST_CASE("labels that lack something are read all the same", "[syntax]") {
+  const Read read("N100 sub\n100 endsub\n<hole> call\n0<hole> call\n0100 call\nendif\n");
+  const auto& all = read.syntax.statements;
+  REQUIRE(all.size() == 6);
+  for (size_t i = 0; i < 5; ++i) {
+    CHECK(all[i].kind == LineKind::kOWord);
+    CHECK(all[i].refused);
+  }
+  CHECK(read.syntax.names.text(all[0].label) == "100");
+  CHECK(all[0].is(Keyword::kSub));
+  CHECK(all[1].is(Keyword::kEndsub));
+  CHECK(read.syntax.names.text(all[3].label) == "hole");
+  CHECK(all[5].kind == LineKind::kWords);
+  CHECK(all[5].keyword == Keyword::kEndif);
+  CHECK(read.syntax.error(all[4])->kind == StopKind::kZeroForO);
+  CHECK(read.syntax.error(all[1])->kind == StopKind::kLetterForgotten);
+}
+
+TEST_CASE("text among words is noticed, words with functions are not", "[syntax]") {
+  CHECK(shape("GOTO 20\nG0 X1 hello\nN10 drill\n").find("3 words (Unknown word starting with r)") != std::string::npos);
+  CHECK(Read("G0 XSIN[30]\nifix[1.5] g2 x2\n").syntax.errors.empty());
+}
+
+TEST_CASE("numbers in brackets that blanks divide are noted", "[syntax]") {
+  const Read read("o1 call [1 2] [3] [ 4 + 5 ]\n#1=[1 0]\no 1 0 call [-.5]\n");
+  REQUIRE(read.syntax.split_numbers.size() == 2);
+  CHECK(read.source->slice(read.syntax.split_numbers[0]) == "1 2");
+  CHECK(read.source->slice(read.syntax.split_numbers[1]) == "1 0");
 }
 
 TEST_CASE("comments nest nowhere and close on their line", "[syntax]") {

@@ -1,0 +1,93 @@
+// A called sub that is nowhere is one mistake, in however many places and files it is called.
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "support/files.h"
+#include "support/process.h"
+
+using namespace owlint::test;
+
+namespace {
+
+Run check(const Scratch& folder, const std::string& arguments) { return owlint::test::owlint(words("check --isolated " + arguments), "", folder.path()); }
+
+std::vector<nlohmann::json> missing_subs(const Scratch& folder, const std::string& arguments) {
+  std::vector<nlohmann::json> out;
+  for (const auto& file : nlohmann::json::parse(check(folder, "--format json " + arguments).out)["files"]) {
+    for (const auto& f : file["findings"]) {
+      if (f["code"] == "OW208") out.push_back(f);
+    }
+  }
+  return out;
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Three programs in two folders that call a sub which is in none of them.
+void write_programs(const Scratch& folder) {
+  folder.write("mill/a.ngc", "o<drill> call [1]\no<drill> call [2]\nM2\n");
+  folder.write("mill/b.ngc", "o<drill> call [3]\nM2\n");
+  folder.write("lathe/c.ngc", "G0 X1\no<drill> call [4]\nM2\n");
+}
+
+}  // namespace
+
+TEST_CASE("calls of a sub that is nowhere are one finding with all places", "[groups]") {
+  const Scratch folder;
+  write_programs(folder);
+  const auto found = missing_subs(folder, ".");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0]["severity"] == "warning");
+  CHECK(contains(found[0]["message"], "(4 places in 3 files)"));
+  REQUIRE(found[0]["related"].size() == 3);
+  CHECK(found[0]["related"][0]["path"] == "mill/a.ngc");
+  CHECK(found[0]["related"][1]["path"] == "mill/a.ngc");
+  CHECK(found[0]["related"][1]["start"]["line"] == 2);
+  CHECK(found[0]["related"][2]["path"] == "mill/b.ngc");
+}
+
+TEST_CASE("each folder that is checked has its own", "[groups]") {
+  const Scratch folder;
+  write_programs(folder);
+  CHECK(missing_subs(folder, "mill lathe").size() == 2);
+  CHECK(missing_subs(folder, "mill/a.ngc mill/b.ngc").size() == 1);
+}
+
+TEST_CASE("a file of that name in the tree is named, with what tells owlint", "[groups]") {
+  const Scratch folder;
+  write_programs(folder);
+  folder.write("subs/drill.ngc", "o<drill> sub\nG0 X#1\no<drill> endsub\n");
+  const auto found = missing_subs(folder, ".");
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0]["help"], "subs/drill.ngc"));
+  CHECK(contains(found[0]["help"], "`--sub-path subs`"));
+  CHECK(contains(found[0]["help"], "`sub-path = [\"subs\"]`"));
+  CHECK(missing_subs(folder, "--sub-path subs .").empty());
+  folder.write("lathe/macros/drill.ngc", "o<drill> sub\nG0 X#1\no<drill> endsub\n");
+  CHECK(contains(missing_subs(folder, "lathe subs")[0]["help"], "`--sub-path lathe/macros`"));  // the nearest
+}
+
+TEST_CASE("the text shows some places and counts the others", "[groups]") {
+  const Scratch folder;
+  std::string calls;
+  for (int i = 0; i < 20; ++i) calls += fmt::format("o<drill> call [{}]\n", i);
+  folder.write("a.ngc", calls + "M2\n");
+  const Run run = check(folder, "a.ngc");
+  CHECK(contains(run.out, "(20 places)"));
+  CHECK(contains(run.out, "and 14 more places"));
+  CHECK(contains(run.err, "1 warning in 1 file"));
+}
+
+TEST_CASE("a baseline and suppressions are about each place", "[groups]") {
+  const Scratch folder;
+  write_programs(folder);
+  check(folder, "--baseline known.json --update-baseline .");
+  folder.write("mill/d.ngc", "o<drill> call [5]\nM2\n");
+  const auto fresh = missing_subs(folder, "--baseline known.json .");
+  REQUIRE(fresh.size() == 1);
+  CHECK(fresh[0]["related"].empty());
+  const Run run = owlint::test::owlint({"check", "--isolated", "--add-suppressions", "--reason", "it is on the machine", "."}, "", folder.path());
+  CHECK(run.status == 0);
+  CHECK(check(folder, ".").out.empty());
+}
