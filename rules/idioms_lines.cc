@@ -360,6 +360,18 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   }
   // A keyword of LinuxCNC with something else behind it than brackets.
   const Keyword keyword = keyword_of(line.rest());
+  if (const size_t label = line.at + spelling(keyword).size(); line.kind() == StopKind::kWordUnreadable && keyword != Keyword::kUnknown && line.text[label] == 'o') {
+    const std::string_view rest = line.text.text().substr(label);
+    size_t to = rest.starts_with("o<") ? rest.find('>') : rest.find_first_not_of("0123456789", 1);
+    to = rest.starts_with("o<") && to != std::string_view::npos ? to + 1 : std::min(to, rest.size());
+    if (to > 1) {
+      const std::string written = line.written(label, label + to);
+      f.message = "the label stands behind `" + std::string(spelling(keyword)) + "`: it comes first";
+      f.help = "write `" + written + " " + std::string(spelling(keyword)) + "`";
+      line.propose(f, f.help, {line.put(line.at, label + to, written + " " + std::string(spelling(keyword)))}, keyword != Keyword::kSub && keyword != Keyword::kEndsub);
+      return true;
+    }
+  }
   if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown || letters(line.rest()) != spelling(keyword)) return false;
   f.message = "the `o…` label is missing before `" + std::string(spelling(keyword)) + "`";
   f.help = keyword == Keyword::kCall || keyword == Keyword::kSub ? "write the label first: `o<name> " + std::string(spelling(keyword)) + "`"

@@ -139,7 +139,7 @@ bool has_comma(const RefusedLine& line, Finding& f) {
 bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   constexpr std::string_view kWords[] = {"mod", "and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le"};
   if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kWordBefore && line.kind() != StopKind::kExpression) return false;
-  if (line.at == 0 || line.statement.kind == LineKind::kOWord) return false;
+  if (line.at == 0 || (line.statement.kind == LineKind::kOWord && !line.statement.refused)) return false;
   const std::string_view rest = line.rest();
   const char before = line.text[line.at - 1];
   const bool behind_value = is_digit(before) || before == '.' || before == '>' || before == ']';
@@ -277,15 +277,18 @@ bool has_other_function(const RefusedLine& line, Finding& f) {
     return true;
   }
   if (!line.error.message.starts_with("Unknown word") || !is_letter(line.text[line.at])) return false;
-  const std::string name = name_at(line, line.at);
-  const std::string_view lowered = line.text.text().substr(line.at, name_end(line, line.at) - line.at);
+  std::string_view lowered = line.text.text().substr(line.at, name_end(line, line.at) - line.at);
   const auto* other = std::ranges::find_if(kFunctions, [&](const Other& o) { return lowered == o.text || (o.text == "not" && lowered.starts_with("not")); });
   if (other != kFunctions.end()) {
     f.message = "LinuxCNC has no `" + line.written(line.at, line.at + other->text.size()) + "`";
     f.help = other->instead;
     return true;
   }
-  if (line.text[line.at + lowered.size()] == '[' || !has_name(line, lowered)) return false;
+  if (line.text[line.at + lowered.size()] == '[') return false;
+  // An operator may follow without a blank, as blanks are gone: `depthgt3`.
+  while (!lowered.empty() && !has_name(line, lowered)) lowered.remove_suffix(1);
+  if (lowered.empty()) return false;
+  const std::string name = line.written(line.at, line.at + lowered.size());
   f.message = "the name of a parameter is written `#<" + name + ">`";
   f.help = "write `#<" + name + ">`";
   line.propose(f, f.help, {line.put(line.at, line.at + lowered.size(), "#<" + name + ">")}, false);

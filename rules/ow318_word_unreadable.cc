@@ -12,12 +12,13 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const LineError& error = *p.syntax.error(p.at(stop.statement));
     const std::string text(p.source->slice(error.span));
-    const bool letter = text.size() == 1;
+    // `XY5`: of two letters, both are probably words.
+    const std::string letter = text.size() <= 2 ? text.substr(0, 1) : std::string();
     Finding& f = out.add(error.span, "`" + text + "` is not a word of a program: a word is a letter and a number");
     f.help = "put text in a comment: `(text)`";
-    if (letter) {
-      f.message = "`" + text + "` has no number";
-      f.help = "write the number behind `" + text + "`";
+    if (!letter.empty()) {
+      f.message = "`" + letter + "` has no number";
+      f.help = "write a number behind `" + letter + "`";
     }
     explain_idiom(in, stop.statement, f);
     return &f;

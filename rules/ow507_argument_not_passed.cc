@@ -1,6 +1,7 @@
 // OW507 argument-not-passed: a call that does not pass an argument which the sub reads.
 // Depends on: a call sets #1 to #30, and those without a value are 0, although the documentation
 // says they keep the caller's value.
+#include <algorithm>
 #include <map>
 
 #include "rules/parameters.h"
@@ -27,10 +28,17 @@ void report(const Input& in, Reporter& out, StatementId id, const Reads& reads) 
   f.reach = first->reach;
 }
 
+/// Whether a blank does not divide two of the call's values, as OW317 says.
+bool runs_together(const Program& p, const Statement& call) {
+  const auto& split = p.syntax.split_numbers;
+  const auto first = std::ranges::lower_bound(split, call.offset, {}, &Span::begin);
+  return first != split.end() && first->begin < call.end();
+}
+
 void check(const Input& in, Reporter& out) {
   std::map<StatementId, Reads> calls;
   for (const Hazard& h : in.flow.hazards) {
-    if (h.kind == HazardKind::kArgumentNotPassed) calls[h.statement].try_emplace(h.number, &h);
+    if (h.kind == HazardKind::kArgumentNotPassed && !runs_together(in.program, in.program.at(h.statement))) calls[h.statement].try_emplace(h.number, &h);
   }
   for (const auto& [call, reads] : calls) report(in, out, call, reads);
 }

@@ -54,7 +54,7 @@ void Index::add_line(const Program& program, StatementId id) {
     unmet.statement = id;
     unmet.kind = program.syntax.errors[s.error].kind;
     if (!at[id]) unmet_by_code[rules::code_of(unmet, program)].push_back(id);
-    if (s.is(Keyword::kUnknown) && s.label != kNoName) unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
+    if ((s.is(Keyword::kUnknown) || s.is(Keyword::kBare)) && s.label != kNoName) unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
     if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
   }
   if (s.name_open || s.nul || s.inner_cr) {

@@ -32,8 +32,13 @@ std::string made(const std::string& text, const Fix& fix) {
   return out + text.substr(at);
 }
 
+/// Findings of a rule, and those that another finding of it speaks for.
 size_t count(const FileReport& report, std::string_view code) {
-  return static_cast<size_t>(std::ranges::count(report.findings, code, &Finding::code));
+  size_t found = 0;
+  for (const Finding& f : report.findings) {
+    if (f.code == code) found += 1 + static_cast<size_t>(std::ranges::count(f.consequences, code, &Consequence::code));
+  }
+  return found;
 }
 
 }  // namespace
