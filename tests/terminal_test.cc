@@ -135,7 +135,7 @@ TEST_CASE("marks stay in place below a line number of any length", "[terminal]")
 TEST_CASE("Markdown for terminals", "[terminal]") {
   const std::string page = "# Title\n\nSome `code` and **more** words that\ngo on.\n\n```\no1 if [1]\n  G0\n```\n\n| a | b |\n|---|---|\n| one | a cell with `code` in it |\n| two | x |\n\n- first\n- second\n\n1. one\n";
   CHECK(render_markdown(page, false, 30) ==
-        "Title\n\nSome `code` and more words\nthat go on.\n\n    o1 if [1]\n      G0\n\na    b\n---  -------------------------\none  a cell with `code` in it\ntwo  x\n\n- first\n- second\n\n1. one\n");
+        "Title\n\nSome `code` and more words\nthat go on.\n\n    o1 if [1]\n      G0\n\na    b\n---  ------------------------\none  a cell with `code` in it\ntwo  x\n\n- first\n- second\n\n1. one\n");
   const std::string colored = render_markdown(page, true, 30);
   CHECK(contains(colored, "\x1b[1;4mTitle\x1b[0m"));
   CHECK(contains(colored, "Some \x1b[36mcode\x1b[0m and \x1b[1mmore\x1b[0m"));
