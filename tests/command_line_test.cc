@@ -208,7 +208,7 @@ TEST_CASE("two runs and any number of jobs give the same report", "[cli]") {
 
 TEST_CASE("explain takes codes and names in any case", "[cli]") {
   const std::string page = run({"explain", "OW104"}).out;
-  CHECK(contains(page, "LinuxCNC says: duplicate O-word label"));
+  CHECK(contains(page, "LinuxCNC says: `duplicate O-word label"));
   CHECK(run({"explain", "if-label-reused"}).out == page);
   CHECK(run({"explain", "ow104"}).out == page);
   CHECK(contains(run({"explain", "OW1O4"}).err, "did you mean `OW104`"));

@@ -13,7 +13,7 @@ const std::string kBad = "o1 if [1]\no1 endif\no1 if [1]\no1 endif\nM2\n";
 
 Run check(const Scratch& folder, const std::string& arguments) { return owlint::test::owlint(words("check --no-find-ini " + arguments), "", folder.path()); }
 
-/// The files that a run checked, in their order.
+/// The files in which a run found something, in their order.
 std::vector<std::string> files(const Scratch& folder, const std::string& arguments) {
   std::vector<std::string> names;
   for (const auto& file : nlohmann::json::parse(check(folder, "--format json " + arguments).out)["files"]) names.push_back(file["path"]);
@@ -23,7 +23,7 @@ std::vector<std::string> files(const Scratch& folder, const std::string& argumen
 using Names = std::vector<std::string>;
 
 void write_shop(const Scratch& folder) {
-  for (const char* name : {"a.ngc", "old/b.ngc", "parts/c.ngc", "parts/old/d.ngc", "parts/e.txt", "parts/f.nc"}) folder.write(name, "M2\n");
+  for (const char* name : {"a.ngc", "old/b.ngc", "parts/c.ngc", "parts/old/d.ngc", "parts/e.txt", "parts/f.nc"}) folder.write(name, kWarning);
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ class Reader {
       check_keys(entry, kOverrideKeys);
       Texts files;
       read_list(entry, "files", "patterns", &files);
-      if (!files || files->empty()) wrong(entry, "an override needs `files`, a list of patterns");
+      if ((!files || files->empty()) && problem_.empty()) wrong(entry, "an override needs `files`, a list of patterns");
       ConfigurationFile::Override& override = file->overrides.emplace_back(ConfigurationFile::Override{files.value_or(std::vector<std::string>()), {}, entry.source().begin.line});
       read_selection(entry, &override.selection);
     }

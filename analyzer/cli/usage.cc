@@ -43,6 +43,13 @@ std::string wrong_count(const CLI::Option& option, const std::string& name) {
   return fmt::format("{} needs a value: {}", name, value_name(option));
 }
 
+/// Whether one of CLI11's messages is about an option; it leaves the dashes of flags out.
+bool is_about(std::string_view message, std::string_view option) {
+  message.remove_prefix(std::min(message.find_first_not_of('-'), message.size()));
+  option.remove_prefix(option.find_first_not_of('-'));
+  return message.starts_with(option) && message.substr(option.size()).find_first_of(": ") == 0;
+}
+
 }  // namespace
 
 std::string usage_problem(const CLI::App& app, const CLI::ParseError& problem) {
@@ -58,8 +65,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& problem) {
       return fmt::format("`{}` needs {}: {}", meant.name, option->get_positional() ? option->get_name(true) : option->get_name(), description_of(*option));
     }
     for (const std::string& name : spellings(*option)) {
-      const bool about = text.starts_with(name) && text.size() > name.size() && std::string(": ").find(text[name.size()]) != std::string::npos;
-      if (about && dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr) return wrong_count(*option, name);
+      if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr && is_about(text, name)) return wrong_count(*option, name);
     }
   }
   if (!left.empty()) return fmt::format("`{}` does not take `{}`; see `{} --help`", meant.name, left.front(), meant.name);
