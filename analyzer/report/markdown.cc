@@ -49,13 +49,19 @@ class Renderer {
  private:
   std::string block(cmark_node* node, const std::string& indent) const {
     const std::string_view type = cmark_node_get_type_string(node);
-    if (type == "heading") return styled(s_.heading, text_in(node, s_.heading), indent);
+    if (type == "heading") return heading(node, indent);
     if (type == "code_block") return code_block(literal(node), indent);
     if (type == "list") return list(node, indent);
     if (type == "block_quote") return blocks(node, indent + "| ");
     if (type == "thematic_break") return indent + "---\n";
     if (type == "table") return table(node, indent);
     return styled("", text_in(node, ""), indent);
+  }
+
+  /// Without colours, what is below a title ends in a colon: it would look like a sentence.
+  std::string heading(cmark_node* node, const std::string& indent) const {
+    const bool plain = !color_ && cmark_node_get_heading_level(node) > 1;
+    return styled(s_.heading, text_in(node, s_.heading) + (plain ? ":" : ""), indent);
   }
 
   std::string styled(std::string_view style, const std::string& text, const std::string& indent) const {
