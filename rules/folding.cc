@@ -71,23 +71,37 @@ class Folding {
     Part& speaker = speaks_.at(label_of(part.statement));
     if (speaker.finding == opener->second) return;
     if (finding(speaker).stops && speaker.statement > block->opener) {
-      into_[opener->second] = speaker.finding;
-    } else if (unreached(finding(speaker))) {
-      into_[speaker.finding] = opener->second;
+      fold(opener->second, speaker.finding);
+    } else if (unreached(finding(speaker)) && fold(speaker.finding, opener->second)) {
       speaker = {opener->second, block->opener};
     }
   }
 
   void fold_unreached(const Part& part) {
     const Part& speaker = speaks_.at(label_of(part.statement));
-    if (unreached(finding(part)) && speaker.finding != part.finding && into_[part.finding] == kNone) into_[part.finding] = speaker.finding;
+    if (unreached(finding(part))) fold(part.finding, speaker.finding);
+  }
+
+  /// The finding that is left of those that `i` is folded into; the ways there get shorter.
+  size_t speaker_for(size_t i) {
+    for (; into_[i] != kNone; i = into_[i]) {
+      if (into_[into_[i]] != kNone) into_[i] = into_[into_[i]];
+    }
+    return i;
+  }
+
+  /// Folds a finding into another one, once, and never in a circle: of blocks that end each other by mistake, one is left.
+  bool fold(size_t from, size_t into) {
+    const size_t to = speaker_for(into);
+    if (into_[from] != kNone || to == from) return false;
+    into_[from] = to;
+    return true;
   }
 
   void move_folded() {
     for (size_t i = 0; i < findings_.size(); ++i) {
       if (into_[i] == kNone) continue;
-      size_t to = into_[i];
-      while (into_[to] != kNone) to = into_[to];
+      const size_t to = speaker_for(i);
       const Finding& f = findings_[i];
       findings_[to].consequences.push_back({f.code, f.span, f.interpreter});
       std::ranges::copy(f.consequences, std::back_inserter(findings_[to].consequences));

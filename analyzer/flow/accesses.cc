@@ -93,7 +93,7 @@ void AccessTable::add(const Program& program, StatementId id) {
 }
 
 void AccessTable::add_shown(std::span<const ShownRead> shown, StatementId id) {
-  for (const ShownRead& read : std::ranges::equal_range(shown, id, {}, &ShownRead::statement)) reads_.push_back(read.key);
+  for (auto read = std::ranges::lower_bound(shown, id, {}, &ShownRead::statement); read != shown.end() && read->statement == id; ++read) reads_.push_back(read->key);
 }
 
 }  // namespace owlint::flow
