@@ -1,6 +1,7 @@
 // Idioms in values: commas, calculations without brackets, names half written, operators and functions of other languages.
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "analyzer/syntax/look_alike.h"
 #include "rules/idioms.h"
@@ -287,7 +288,13 @@ bool has_other_function(const RefusedLine& line, Finding& f) {
   if (line.text[line.at + lowered.size()] == '[') return false;
   // An operator may follow without a blank, as blanks are gone: `depthgt3`.
   while (!lowered.empty() && !has_name(line, lowered)) lowered.remove_suffix(1);
-  if (lowered.empty()) return false;
+  if (lowered.empty()) {
+    const std::string_view text = line.program.source->slice(line.text.span(line.at, line.end));
+    const std::string word(text.substr(0, static_cast<size_t>(std::ranges::find_if(text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_'; }) - text.begin())));
+    f.message = "`" + word + "` is not a function";
+    f.help = "write `#<" + word + ">`, if it is a parameter; functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN";
+    return true;
+  }
   const std::string name = line.written(line.at, line.at + lowered.size());
   f.message = "the name of a parameter is written `#<" + name + ">`";
   f.help = "write `#<" + name + ">`";
