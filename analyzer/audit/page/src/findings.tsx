@@ -57,7 +57,7 @@ export function Findings({ model, route }: { model: Model; route: Route }) {
     { name: "Fix", key: "fix", choices: [["", "all"], ["2", "with a safe fix"], ["1", "with another fix"], ["0", "without a fix"]] as [string, string][] },
     { name: "Sort by", key: "sort", choices: [["", "severity"], ["path", "path"], ["rule", "rule"]] as [string, string][] },
   ];
-  const about = (i: number) => <small class="about">{findings.isNew[i] === 1 && <b class="new">new</b>}{findings.fix[i] > 0 && <b class="fix">{fixes[findings.fix[i]]}</b>}{rules[findings.rule[i]].code} {rules[findings.rule[i]].name}</small>;
+  const about = (i: number) => <small class="about">{findings.isNew[i] === 1 && <b class="new">new </b>}{findings.fix[i] > 0 && <b class="fix">{fixes[findings.fix[i]]} </b>}{rules[findings.rule[i]].code} {rules[findings.rule[i]].name}</small>;
   const place = (i: number) => <small class="place"><Path path={model.paths[findings.file[i]]} line={findings.line[i]} /></small>;
   return (
     <>
