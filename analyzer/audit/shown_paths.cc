@@ -65,9 +65,11 @@ size_t path_end(std::string_view words, size_t at) {
 
 ShownPaths::ShownPaths(const std::vector<std::string>& roots) {
   std::vector<std::string> paths;
-  for (const std::string& root : roots) paths.push_back(without_slash(file_key(root)));
-  std::ranges::sort(paths);
-  paths.erase(std::ranges::unique(paths).begin(), paths.end());
+  std::unordered_set<std::string> seen;
+  for (const std::string& root : roots) {
+    std::string path = without_slash(file_key(root));
+    if (seen.insert(path).second) paths.push_back(std::move(path));
+  }
   names_ = short_names(paths);
   for (size_t i = 0; i < paths.size(); ++i) roots_.emplace(paths[i] == "/" ? "" : paths[i], names_[i]);
 }

@@ -55,7 +55,7 @@ test("no data of the page say where the machine has its files", () => {
 
 test("files are named from their root, and others by their last folder", () => {
   const { path, kind } = data.index.files;
-  assert.deepEqual(data.index.roots, ["macros", "parts"]);
+  assert.deepEqual(data.index.roots, ["parts", "macros"]);
   assert.deepEqual(path.filter((_, i) => kind[i] === 0).sort(), ["macros/gone.ngc", "macros/new.ngc", "macros/probe.ngc", "parts/deep/er/flange.ngc", "parts/deep/er/tapped.ngc", "parts/plate.ngc"]);
   assert.deepEqual(path.filter((_, i) => kind[i] === 1), ["…/my shop/mill.ini"]);
   assert.deepEqual(path.filter((_, i) => kind[i] === 2), ["…/common subs/slot.ngc"]);
@@ -73,7 +73,7 @@ test("what stands in messages and beside them is named likewise", () => {
 test("INIs and subs from elsewhere are not counted as programs", async () => {
   const page = await open(file, "#/");
   const says = (selector, pattern) => eventually(async () => assert.match(await page.locator(selector).first().innerText(), pattern));
-  await says("h1", /^macros, parts$/);
+  await says("h1", /^parts, macros$/);
   await says(".when", /6 programs/);
   await says(".totals", /of 6 programs/);
   await page.getByRole("link", { name: "1 machine INI with findings" }).click();

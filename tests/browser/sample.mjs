@@ -51,7 +51,7 @@ export function samplePage(programs, findings) {
       index.findings.line.push(1 + next(20));
       index.findings.column.push(1);
       index.findings.message.push(`label \`o${next(900)}\` is already used for an \`if\` on line ${next(40)}`);
-      index.findings.fix.push(next(3));
+      index.findings.fix.push(made % 3);
       index.findings.isNew.push(next(1000) === 0 ? 1 : 0);
       ++made;
     }

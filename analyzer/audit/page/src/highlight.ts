@@ -43,7 +43,7 @@ function kindOf(scopes: string[]): string {
 
 /** The pieces of a line; together they are the line. */
 export function pieces(line: string, language: Language): Piece[] {
-  const slowest = 50;  // ms: a line that takes longer has no colours at its end
+  const slowest = 500;  // ms: a line made to take longer has no colours at its end
   const out: Piece[] = [];
   for (const { startIndex, endIndex, scopes } of grammarOf(language).tokenizeLine(line, INITIAL, slowest).tokens) {
     const text = line.slice(startIndex, endIndex);

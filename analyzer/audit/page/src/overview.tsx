@@ -45,7 +45,9 @@ function Rules({ model }: { model: Model }) {
 }
 
 function Folders({ model, below }: { model: Model; below: string }) {
-  const rows = model.folders(below).slice(0, 200);
+  const most = 200;
+  const all = model.folders(below);
+  const rows = all.slice(0, most);
   const steps = below.split("/").filter(Boolean);
   const machines = model.index.files.kind.filter((kind) => kind === machine).length;
   const name = (path: string) => (path === "" ? "programs right here" : path === "…/" ? "outside of the audited folders" : path.slice(below.length));
@@ -63,6 +65,7 @@ function Folders({ model, below }: { model: Model; below: string }) {
           ))}</tbody>
         </table>
       </div>
+      {all.length > most && <p class="about">{plural(all.length - most, "more folder")}, with fewer findings, {all.length - most === 1 ? "is" : "are"} left out here.</p>}
       {below === "" && machines > 0 && <p class="about">Not counted as programs: <a href={link("programs", "", { only: "machines" })}>{plural(machines, "machine INI")} with findings</a>.</p>}
     </>
   );

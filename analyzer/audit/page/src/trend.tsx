@@ -3,7 +3,7 @@
 import type { Run } from "./data";
 import { number } from "./model";
 
-const width = 320, height = 132, left = 44, right = 14, top = 24, bottom = 26;
+const width = 320, height = 144, left = 44, right = 14, top = 36, bottom = 26;
 
 function Line({ runs, of }: { runs: Run[]; of: "errors" | "warnings" }) {
   const most = Math.max(1, ...runs.map((run) => run[of]));
@@ -12,7 +12,7 @@ function Line({ runs, of }: { runs: Run[]; of: "errors" | "warnings" }) {
   const y = (n: number) => top + (height - top - bottom) * (1 - n / most);
   return (
     <svg class={`trend ${of}`} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={`${of} in the last ${runs.length} runs, now ${number(last[of])}; the table below has the numbers`}>
-      <text class="title" x={0} y={12}>{of}</text>
+      <text class="title" x={0} y={13}>{of}</text>
       {[0, most].map((n) => (
         <g key={n}><line class="grid" x1={left} x2={width} y1={y(n)} y2={y(n)} /><text x={left - 8} y={y(n) + 4} text-anchor="end">{number(n)}</text></g>
       ))}
