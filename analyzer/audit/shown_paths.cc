@@ -42,7 +42,10 @@ std::vector<std::string> short_names(const std::vector<std::string>& paths) {
   return names;
 }
 
-std::string outside(std::string_view path) { return "…/" + std::string(tail(path, 2)); }
+std::string outside(std::string_view path) {
+  const std::string_view end = tail(path, 2);
+  return "…/" + std::string(end.substr(end.starts_with('/') ? 1 : 0));
+}
 
 constexpr size_t kLongest = 4096;                      // bytes of a path
 constexpr std::string_view kEnds = "/ \t\n,;:|)]>`'\"";  // what may follow a part of one
