@@ -24,7 +24,7 @@ uint32_t code_outside(const Input& in, StatementId first, StatementId last) {
   return 0;
 }
 
-/// What a call of the file passes over before its sub, and leaves behind it.
+/// Lines above and below the sub of a called file, which a call of it does not execute.
 void check_sub_file(const Input& in, Reporter& out) {
   const Program& p = in.program;
   const auto lines = p.by_label[p.entry];

@@ -110,17 +110,23 @@ class LocalNames {
       if (target.named && !flow::is_global(write.key)) names.push_back(p.name(target.id));
     }
     const std::string near = nearest(name, names);
-    if (!near.empty()) f.help = "did you mean `#<" + near + ">`";
+    if (!near.empty()) {
+      f.help = "did you mean `#<" + near + ">`?";
+    } else if (reader != kMainRegion) {
+      f.help = "assign it in the sub, pass it as an argument, or write `#<_" + name + ">`, which is global: a name without `_` starts without a value in every call";
+    }
   }
 
   const Input& in_;
   int asked_ = 0;
 };
 
+/// Whether the lines of a sub are those that a call from elsewhere enters.
+bool is_entry(const Program& p, RegionId region) { return p.sub_file && p.regions[region].name == p.entry; }
+
 /// Whether a remap may give a name to the sub whose lines read it.
 bool given(const Input& in, const std::string& name, RegionId reader) {
-  const Program& p = in.program;
-  return p.sub_file && p.regions[reader].name == p.entry && remap_gives(name, p.name(p.entry), in.profile);
+  return is_entry(in.program, reader) && remap_gives(name, in.program.name(in.program.entry), in.profile);
 }
 
 /// Calls `each` for the names that a value reads, and for those that it asks for.
@@ -155,7 +161,8 @@ void check_own_values(const Input& in, LocalNames& names, Reporter& out) {
         for_names(p, item.value, [&](NameId name, bool exists) { reads_itself |= name == item.target_name && !exists; });
         if (!reads_itself) continue;
         const std::string& name = p.name(item.target_name);
-        if (name.starts_with('_') || in.data.assigned_before(r, id, flow::key_of_name(p.syntax, item.target_name)) || given(in, name, r)) continue;
+        const flow::ParameterKey key = flow::key_of_name(p.syntax, item.target_name);
+        if (name.starts_with('_') || in.data.assigned_before(r, id, key) || in.data.read_above(r, id, key) || given(in, name, r)) continue;
         Finding& f = out.add(item_span(p, id, i), "");
         names.explain_zero(name, r, f);
         f.reach = in.flow.reach(id);
@@ -167,9 +174,10 @@ void check_own_values(const Input& in, LocalNames& names, Reporter& out) {
 /// Whether some run is in the lines of a region.
 bool reached(const Input& in, RegionId region) {
   const Region& r = in.program.regions[region];
-  if (region == kMainRegion) return true;
+  if (region == kMainRegion || is_entry(in.program, region)) return true;
   const auto executed = [&](StatementId id) { return in.flow.executed[id] && id != r.opener && id != r.end; };
-  return std::ranges::any_of(in.data.lines_of(region), executed);
+  const auto called = [&](const Call& call) { return call.target == region && in.flow.executed[call.statement]; };
+  return std::ranges::any_of(in.data.lines_of(region), executed) || std::ranges::any_of(in.program.calls, called);
 }
 
 /// Names without a value in comments that show them.
@@ -180,11 +188,16 @@ void check_comments(const Input& in, LocalNames& names, Reporter& out) {
     const StatementId above = shown.above;
     if (above != kNoStatement && p.at(above).kind == LineKind::kProgramEnd) continue;
     if (shown.key != flow::kComputedKey && in.data.assigned_before(shown.region, above == kNoStatement ? 0 : above + 1, shown.key)) continue;
+    // Without an INI, a name that the sub assigns below may be one that Python gives it.
+    const bool below = shown.key != flow::kComputedKey && in.data.first_assignment(shown.region, shown.key) != kNoStatement;
+    if (below && in.profile.setup == nullptr && is_entry(p, shown.region)) continue;
+    const bool runs = reached(in, shown.region);
+    if (runs && above != kNoStatement && in.flow.reach(above) == Reach::kNever) continue;
     Finding& f = out.add(shown.span, "`#<" + shown.local + ">` has no value here");
     names.explain(shown.local, shown.region, {}, f);
     f.message += "; LinuxCNC shows `######`";
     if (f.help.empty()) f.help = "assign it before";
-    f.reach = !reached(in, shown.region) ? Reach::kNever : above == kNoStatement ? Reach::kAlways : in.flow.reach(above);
+    f.reach = !runs ? Reach::kNever : above == kNoStatement ? Reach::kAlways : in.flow.reach(above);
   }
 }
 

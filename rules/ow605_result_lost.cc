@@ -1,5 +1,5 @@
-// OW605 result-lost: a sub leaves something in #1 to #30 for its caller.
-// Depends on: a call passes values; it saves #1 to #30 and gives them back on return, all of them (measured).
+// OW605 result-lost: a sub leaves a result in #1 to #30 for its caller.
+// Depends on: a call passes values; it saves #1 to #30 and restores all of them on return (measured).
 #include <map>
 #include <tuple>
 
@@ -8,7 +8,7 @@
 namespace owlint::rules {
 namespace {
 
-/// Numbers that a sub assigns without using them, and that the main program reads behind the call.
+/// Numbers that a sub assigns without using them, and that the main program reads after the call.
 void check_numbers(const Input& in, const Call& call, Reporter& out) {
   const Program& p = in.program;
   const uint32_t left = in.data.left_behind(call.target);
@@ -16,9 +16,9 @@ void check_numbers(const Input& in, const Call& call, Reporter& out) {
     if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
     const StatementId assigned = in.data.last_assignment(call.target, n);
     const std::string number = "`#" + std::to_string(n) + "`";
-    Finding& f = out.add(p.at(assigned).whole(), number + " is assigned here for the caller, but " + region_words(p, call.target) + " has its own " + number + ": the caller's is as before the call");
-    relate(f, p, call.statement, "called from here, where " + number + " is read afterwards");
-    f.help = "return it, as `endsub [#" + std::to_string(n) + "]`, and read `#<_value>`; or use a number above #30 or a name with `_`";
+    Finding& f = out.add(p.at(assigned).whole(), number + " is assigned here, but the caller does not see it: the end of " + region_words(p, call.target) + " restores the caller's " + number);
+    relate(f, p, call.statement, "called here; " + number + " is read after the call");
+    f.help = "return it with `endsub [#" + std::to_string(n) + "]` and read `#<_value>`, or use a number above #30 or a name that begins with `_`";
     f.reach = in.flow.reach(call.statement);
   }
 }
@@ -76,7 +76,7 @@ std::optional<flow::ParameterKey> passed(const Program& p, ExprId argument) {
   return key == flow::kComputedKey ? std::nullopt : std::optional(key);
 }
 
-/// Parameters that are passed to a sub which changes its argument, and read behind the call as if they were changed.
+/// Parameters that are passed to a sub which changes its argument, and read after the call as if they were changed.
 class ByReference {
  public:
   ByReference(const Input& in, Reporter& out) : in_(in), out_(out), subs_(in) {}
@@ -121,11 +121,11 @@ class ByReference {
     Finding& f = here ? out_.add(p.at(assigned).whole(), name + " changes its own " + own + " here: " + stays)
                       : out_.add(p.at(call.statement).head_span(), name + " changes its own " + own + ": " + stays);
     if (here) {
-      relate(f, p, call.statement, words + " is passed here, and read afterwards");
+      relate(f, p, call.statement, words + " is passed here and read after the call");
     } else {
       f.related.push_back({sub.program->at(assigned).whole(), own + " is changed here", sub.program->source});
     }
-    f.help = "return the new value, as `" + p.label_text(call.callee) + " endsub [#" + std::to_string(n) + "]`, and fetch it behind the call: `" + text + " = #<_value>`";
+    f.help = "return the new value with `" + p.label_text(call.callee) + " endsub [#" + std::to_string(n) + "]`, and write `" + text + " = #<_value>` after the call";
     f.reach = in_.flow.reach(call.statement);
   }
 
@@ -142,7 +142,7 @@ void check(const Input& in, Reporter& out) {
   for (const Call& call : p.calls) {
     if (p.at(call.statement).kind == LineKind::kM98) continue;  // shares the numbers
     by_reference.check(call);
-    // In a sub, what it reads may be its own argument. The first call has the most behind it.
+    // In a sub, what it reads may be its own argument. The first call has the most lines after it.
     if (call.target == UINT32_MAX || call.caller != kMainRegion || seen[call.target]) continue;
     seen[call.target] = true;
     check_numbers(in, call, out);
@@ -158,15 +158,15 @@ extern const Rule kOw605{
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A sub that puts its result into one of `#1` to `#30` without using it, and a main program that reads
-this number behind the call and never sets it itself.
+        .what = R"(A sub puts its result into one of `#1` to `#30` and does not use it itself. The main program reads
+this number after the call and never sets it.
 
-A sub that changes an argument, and a caller that passes a parameter and reads it afterwards as if the
-sub had changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]` and then `X#5`. Reading it only in
-`(debug, #5)` or another comment counts as well.)",
-        .why = R"(A call saves `#1` to `#30` and gives them back when the sub returns. What the sub has put there is gone:
-the caller reads what it had before, usually 0. LinuxCNC says nothing. Nothing is passed by reference:
-the sub gets the values of its arguments.
+A sub changes an argument. The caller passes a parameter and reads it after the call as if the sub had
+changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. It counts as read in
+`(debug, #5)` and other comments that show values.)",
+        .why = R"(A call saves `#1` to `#30` and restores them when the sub returns. The sub's result is lost: the
+caller gets its own old value, usually 0. There is no message. Nothing is passed by reference: the sub
+gets the values of its arguments.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90

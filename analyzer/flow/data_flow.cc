@@ -267,6 +267,12 @@ std::span<const std::pair<ParameterKey, StatementId>> DataFlow::assignments(Regi
   return std::span(std::ranges::equal_range(*sub.assignments, key, {}, &Assignment::first));
 }
 
+bool DataFlow::read_above(RegionId region, StatementId place, ParameterKey key) const {
+  const Accesses& accesses = look(region).accesses;
+  const size_t last = static_cast<size_t>(std::ranges::lower_bound(statements_[region], place) - statements_[region].begin());
+  return std::ranges::count(accesses.all_reads().first(accesses.first_read(last)), key) > 0;
+}
+
 StatementId DataFlow::first_assignment(RegionId region, ParameterKey key) const {
   const auto known = assignments(region, key);
   return known.empty() ? kNoStatement : known.front().second;

@@ -58,11 +58,13 @@ class DataFlow {
   StatementId last_assignment(RegionId region, uint32_t number) const;
   /// Whether a region reads #n after one of its calls, and never assigns it.
   bool expects_from_call(StatementId call, uint32_t number) const;
-  /// Whether some run reads a parameter behind a line before the region assigns it again.
+  /// Whether some run reads a parameter after a line before the region assigns it again.
   bool reads_after(StatementId line, ParameterKey key) const;
   /// Whether a region may have assigned a parameter when a run comes to statement `place`, or would come to a line above it: in
   /// lines above, or in a loop around it.
   bool assigned_before(RegionId region, StatementId place, ParameterKey key) const;
+  /// Whether a line of a region above statement `place` reads a parameter.
+  bool read_above(RegionId region, StatementId place, ParameterKey key) const;
   /// The first line of a region that assigns a parameter.
   StatementId first_assignment(RegionId region, ParameterKey key) const;
   /// What each line of a region reads and assigns; the lines are those of lines_of().

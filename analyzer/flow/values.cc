@@ -68,7 +68,9 @@ void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) const {
   for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
     const Expr& expr = syntax_.exprs[id];
     if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
-    if (global_name(expr.name()) || remap_gives(syntax_.names.text(expr.name()), sub, profile_)) set_name(p, expr.name(), kUnknown);
+    // Without an INI, a name that some line assigns may be one that Python gives the sub.
+    const bool may_be_python = profile_.setup == nullptr && kept_[expr.name()];
+    if (global_name(expr.name()) || may_be_python || remap_gives(syntax_.names.text(expr.name()), sub, profile_)) set_name(p, expr.name(), kUnknown);
   }
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr std::array<std::string_view, 10> kOfPrologs{"current_pocket", "feed", "motion_code", "pocket", "selected_pocket",
                                                       "selected_tool", "speed", "tool", "tool_in_spindle", "wear"};
 
+bool of_prolog(std::string_view name) { return std::ranges::find(kOfPrologs, name) != kOfPrologs.end(); }
 bool is_letter(std::string_view name) { return name.size() == 1 && name[0] >= 'a' && name[0] <= 'z'; }
 
 /// The value of `key=` in a REMAP line; nothing where it is not there.
@@ -30,13 +31,17 @@ std::string option(std::string_view remap, std::string_view key) {
 bool remap_gives(std::string_view name, std::string_view sub, const Profile& profile) {
   const MachineSetup* setup = profile.setup.get();
   if (name == "n_args") return setup == nullptr || setup->counts_arguments;
-  if (setup == nullptr) return is_letter(name) || std::ranges::find(kOfPrologs, name) != kOfPrologs.end();
-  return std::ranges::any_of(setup->ini.all("RS274NGC", "REMAP"), [&](const Ini::Entry* remap) {
+  if (setup == nullptr) return is_letter(name) || of_prolog(name);
+  bool remapped = false;
+  const bool by_line = std::ranges::any_of(setup->ini.all("RS274NGC", "REMAP"), [&](const Ini::Entry* remap) {
     if (option(remap->value, "ngc=") != sub) return false;
+    remapped = true;
     if (!option(remap->value, "prolog=").empty()) return true;  // nobody knows what Python sets
     const std::string words = option(remap->value, "argspec=");
     return is_letter(name) && words.find('@') == std::string::npos && words.find(name) != std::string::npos;
   });
+  // A file for a remap that this INI does not have, such as one for changing tools by hand.
+  return by_line || (!remapped && of_prolog(name));
 }
 
 }  // namespace owlint

@@ -7,8 +7,8 @@
 
 namespace owlint {
 
-/// Whether a remap that calls `sub` may give it the name. Without an INI: a letter, or a name that LinuxCNC's own Python for
-/// remaps sets. With one: what its REMAP lines say.
+/// Whether a remap that calls `sub` may give it the name. With an INI: what its REMAP lines say. Without one: a letter, or a name
+/// that LinuxCNC's own Python for remaps sets, as also for a sub that the INI does not remap.
 bool remap_gives(std::string_view name, std::string_view sub, const Profile& profile);
 
 }  // namespace owlint

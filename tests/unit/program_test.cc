@@ -132,3 +132,22 @@ TEST_CASE("O-words are listed by label", "[program]") {
   CHECK(std::ranges::equal(p->by_label[p->syntax.names.find("1")], std::vector<StatementId>{0, 3}));
   CHECK(std::ranges::equal(p->by_label[p->syntax.names.find("2")], std::vector<StatementId>{1, 2}));
 }
+
+TEST_CASE("the lines outside of the sub with the file's name say whether it is a program", "[program]") {
+  const auto called = [](const std::string& text) { return build(text)->sub_file; };  // the file is p.ngc
+  const std::string sub = "o<p> sub\nG0 X1\no<p> endsub\n";
+  CHECK(called(sub));
+  CHECK(called(sub + "M2\n"));
+  CHECK(called("%\n" + sub + "%\n"));
+  CHECK(called("G21 G90\n" + sub));
+  CHECK(called("#<depth> = 5\n" + sub + "M2\n"));
+  CHECK(called(sub + "G0 X9\nM2\nremarks\n"));
+  CHECK(called("M2\n" + sub));
+  CHECK_FALSE(called("o<q> sub\no<q> endsub\n"));
+  CHECK_FALSE(called(sub + "o<p> call\n"));
+  CHECK_FALSE(called("o<p> call\nM2\n" + sub));
+  CHECK_FALSE(called(sub + "o<r> call\nM2\n"));
+  CHECK_FALSE(called(sub + "o#1 call\nM2\n"));
+  CHECK_FALSE(called(sub + "o<p>\nM2\n"));
+  CHECK_FALSE(called("G0 X5\nM30\n" + sub));
+}
