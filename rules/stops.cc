@@ -326,7 +326,7 @@ bool has_stop(const Input& in, StatementId statement) { return statement < in.in
 
 std::string look_alike_text(std::string_view text) {
   const char32_t code = character_at(text).code;
-  const LookAlike same = *look_alike(code);
+  const LookAlike same = look_alike(code).value();
   const std::string who = fmt::format("U+{:04X} {}", static_cast<uint32_t>(code), same.name);
   if (same.plain.empty()) return who + " stands here, which no editor shows";
   return who + (same.plain == " " ? " looks like a blank, and is none" : " looks like `" + same.plain + "`, and is another character");
@@ -334,15 +334,16 @@ std::string look_alike_text(std::string_view text) {
 
 std::string look_alike_name(const Input& in, std::string_view name) {
   const Names& names = in.program.syntax.names;
+  // A letter such as `ä` is no ASCII character, either, and looks like no other.
   const auto differs = [](std::string_view foreign) {
-    const auto first = std::ranges::find_if(foreign, is_foreign);
-    return look_alike_text({first, foreign.end()});
+    while (!is_foreign(foreign[0]) || !look_alike(character_at(foreign).code)) foreign.remove_prefix(character_at(foreign).length);
+    return look_alike_text(foreign);
   };
   const std::string plain = plain_text(name);
   const bool known = plain != name && (names.find(plain) != kNoName || in.linked.search_path().find(plain));
   if (plain != name) return !known ? std::string() : "in `<" + std::string(name) + ">` " + differs(name) + ": write `<" + plain + ">`";
   for (const NameId id : in.index.foreign_names) {
-    if (plain_text(names.text(id)) == name) return "in `<" + names.text(id) + ">` " + differs(names.text(id)) + ": write `<" + plain + ">`";
+    if (names.text(id) != name && plain_text(names.text(id)) == name) return "in `<" + names.text(id) + ">` " + differs(names.text(id)) + ": write `<" + plain + ">`";
   }
   return {};
 }
