@@ -56,6 +56,12 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
       f.fixes.push_back(split_line(p, s, s.keyword_span().begin, f.help));
       break;
     case StopKind::kM99Jump: case StopKind::kM99Rest: default: {
+      if (interpreter.starts_with("Two m codes")) {
+        f.span = error->span;
+        f.message = "a second code that ends the program is on the line with `M99`";
+        f.help = "write one of them";
+        break;
+      }
       f.span = s.rest_span();
       const std::string text = text_of(p, f.span);
       const bool jump = text.find_first_not_of("pP0123456789 \t") == std::string::npos && text.find_first_of("pP") == 0;

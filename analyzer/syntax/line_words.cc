@@ -13,6 +13,11 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool foreign_letter(char c) { return c == 'u' || c == 'v' || c == 'w'; }
 bool starts_word(char c) { return (is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$'; }
 
+// Beside the letters of a line's words: M codes that were among them.
+constexpr uint32_t kHasStop = 1U << 30;
+constexpr uint32_t kHasReturn = 1U << 31;
+constexpr double kStopCodes[] = {0, 1, 2, 30, 60};
+
 constexpr size_t kFanucCode = 3;  // characters of `M98` and `M99`
 
 /// G70, G71, G71.1, G71.2, G72, G72.1, G72.2.
@@ -202,6 +207,14 @@ bool LineParser::m_code(ExprId value, size_t from, size_t to, Statement& s) {
     fail(s, StopKind::kM98Behind, from, to, "Unknown m code used: M98");
     return false;
   }
+  // Of the codes that stop, a line has one; with M99 among them that is a matter of calls.
+  if (number == 99 || std::ranges::find(kStopCodes, number) != std::end(kStopCodes)) {
+    if ((letters_ & kHasStop) != 0 && (number == 99 || (letters_ & kHasReturn) != 0)) {
+      fail(s, StopKind::kM99Jump, from, to, "Two m codes used from same modal group");
+      return false;
+    }
+    letters_ |= kHasStop | (number == 99 ? kHasReturn : 0U);
+  }
   const bool ends = number == 2 || number == 30;
   if (!ends && (number != 99 || s.kind != LineKind::kWords)) return true;
   s.kind = ends ? LineKind::kProgramEnd : LineKind::kM99Behind;
@@ -354,7 +367,7 @@ void LineParser::m99(ExpressionParser& in, Statement& s) {
   // With nothing else on the line, no mode takes the P.
   constexpr uint32_t kM = 1U << ('m' - 'a');
   constexpr uint32_t kP = 1U << ('p' - 'a');
-  if (letters_ == (kM | kP)) fail(s, StopKind::kM99Jump, in.cursor, in.cursor, "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 M65 M66 M98 or user M code to use it");
+  if ((letters_ & ~(kHasStop | kHasReturn)) == (kM | kP)) fail(s, StopKind::kM99Jump, in.cursor, in.cursor, "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 M65 M66 M98 or user M code to use it");
 }
 
 /// Words and assignments to the end of the line; false where the reading ended before, with an error or without.

@@ -148,6 +148,7 @@ TEST_CASE("M98 and M99 beside words", "[syntax]") {
   CHECK(read.syntax.statements[2].rest_span().begin == read.syntax.statements[2].rest_span().end);
   CHECK(read.syntax.statements[3].repeats);
   CHECK(read.syntax.statements[3].value_count == 2);
+  CHECK(shape("M99 M99\nM30 M99\nM5 M99\n") == "1 M99 (Two m codes used from same modal group); 2 end (Two m codes used from same modal group); 3 M99 behind");
   CHECK(shape("G0 M98 P1\nM98 P1 P2\nM98 P-1 P2\nM98 P1 L-1\nM98 P1 L.5\nM98 L2\nM98 P1 )\n") ==
         "1 words (Unknown m code used: M98); 2 M98 (Multiple p words on one line); 3 M98; 4 M98 (Negative l word used); "
         "5 M98 (Non integer value for integer); 6 M98 (Found 'm98' code with no P-word); 7 M98 (Bad character ')' used)");
