@@ -13,7 +13,8 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(h.statement);
     const Region& sub = p.regions[p.region_of[h.statement]];
     const bool fanuc = sub.opener != kNoStatement && p.at(sub.opener).is(Keyword::kBare);
-    const std::string name = p.label_text(sub.name);
+    // A sub of a called file that is not closed may end before the line: then the call names it.
+    const std::string name = sub.name == kNoName ? call.program->label_at(call.statement) : p.label_text(sub.name);
     Finding& f = out.add(s.whole(), "the program ends here, inside `" + name + "`: no line below the call on " + line_words(in, call) + " is executed");
     relate(in, f, call, "called from here");
     f.help = fanuc ? "go back with `M99`; the program that calls the sub has the `M2`"
