@@ -195,7 +195,7 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
       relate(f, p, block->opener, "`" + p.head_of(*block) + "` begins here");
       const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
       f.help = "write `" + right + "`";
-      if (block->kind == Keyword::kDo) f.help = "write `" + right + " [...]`, with the condition under which the loop goes on";
+      if (block->kind == Keyword::kDo) f.help = "write `" + right + " [...]`; the loop goes on while the condition is true";
       if (!around) around = unclosed_in_main(p);
       const auto unclosed = around->find(line.label);
       if (block->region != kMainRegion && unclosed != around->end() && unclosed->second < s.statement) {

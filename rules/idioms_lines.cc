@@ -8,7 +8,7 @@ namespace owlint::rules {
 namespace {
 
 constexpr std::string_view kInsteadOfJumps =
-    "leave lines out with `o100 if [...]` and `o100 endif`, the condition turned round; do them again with `o100 while [...]` and `o100 endwhile`";
+    "to skip lines, write `o100 if [...]` and `o100 endif` with the opposite condition; to repeat lines, write `o100 while [...]` and `o100 endwhile`";
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -25,7 +25,7 @@ struct OtherWord {
 
 constexpr std::array<OtherWord, 34> kOtherWords = {{
     {"gosub", "call a sub with `o100 call`"},
-    {"until", "close `do` with `while` and the opposite condition: `o100 while [#1 LT 10]` goes on until #1 is 10"},
+    {"until", "close `do` with `while` and the opposite condition: `o100 while [#1 LT 10]` runs until #1 is 10"},
     {"wend", "write `o100 endwhile`, with the label of the `while`"},
     {"endw", "write `o100 endwhile`, with the label of the `while`"},
     {"endfor", "count in a `while`, or use `repeat` and `endrepeat`"},
@@ -95,12 +95,12 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
   const bool behind = line.kind() == StopKind::kTrailingText && has_keyword(line, Keyword::kWhile) && (rest == "do" || numbered("do"));
   if (!begins && !ends && !behind) return false;
   if (behind) {
-    f.message = "`" + upper(rest) + "` stands behind the condition: a loop of LinuxCNC begins without it";
+    f.message = "`" + upper(rest) + "` after the condition: LinuxCNC has a `while` without it";
     f.help = "remove it; the loop ends with `" + line.program.label_at(line.id) + " endwhile`";
     line.propose(f, "remove `" + upper(rest) + "`", {line.put(line.at, line.end, "")}, true);
     return true;
   }
-  f.message = "`WHILE … DO1` and `END1` is a loop of other controllers, which LinuxCNC does not have";
+  f.message = "`WHILE … DO1` and `END1` is a loop of other controllers; LinuxCNC does not have it";
   f.help = ends ? "write `o100 endwhile`, with the label of the `while`" : "write `o100 while [...]`, without `DO1`, and `o100 endwhile` in place of `END1`";
   return true;
 }
@@ -115,12 +115,12 @@ bool says_then(const RefusedLine& line, Finding& f) {
   const std::string_view behind = text.substr(std::min(then + 4, text.size()));
   f.message = "LinuxCNC has no `THEN`";
   if (forgotten || line.kind() == StopKind::kWordUnreadable) {
-    f.help = "write `o100 if [...]` on a line, what it decides about on the next ones, and `o100 endif`";
+    f.help = "write `o100 if [...]` on a line, the lines for a true condition below it, and then `o100 endif`";
   } else if (behind.empty()) {
     f.help = "remove it";
     line.propose(f, "remove `then`", {line.put(line.at, line.end, "")}, true);
   } else {
-    f.help = "remove it, and put what follows on a line of its own, before `" + line.program.label_at(line.id) + " endif`";
+    f.help = "remove it, and write the rest on a line of its own, before `" + line.program.label_at(line.id) + " endif`";
   }
   return true;
 }
@@ -133,17 +133,17 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
                          has_keyword(line, Keyword::kReturn) || has_keyword(line, Keyword::kEndsub);
   if (line.kind() != StopKind::kTrailingText || !line.statement.has_bracket || !takes_one) return false;
   if (rest.starts_with("[")) {
-    f.message = "`" + keyword_text(line) + "` takes one pair of brackets, and here is a second one";
-    f.help = "put one pair around all of it, with what joins them between: `[[...] AND [...]]`";
+    f.message = "`" + keyword_text(line) + "` takes one pair of brackets, but here is a second one";
+    f.help = "write one pair around everything, and join the parts: `[[...] AND [...]]`";
     return true;
   }
   if (std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); })) return false;
   const size_t open = line.text.text().find('[', line.text.text().find(keyword_text(line)));
   const std::string all = line.written(open, line.end);
-  f.message = "the brackets end before `" + std::string(line.written(line.at, line.at + letters(rest).size() + (letters(rest).empty() ? 1 : 0))) + "`: one pair must be around all of it";
+  f.message = "the brackets end before `" + std::string(line.written(line.at, line.at + letters(rest).size() + (letters(rest).empty() ? 1 : 0))) + "`: one pair must be around everything";
   f.help = "write `" + keyword_text(line) + " [" + all + "]`";
-  line.propose(f, "put brackets around all of it", {line.put(open, open, "["), line.put(line.end, line.end, "]")}, true);
-  // At the end of the text, not of the blanks behind it.
+  line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")}, true);
+  // At the end of the text, not of the spaces after it.
   const uint64_t behind = line.text.span(line.at, line.end).end;
   f.fixes[0].edits[1].span = {behind, behind};
   return true;
@@ -168,11 +168,11 @@ bool has_comment_inside(const RefusedLine& line, Finding& f) {
   if (open == std::string_view::npos) return false;
   const Span comment = line.text.span(open, next);
   const uint64_t line_end = line.text.span(0, line.text.size()).end;
-  f.message = "a comment stands inside the O-word: LinuxCNC reads no further";
-  f.help = "put the comment at the end of the line, or on a line of its own";
+  f.message = "a comment inside the O-word: LinuxCNC does not read the rest of the O-word";
+  f.help = "write the comment at the end of the line, or on a line of its own";
   const std::string moved = " " + std::string(line.program.source->slice({comment.begin, line.text.span(open, text.find(')', open) + 1).end}));
   const bool whole = text.find_first_of("(;", next) == std::string_view::npos && !line.rest().starts_with("sub") && !line.rest().starts_with("endsub");
-  line.propose(f, "put the comment at the end of the line", {{{comment.begin, line.text.offset(next)}, ""}, {{line_end, line_end}, moved}}, whole);
+  line.propose(f, "move the comment to the end of the line", {{{comment.begin, line.text.offset(next)}, ""}, {{line_end, line_end}, moved}}, whole);
   return true;
 }
 
@@ -181,21 +181,21 @@ bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || line.statement.has_bracket == false) return false;
   const std::string text = line.written(line.at, line.end);
   const std::string label = line.program.label_at(line.id);
-  f.message = "`" + keyword_text(line) + "` takes nothing in brackets";
+  f.message = "`" + keyword_text(line) + "` takes no value in brackets";
   if (has_keyword(line, Keyword::kSub)) {
-    f.message += ": what is passed is #1, #2 and so on in the sub, without saying so";
+    f.message += ": the arguments of the call are #1, #2 and so on in the sub";
     f.help = "remove `" + text + "`; pass values with `" + label + " call [...]`";
     line.propose(f, "remove `" + text + "`", {line.put(line.at, line.end, "")}, false);
   } else if (has_keyword(line, Keyword::kElse)) {
     f.help = "write `" + label + " elseif " + text + "`";
     line.propose(f, "write `elseif`", {{line.statement.keyword_span(), "elseif"}}, false);
   } else if (has_keyword(line, Keyword::kDo)) {
-    f.help = "put the condition where the loop ends: `" + label + " while " + text + "`";
+    f.help = "write the condition at the end of the loop: `" + label + " while " + text + "`";
   } else if (has_keyword(line, Keyword::kEndwhile)) {
-    f.help = "put the condition where the loop begins: `" + label + " while " + text + "`";
+    f.help = "write the condition at the beginning of the loop: `" + label + " while " + text + "`";
   } else {
     f.help = "remove `" + text + "`";
-    if (has_keyword(line, Keyword::kBreak) || has_keyword(line, Keyword::kContinue)) f.help = "put the condition into an `if` around the line";
+    if (has_keyword(line, Keyword::kBreak) || has_keyword(line, Keyword::kContinue)) f.help = "write an `if` with the condition around the line";
   }
   return true;
 }
@@ -206,7 +206,7 @@ bool rounds_brackets(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kBracketMissing || line.at >= text.size() || text[line.at] != '(') return false;
   const size_t close = text.find(')', line.at);
   if (close == std::string_view::npos || close + 1 != text.size()) return false;
-  f.message = "`" + keyword_text(line) + "` is followed by round brackets, which are a comment";
+  f.message = "`" + keyword_text(line) + "` is followed by round brackets, and they are a comment";
   const std::string inside = line.written(line.at + 1, close);
   f.help = "write `" + keyword_text(line) + " [" + inside + "]`";
   line.propose(f, "write square brackets", {line.put(line.at, line.at + 1, "["), line.put(close, close + 1, "]")}, false);
@@ -220,8 +220,8 @@ bool passes_without_brackets(const RefusedLine& line, Finding& f) {
   const std::string_view rest = line.rest();
   if (std::string_view("0123456789#-+.,").find(rest[0]) == std::string_view::npos) return false;
   if (rest[0] == ',') {
-    f.message = "a comma stands between the arguments";
-    f.help = "remove it: arguments stand one behind the other, `[1] [2]`";
+    f.message = "there is a comma between the arguments";
+    f.help = "remove it: write the arguments one after the other, `[1] [2]`";
     line.propose(f, "remove the comma", {line.put(line.at, line.at + 1, "")}, false);
     return true;
   }
@@ -249,13 +249,13 @@ bool calls_without_keyword(const RefusedLine& line, Finding& f) {
   const std::string label = line.program.label_at(line.id);
   const char c = line.text[line.at];
   if (c == '[') {
-    f.message = "`" + label + "` is followed by brackets, but by no keyword";
-    f.help = "write `" + label + " call " + line.written(line.at, line.end) + "`, if the sub is to be called";
+    f.message = "`" + label + "` is followed by brackets, but not by a keyword";
+    f.help = "write `" + label + " call " + line.written(line.at, line.end) + "` to call the sub";
     line.propose(f, "write `call`", {line.put(line.at, line.at, "call ")}, false);
     return true;
   }
   if (c != '=' || !line.statement.named) return false;
-  f.message = "`" + label + "` is a label, which has no value";
+  f.message = "`" + label + "` is a label; a label has no value";
   f.help = "assign to a parameter: `#" + line.written(line.text.text().find('<'), line.at) + " = ...`";
   return true;
 }
@@ -267,8 +267,8 @@ bool calls_by_name(const RefusedLine& line, Finding& f) {
   const bool number = c == 'o' && is_digit(line.text[line.at + 1]);
   const bool name = c == '<' || (c == 'o' && line.text[line.at + 1] == '<');
   if (!number && !name) return false;
-  f.message = number ? "`M98` takes the number of the sub behind `P`" : "`M98` cannot call a sub by its name";
-  f.help = number ? "write `M98 P" + line.written(line.at + 1, line.end) + "`" : "call a sub that has a name with `o<name> call`";
+  f.message = number ? "`M98` needs the number of the sub after `P`" : "`M98` cannot call a sub by its name";
+  f.help = number ? "write `M98 P" + line.written(line.at + 1, line.end) + "`" : "call a sub with a name with `o<name> call`";
   if (number) line.propose(f, "write `P`", {line.put(line.at, line.at + 1, "P")}, true);
   return true;
 }
@@ -307,7 +307,7 @@ bool lacks_label(const RefusedLine& line, Finding& f) {
   }
   const std::string label = p.label_at(opener);
   f.help = "write `" + label + " " + word + "`, for `" + p.head(opener) + "` on line " + std::to_string(p.at(opener).line);
-  relate(f, p, opener, "`" + p.head(opener) + "` is open here");
+  relate(f, p, opener, "`" + p.head(opener) + "` begins here");
   const bool ends = block != kNoBlock && p.blocks[block].mistaken_end == line.id;
   line.propose(f, "write the label `" + label + "`", {line.put(line.at, line.at, label + " ")}, ends);
   return true;
@@ -320,30 +320,30 @@ bool has_odd_sign(const RefusedLine& line, Finding& f) {
   const char c = line.text[line.at];
   const std::string sign(1, c);
   if (c == '/' && line.at == first) {
-    f.message = "`//` begins no comment: the first `/` is block delete";
+    f.message = "`//` does not begin a comment: the first `/` is block delete";
     f.help = "begin a comment with `;`";
   } else if (c == '%') {
-    f.message = "`%` must stand alone on its line";
-    f.help = line.at == 0 ? "put what stands behind it on a line of its own, in a comment" : "put it on a line of its own";
+    f.message = "`%` must be alone on its line";
+    f.help = line.at == 0 ? "write the text after it on a line of its own, in a comment" : "write it on a line of its own";
   } else if (c == ':' && line.at == first && is_digit(line.text[line.at + 1])) {
-    f.message = "`:` before a program number is no word of LinuxCNC";
+    f.message = "LinuxCNC does not know `:` before a program number";
     f.help = "write `O" + line.written(line.at + 1, line.end) + "`";
   } else if (line.at == first && (c == '!' || c == '\'' || c == '*' || c == '"' || c == '\\')) {
-    f.message = "`" + sign + "` begins no comment";
-    f.help = "begin a comment with `;`, or put it in `( )`";
+    f.message = "`" + sign + "` does not begin a comment";
+    f.help = "begin a comment with `;`, or write it in `( )`";
   } else if (c == '"' || c == '\'') {
     f.message = "LinuxCNC has no text in quotes";
-    f.help = "put text in a comment; a value is a number or a parameter";
+    f.help = "write text in a comment; a value is a number or a parameter";
   } else if (c == '{' || c == '}') {
-    f.message = "`" + sign + "` has no meaning: blocks stand between O-words, values in `[ ]`";
-    f.help = "remove it; a block ends with its own keyword, as `o100 endif`";
+    f.message = "`" + sign + "` has no meaning: blocks are between O-words, values in `[ ]`";
+    f.help = "remove it; a block ends with its own keyword, such as `o100 endif`";
   } else {
     return false;
   }
   return true;
 }
 
-/// A keyword of another language, behind a label or alone.
+/// A keyword of another language, after a label or alone.
 bool is_other_word(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown && line.kind() != StopKind::kTrailingText) return false;
   const std::string_view word = letters(line.rest());
@@ -355,10 +355,10 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   }
   if (word == "end" || word == "endprogram") {
     f.message = "`" + upper(word) + "` does not say what ends";
-    f.help = "write `endif`, `endwhile`, `endrepeat` or `endsub` with its label, or `M2` where the program ends";
+    f.help = "write `endif`, `endwhile`, `endrepeat` or `endsub` with its label, or `M2` at the end of the program";
     return true;
   }
-  // A keyword of LinuxCNC with something else behind it than brackets.
+  // A LinuxCNC keyword that is not followed by brackets.
   const Keyword keyword = keyword_of(line.rest());
   if (const size_t label = line.at + spelling(keyword).size(); line.kind() == StopKind::kWordUnreadable && keyword != Keyword::kUnknown && line.text[label] == 'o') {
     const std::string_view rest = line.text.text().substr(label);
@@ -375,7 +375,7 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown || letters(line.rest()) != spelling(keyword)) return false;
   f.message = "the `o…` label is missing before `" + std::string(spelling(keyword)) + "`";
   f.help = keyword == Keyword::kCall || keyword == Keyword::kSub ? "write the label first: `o<name> " + std::string(spelling(keyword)) + "`"
-                                                                 : "write the label first, and what is computed in square brackets: `o100 " + std::string(spelling(keyword)) + " [...]`";
+                                                                 : "write the label first, and the condition or values in square brackets: `o100 " + std::string(spelling(keyword)) + " [...]`";
   return true;
 }
 

@@ -24,7 +24,7 @@ std::string name_at(const RefusedLine& line, size_t from) { return line.written(
 
 bool has_name(const RefusedLine& line, std::string_view name) { return line.program.syntax.names.find(name) != kNoName; }
 
-/// The start of the value that the error stands behind: behind the last `=` before it, or the last word's letter.
+/// The start of the value before the error: after the last `=`, or after the last word's letter.
 size_t value_start(const RefusedLine& line) {
   const std::string_view before = line.before();
   const size_t equal = before.rfind('=');
@@ -54,7 +54,7 @@ constexpr std::array<Other, 17> kOperators = {{
 }};
 
 constexpr std::array<Other, 21> kFunctions = {{
-    {"not", "turn the comparison round: `LE` for not `GT`, `EQ 0` for not true"},
+    {"not", "use the opposite comparison: `LE` for not `GT`, `EQ 0` for not true"},
     {"sqr", "write `SQRT[...]`"},
     {"pow", "write `[a ** b]`"},
     {"int", "write `FIX[...]`, which rounds down, or `ROUND[...]`"},
@@ -91,7 +91,7 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
   const auto same = look_alike(character_at(from).code);
   if (!same) return false;
   f.message = look_alike_text(from);
-  f.help = same->plain.empty() ? "remove it" : same->plain == " " ? "type a plain blank" : "type `" + same->plain + "`";
+  f.help = same->plain.empty() ? "remove it" : same->plain == " " ? "type an ordinary space" : "type `" + same->plain + "`";
   // All of them on the line at once, but for its comments and names.
   std::vector<Edit> edits;
   for (size_t i = 0; i < line.text.size();) {
@@ -108,7 +108,7 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
     if (plain) edits.push_back({{at, at + character.length}, plain->plain});
     i += character.length;
   }
-  if (!edits.empty()) line.propose(f, edits.size() == 1 ? f.help : "type plain characters", std::move(edits), true);
+  if (!edits.empty()) line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), true);
   return true;
 }
 
@@ -118,10 +118,10 @@ bool has_comma(const RefusedLine& line, Finding& f) {
   const bool digits = line.at > 0 && is_digit(line.text[line.at - 1]) && is_digit(line.text[line.at + 1]);
   const bool together = digits && line.text.offset(line.at + 1) == line.text.offset(line.at) + 1;
   if (line.statement.is(Keyword::kCall) && line.kind() == StopKind::kExpression) {
-    f.message = "a comma stands between the arguments";
-    f.help = "give each argument brackets of its own: `[1] [2]`";
-    if (together) f.help += "; a decimal point is a `.`";
-    line.propose(f, "give each argument brackets of its own", {line.put(line.at, line.at + 1, "] [")}, false);
+    f.message = "there is a comma between the arguments";
+    f.help = "write each argument in its own brackets: `[1] [2]`";
+    if (together) f.help += "; write a decimal point as `.`";
+    line.propose(f, "write each argument in its own brackets", {line.put(line.at, line.at + 1, "] [")}, false);
     return true;
   }
   if (!digits) return false;
@@ -130,7 +130,7 @@ bool has_comma(const RefusedLine& line, Finding& f) {
   size_t to = line.at + 1;
   while (is_digit(line.text[to])) ++to;
   const std::string number = line.written(from, line.at) + "." + line.written(line.at + 1, to);
-  f.message = "`" + line.written(from, to) + "` has a comma for the decimal point";
+  f.message = "`" + line.written(from, to) + "` has a comma instead of a decimal point";
   f.help = "write `" + number + "`";
   line.propose(f, f.help, {line.put(line.at, line.at + 1, ".")}, false);
   return true;
@@ -151,9 +151,9 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   if (start >= line.at) return false;
   const bool assigns = start > 0 && line.text[start - 1] == '=';
   const std::string all = line.written(start, line.end);
-  f.message = "a calculation stands outside of brackets";
+  f.message = "a calculation outside of brackets";
   f.help = "write `[" + all + "]`";
-  line.propose(f, "put the calculation in brackets", {line.put(start, start, "["), line.put(line.end, line.end, "]")}, assigns);
+  line.propose(f, "write brackets around the calculation", {line.put(start, start, "["), line.put(line.end, line.end, "]")}, assigns);
   const Span behind = line.text.span(start, line.end);
   f.fixes[0].edits[1].span = {behind.end, behind.end};
   return true;
@@ -167,11 +167,11 @@ bool names_without_brackets(const RefusedLine& line, Finding& f) {
   const bool closed = line.text[to] == '>';
   const bool assigns = line.text[closed ? to + 1 : to] == '=';
   if (line.statement.kind == LineKind::kWords && line.at == 1 && !assigns && !closed) {
-    f.message = "`#` begins no comment";
+    f.message = "`#` does not begin a comment";
     f.help = "begin a comment with `;`; a parameter is `#1` or `#<name>`";
     return true;
   }
-  f.message = closed ? "the name `" + name + ">` lacks its `<`" : "the name of a parameter stands in `< >`";
+  f.message = closed ? "the name `" + name + ">` has no `<`" : "write the name of a parameter in `< >`";
   f.help = "write `#<" + name + ">`";
   line.propose(f, f.help, {line.put(line.at, closed ? to + 1 : to, "<" + name + ">")}, assigns || closed);
   return true;
@@ -181,7 +181,7 @@ bool names_without_brackets(const RefusedLine& line, Finding& f) {
 bool names_half_bracketed(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression || !line.error.message.starts_with("Named parameter not terminated")) return false;
   const std::string name = name_at(line, line.at + 1);
-  f.message = "the name `<" + name + "` lacks its `>`";
+  f.message = "the name `<" + name + "` has no `>`";
   f.help = name.empty() ? "write `#<name>`" : "write `#<" + name + ">`";
   if (name.empty()) return true;
   const size_t to = name_end(line, line.at + 1);
@@ -212,7 +212,7 @@ bool lacks_value(const RefusedLine& line, Finding& f) {
   const size_t behind = equal == std::string_view::npos ? equal : equal + 1;
   const bool nothing = behind != std::string_view::npos && (behind >= text.size() || text[behind] == '(' || text[behind] == ';');
   if (!nothing || behind < line.at || text.find('[', line.at) < equal) return false;
-  f.message = "no value stands behind `=`";
+  f.message = "there is no value after `=`";
   f.help = "write the value: `" + line.written(text.rfind('#', equal), behind) + " 0`";
   return true;
 }
@@ -225,13 +225,13 @@ bool calls_in_value(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text();
   if (from >= line.end || text[from] != 'o' || (text[from + 1] != '<' && !is_digit(text[from + 1]))) return false;
   const std::string call = line.written(from, line.end);
-  f.message = "a call stands where a value belongs";
-  f.help = "call on a line of its own: `" + call + "`; what the sub returns is then in `#<_value>`";
+  f.message = "a call in place of a value";
+  f.help = "call the sub on a line of its own: `" + call + "`; its result is then in `#<_value>`";
   const bool assigns = from > 0 && text[from - 1] == '=' && text[0] == '#' && line.end == text.size();
   if (!assigns || text.substr(from, line.end - from).find("call") == std::string_view::npos) return true;
   const std::string begin = indent_of(*line.program.source, line.statement);
   const std::string target = line.written(0, from);
-  line.propose(f, "call first, then take `#<_value>`",
+  line.propose(f, "call first, then read `#<_value>`",
                {line.put(0, line.end, call + line_end(*line.program.source, line.statement) + begin + target + " #<_value>")}, false);
   return true;
 }
@@ -256,13 +256,13 @@ bool has_other_operator(const RefusedLine& line, Finding& f) {
   if (!expected || bracket) return false;
   const std::string_view rest = line.rest();
   if (line.text[line.at] == '(') {
-    f.message = "a comment stands inside brackets";
-    f.help = "put it behind the closing bracket";
+    f.message = "a comment inside brackets";
+    f.help = "write it after the closing bracket";
     return true;
   }
   const auto* other = std::ranges::find_if(kOperators, [&](const Other& o) { return rest.starts_with(o.text); });
   if (other == kOperators.end()) return false;
-  f.message = "`" + std::string(other->text) + "` is no operator of LinuxCNC";
+  f.message = "`" + std::string(other->text) + "` is not a LinuxCNC operator";
   f.help = "write `" + std::string(other->instead) + "`";
   // A letter beside it would become part of it.
   line.propose(f, f.help, {line.put(line.at, line.at + other->text.size(), " " + std::string(other->instead) + " ")}, false);

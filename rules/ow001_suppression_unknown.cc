@@ -53,7 +53,7 @@ M2
 )",
         .fix = R"(Correct the code (`owlint rules` lists all of them) or remove the comment. A prefix such as `OW3` is
 allowed; it means all codes that begin with it.)",
-        .level_reason = "Warning: LinuxCNC reads the comment as a comment; only owlint's own work suffers.",
+        .level_reason = "Warning: to LinuxCNC it is an ordinary comment; only owlint is affected.",
         .interpreter = "",
         .options = "",
     },

@@ -55,7 +55,7 @@ M2
 )",
         .fix = R"(Give the second block a label of its own, on its `repeat` and its `endrepeat`. Labels of blocks are
 local to a sub, so another sub may use the same number.)",
-        .level_reason = "Error where a run meets both blocks: the program stops at the second. Warning where no run does.",
+        .level_reason = "Error if a run gets to both blocks: the program stops at the second. Warning if no run does.",
         .interpreter = "duplicate O-word label: 'o100 repeat [4]' - defined in line N",
         .options = "",
     },

@@ -58,7 +58,7 @@ M2
 )",
         .fix = R"(Give the second loop a label of its own: on its first line, its last line, and every `break` and
 `continue` of the loop.)",
-        .level_reason = "Error where a run meets both blocks: the program stops at the second. Warning where no run does.",
+        .level_reason = "Error if a run gets to both blocks: the program stops at the second. Warning if no run does.",
         .interpreter = "duplicate O-word label: 'o100 while [#<y> LT 40]' - defined in line N",
         .options = "",
     },

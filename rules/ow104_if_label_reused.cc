@@ -53,7 +53,7 @@ M2
 )",
         .fix = R"(Give the second `if` a label of its own, and use it on its `elseif`, `else` and `endif` too. Labels
 of blocks are local to a sub, so another sub may use the same number.)",
-        .level_reason = "Error where a run meets both blocks: the program stops at the second. Warning where no run does.",
+        .level_reason = "Error if a run gets to both blocks: the program stops at the second. Warning if no run does.",
         .interpreter = "duplicate O-word label - already defined in line N: 'o100 if [#5070 EQ 1]'",
         .options = "",
     },

@@ -56,7 +56,7 @@ G80
 M2
 )",
         .fix = R"(Use the label of the `if` that the line belongs to.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "no matching 'if' label: 'o100 else' (found 'while' in line N)",
         .options = "",
     },

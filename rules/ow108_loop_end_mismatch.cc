@@ -46,7 +46,7 @@ M2
 )",
         .fix = R"(Close `repeat` with `endrepeat`, `while` with `endwhile`, and `do` with `while`, each with the label
 of its first line.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "no matching label: 'o100 endwhile' (found 'repeat' in line N)",
         .options = "",
     },

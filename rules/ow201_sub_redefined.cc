@@ -67,7 +67,7 @@ G80
 M2
 )",
         .fix = R"(Remove the old definition, or give one of the two another label and use it in the calls.)",
-        .level_reason = "Error where a run meets the second definition: the program stops there. Warning where no run does.",
+        .level_reason = "Error if a run gets to the second definition: the program stops there. Warning if no run does.",
         .interpreter = "redefining sub: o|100| already defined in file:PROGRAM",
         .options = "",
     },

@@ -98,7 +98,7 @@ G80
 M2
 )",
         .fix = R"(Define the subs one after the other. A sub may call any sub that is defined above it.)",
-        .level_reason = "Error where LinuxCNC reads the inner `sub`: the program stops there. Warning where no run does.",
+        .level_reason = "Error if LinuxCNC reads the inner `sub`: the program stops there. Warning if no run does.",
         .interpreter = "Nested subroutine definition",
         .options = "",
     },

@@ -79,7 +79,7 @@ M2
 )",
         .fix = R"(Move the sub to the top of the program, before the block. To choose between two subs, define both
 and choose the `call`.)",
-        .level_reason = "Error where a run stops: the sub is missing, or defined twice. Warning where no run does.",
+        .level_reason = "Error if a run stops: the sub is missing, or defined twice. Warning if no run does.",
         .interpreter = "sub: o|200| found in illegal location",
         .options = "",
     },

@@ -81,7 +81,7 @@ o100 call [10] [20]
 M2
 )",
         .fix = R"(Give the `endsub` the label of its `sub`, or add the missing line.)",
-        .level_reason = "Error where a run reads to the end of the file: the program stops there. Warning where the sub runs all the same.",
+        .level_reason = "Error if a run reads to the end of the file: the program stops there. Warning if the sub runs anyway.",
         .interpreter = "File ended with no percent sign or program end",
         .options = "",
     },

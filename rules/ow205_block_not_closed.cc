@@ -28,13 +28,13 @@ void name_mistaken_end(const Program& p, const Block& block, StatementId id, Fin
   const std::string right = label + " " + std::string(spelling(end_of(block.kind)));
   const std::string began = "`" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line);
   if (id == block.mistaken_end) {
-    f.message = "`" + p.head(id) + "` does not close " + began + ": it has another label, and so begins a loop of its own";
-    relate(f, p, block.opener, "`" + p.head_of(block) + "` is open here");
+    f.message = "`" + p.head(id) + "` does not close " + began + ": it has another label, so it begins a new loop";
+    relate(f, p, block.opener, "`" + p.head_of(block) + "` begins here");
     f.help = "write `" + right + "`";
   } else {
     const std::string line = "line " + std::to_string(end.line);
     f.message += end.label == kNoName ? ": `" + std::string(spelling(end.keyword)) + "` on " + line + " has no label" : ": `" + p.head(block.mistaken_end) + "` on " + line + " does not end it";
-    relate(f, p, block.mistaken_end, "this probably means `" + right + "`");
+    relate(f, p, block.mistaken_end, "this is probably meant to be `" + right + "`");
     f.help = "write `" + right + "` on " + line;
   }
   if (end.label == kNoName) {
@@ -57,7 +57,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   if (block.end != kNoStatement && p.at(block.end).refused) {
     const std::string line = "line " + std::to_string(p.at(block.end).line);
     f.message += ": LinuxCNC cannot read " + line + " as its end";
-    relate(f, p, block.end, "this is meant to be its end");
+    relate(f, p, block.end, "this should be its end");
     f.help = "write `" + p.head(block.end) + "` on " + line;
     return &f;
   }
@@ -87,7 +87,7 @@ void check(const Input& in, Reporter& out) {
     if (block.end != kNoStatement || done[block.opener] || has_stop(in, block.opener)) continue;
     // One mistake, one finding: the line that was meant to be the end speaks for it.
     if (block.mistaken_end != kNoStatement) {
-      // But for a `while`, which LinuxCNC takes for a loop of its own.
+      // Not for a `while`: LinuxCNC takes it as the beginning of a new loop.
       const bool opens = p.at(block.mistaken_end).is(Keyword::kWhile);
       if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end]) report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
       continue;
@@ -142,7 +142,7 @@ M2
 )",
         .fix = R"(Add the end with the block's label. If an end with another label is in its place, correct that
 label.)",
-        .level_reason = "Error where a run skips the block: LinuxCNC reads to the end of the file and stops. Warning where no run does.",
+        .level_reason = "Error if a run skips the block: LinuxCNC reads to the end of the file and stops. Warning if no run does.",
         .interpreter = "File ended with no percent sign or program end",
         .options = "",
     },

@@ -61,7 +61,7 @@ o100 endif
 M2
 )",
         .fix = R"(End the inner block before the outer one.)",
-        .level_reason = "Warning: crossed blocks run as long as each condition comes out one way. Where they stop, another rule says so as an error.",
+        .level_reason = "Warning: crossed blocks run as long as the outer block runs. If they stop, another rule reports an error.",
         .interpreter = "",
         .options = "",
     },

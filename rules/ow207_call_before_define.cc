@@ -84,7 +84,7 @@ M2
 )",
         .fix = R"(Put all subs at the top of the program. If they have to be at the bottom, end the program with `M2`
 before them.)",
-        .level_reason = "Error where the flow runs into the definition: the program stops. Warning where no run does.",
+        .level_reason = "Error if the program runs into the definition: the program stops. Warning if no run does.",
         .interpreter = "sub: o|100| found in illegal location",
         .options = "",
     },

@@ -50,13 +50,13 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` " +
                                             (machine ? "on the machine's search path" : in.profile.sub_path.empty() ? "in its folder" : "in its folder or those of `--sub-path`"));
     if (in.linked.target(stop.detail).opaque) {
-      f.message = "no sub `" + label + "` in this program, and owlint does not follow such a name to a file";
+      f.message = "no sub `" + label + "` in this program, and owlint does not look for a file with such a name";
       f.help = "define the sub, or correct the name";
       return &f;
     }
     if (const auto found = by_name.find(stop.detail); found != by_name.end()) {
       const Region& region = *found->second;
-      f.message = "`" + label + "` is not known here: its definition on line " + std::to_string(p.at(region.opener).line) + " was not run before";
+      f.message = "`" + label + "` is not known here: the program has not run its definition on line " + std::to_string(p.at(region.opener).line) + " before";
       relate(f, p, region.opener, region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
       f.help = "define the sub before the call, outside of blocks";
       return &f;
@@ -69,9 +69,9 @@ void check(const Input& in, Reporter& out) {
     std::string near_file;
     const Elsewhere late = defined_elsewhere(in, stop.detail);
     if (late.program != nullptr) {
-      f.message = "`" + label + "` is not known here: its definition on " + line_words(in, late) + " was not run before";
+      f.message = "`" + label + "` is not known here: the program has not run its definition on " + line_words(in, late) + " before";
       relate(in, f, late, "defined here");
-      f.help = "define the sub before the call that leads here, or put it into a file of its own";
+      f.help = "define the sub before the call that leads here, or move it into a file of its own";
       return &f;
     }
     // A name of one or two letters is near to everything, and the sub around the call is never meant.
@@ -98,7 +98,7 @@ void check(const Input& in, Reporter& out) {
       f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {
       f.group = stop.detail;
-      f.help = "define the sub, or correct the name; if a file has it, say `--sub-path DIR` or, with the machine's INI, `--ini FILE`";
+      f.help = "define the sub, or correct the name; if it is in a file, use `--sub-path DIR`, or `--ini FILE` with the machine's INI";
     } else {
       f.help = "define the sub, or correct the label";
     }
@@ -134,7 +134,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
       if (has_file(in.setup, call, name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
       if (in.setup.search_path->find_other_case(name)) continue;  // OW402 says so
       const bool named = !call.name.empty();
-      Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_text(name) + "`, and no file `" + name + ".ngc` is on the machine's search path");
+      Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_text(name) + "`, but there is no file `" + name + ".ngc` on the machine's search path");
       if (call.key == "REMAP") {  // measured: the interpreter does not even start
         f.stops = true;
         f.reach = Reach::kAlways;
@@ -152,18 +152,19 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kOw208{
     .code = "OW208",
     .name = "call-undefined",
-    .summary = "`call` or M98 of a sub that neither the program nor a file in the search path defines",
+    .summary = "a `call` or M98 of a sub that LinuxCNC cannot find",
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `call`, or `M98 P…`, whose sub is neither defined in the program nor found as a file with that
-name on the machine's search path: the folder of the INI, `PROGRAM_PREFIX`, and the folders of
-`SUBROUTINE_PATH` in their order. Without an INI owlint knows the program's own folder only, and those that `--sub-path` names; a name that it does not find
-there is a warning, one for all its calls in the folder that is checked. Subs that the INI itself calls (`REMAP`, `NGCGUI_SUBFILE`,
-`MDI_COMMAND` …) are looked for as well.)",
-        .why = R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`),
-then reads ahead through the rest of the program for the `sub` line, and stops at the end of the
-file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. It
+        .what = R"(A `call`, or `M98 P…`, of a sub that is not defined in the program, and there is no file with its
+name on the machine's search path: the INI's folder, `PROGRAM_PREFIX`, and the folders of
+`SUBROUTINE_PATH` in order. Without an INI owlint knows only the program's own folder and the
+folders of `--sub-path`. A name that it does not find there is a warning, reported once for all
+calls in the checked folder. owlint also looks for the subs that the INI itself calls (`REMAP`,
+`NGCGUI_SUBFILE`, `MDI_COMMAND` …).)",
+        .why = R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`).
+Then it looks ahead through the rest of the program for the `sub` line, and stops at the end of the
+file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. This
 happens when the call is executed, not when the program is loaded.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
@@ -185,11 +186,11 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Correct the name, or add the definition. If a file on the machine's search path has the sub, tell owlint
-the machine with `--ini FILE` or `ini = "…"` in `owlint.toml`, or only the file's folder with `--sub-path DIR` or
-`sub-path = ["DIR"]`. If the INI has a `[PYTHON]` section, the name may be a
+        .fix = R"(Correct the name, or add the sub. If a file on the machine's search path has the sub, give owlint
+the INI with `--ini FILE` or `ini = "…"` in `owlint.toml`, or only the file's folder with
+`--sub-path DIR` or `sub-path = ["DIR"]`. If the INI has a `[PYTHON]` section, the name may be a
 Python function, and owlint does not report it.)",
-        .level_reason = "Error where the sub is nowhere: the call stops the program. Warning where the file may be in a folder that owlint does not know.",
+        .level_reason = "Error if the sub does not exist: the call stops the program. Warning if the file may be in a folder that owlint does not know.",
         .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
         .options = "",
     },

@@ -67,7 +67,7 @@ M2
 )",
         .fix = R"(Split the work into several calls, or pass what is the same for all of them in a global name such as
 `#<_depth>`.)",
-        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
         .interpreter = "Too many subroutine parameters",
         .options = "",
     },

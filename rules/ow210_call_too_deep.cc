@@ -60,7 +60,7 @@ M2
 )",
         .fix = R"(Use a `while` or `repeat` instead of recursion. A recursion with an exit works if it is never more
 than nine levels deep.)",
-        .level_reason = "Error where a run nests too deep: the program stops. Warning where only the values decide how deep a recursion goes.",
+        .level_reason = "Error if a run nests too deep: the program stops. Warning if the depth of a recursion depends on values.",
         .interpreter = "Too many subroutine levels",
         .options = "",
     },

@@ -20,30 +20,30 @@ void check(const Input& in, Reporter& out) {
           help = "write `" + p.head(s.statement) + " call`";
           break;
         }
-        message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but a `call` leads here";
+        message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but it is called with `call`";
         help = "call it with `M98 P" + p.label_at(s.statement).substr(1) + "`, or write it with `sub` and `endsub`";
         break;
       case StopKind::kStyleNeedsCall:
-        message = "`" + p.head(s.statement) + "` is reached from `M98`, which only calls Fanuc-style subs";
+        message = "`" + p.head(s.statement) + "` is called with `M98`, which only calls Fanuc-style subs";
         help = "call it with `" + p.label_at(s.statement) + " call`";
         break;
       case StopKind::kStyleNeedsM99:
-        message = "`" + p.head(s.statement) + "` ends a sub that `M98` called";
+        message = "`" + p.head(s.statement) + "` ends a sub that was called with `M98`";
         help = "end a Fanuc-style sub with `M99`";
         break;
       case StopKind::kFanucDisabled:
-        message = line.kind == LineKind::kOWord ? "`" + p.head(s.statement) + "` without a keyword is a Fanuc-style program number, which this machine's INI turns off"
+        message = line.kind == LineKind::kOWord ? "`" + p.head(s.statement) + "` without a keyword is a Fanuc-style program number, but this machine's INI turns these off"
                                                 : "`M98` is a Fanuc-style call, which this machine's INI turns off";
-        help = "call with `call`, define with `sub` and `endsub`, or take `DISABLE_FANUC_STYLE_SUB` out of the INI";
+        help = "call with `call` and define with `sub` and `endsub`, or remove `DISABLE_FANUC_STYLE_SUB` from the INI";
         break;
       default:
-        message = "`M99` ends a sub that a `call` called";
-        help = "end the sub with `endsub`, leave it early with `return`";
+        message = "`M99` ends a sub that was called with `call`";
+        help = "end the sub with `endsub`; leave it early with `return`";
         break;
     }
     Finding& f = out.add(line.kind == LineKind::kOWord ? line.head_span() : line.keyword_span(), std::move(message));
     f.help = std::move(help);
-    relate(f, p, s.call, "called from here");
+    relate(f, p, s.call, "called here");
     return &f;
   });
   // One number both as a program number and as a sub: runs, but only one of them can be called.
@@ -55,7 +55,7 @@ void check(const Input& in, Reporter& out) {
     for (const StatementId other : p.by_label[region.name]) {
       if (!p.at(other).is(Keyword::kBare) || has_stop(in, other) || lacks_call(in, other)) continue;
       Finding& f = out.add(p.at(region.opener).head_span(), "`" + p.label_text(region.name) + "` is both a program number and a sub");
-      relate(f, p, other, "the program number stands here");
+      relate(f, p, other, "the program number is here");
       f.help = "give the sub another number";
       f.reach = in.flow.reach(region.opener);
       break;
@@ -72,14 +72,14 @@ extern const Rule kOw211{
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page = {
-        .what = R"(LinuxCNC knows two kinds of subprogram: `o100 sub` … `o100 endsub`, called by `o100 call`, and the
-Fanuc kind `o100` … `M99`, called by `M98 P100`. The rule finds a call of one kind for a sub of the
-other, `M99` in the first kind, and `endsub` or `return` in the second.)",
-        .why = R"(The interpreter stops where the two meet: `'O.... sub' subroutine must be called with 'O.... call'`,
-`Fanuc 'O....' subroutine must be called with 'M98'`,
-`'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition`,
-`Fanuc 'O....' subroutine definition must end with 'M99'`. A wrong end is only met after the body
-has been cut. Unlike `call`, `M98` neither passes arguments nor restores `#1` to `#30`.
+        .what = R"(LinuxCNC has two kinds of subs: `o100 sub` … `o100 endsub`, called with `o100 call`, and the Fanuc
+kind `o100` … `M99`, called with `M98 P100`. This rule finds calls of one kind for a sub of the
+other kind, `M99` in the first kind, and `endsub` or `return` in the second.)",
+        .why = R"(The interpreter stops where the two are mixed: `'O.... sub' subroutine must be called with 'O....
+call'`, `Fanuc 'O....' subroutine must be called with 'M98'`, `'O.... endsub' or 'O.... return' must
+follow 'O.... sub' subroutine definition`, `Fanuc 'O....' subroutine definition must end with
+'M99'`. If the end is of the wrong kind, it stops only after the sub has run. Unlike `call`, `M98`
+does not pass arguments and does not restore `#1` to `#30`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -104,9 +104,9 @@ o100 call
 o100 call
 M2
 )",
-        .fix = R"(Use one style for the sub and all its calls; `sub` and `call` are the richer one. The same program
-may hold subs of both kinds, if each is called in its own way.)",
-        .level_reason = "Error where a run mixes both: the program stops. Warning where no run does.",
+        .fix = R"(Use one kind for the sub and all its calls; `sub` and `call` can do more. A program may have subs of
+both kinds if each is called in its own way.)",
+        .level_reason = "Error if a run mixes both: the program stops. Warning if no run does.",
         .interpreter = "'O.... sub' subroutine must be called with 'O.... call'",
         .options = "",
     },

@@ -13,7 +13,7 @@ void check(const Input& in, Reporter& out) {
     const Region& region = p.regions[p.region_of[id]];
     if (!s.is(Keyword::kReturn) || s.label == kNoName || region.name == kNoName || s.label == region.name || has_stop(in, id)) continue;
     if (!p.at(region.opener).is(Keyword::kSub)) continue;
-    Finding& f = out.add(s.label_span(), "`" + p.head(id) + "` returns from `" + p.label_text(region.name) + "`, the sub in which it stands");
+    Finding& f = out.add(s.label_span(), "`" + p.head(id) + "` returns from `" + p.label_text(region.name) + "`, the sub around it");
     relate(f, p, region.opener, "the sub begins here");
     f.help = "write `" + p.label_text(region.name) + " return`";
     f.reach = in.flow.reach(id);
@@ -26,16 +26,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw213{
     .code = "OW213",
     .name = "return-other-label",
-    .summary = "`return` with a label other than its sub's",
+    .summary = "a `return` with a label other than its sub's",
     .group = Group::kBlocks,
     .level = Severity::kInfo,
     .page = {
-        .what = R"(A `return` in the body of a sub that carries another label, often that of the `if` it stands in.)",
-        .why = R"(LinuxCNC does not compare the labels: the running sub is left, even if the label is the caller's.
-Who reads `o110 return` may believe that only block `o110` is left, or that the sub `o110` is;
-neither is so. What the label is good for is undocumented, so another version need not do the same.
-The value of such a `return` is not evaluated where the definition is passed over, that of the sub's
-own is.)",
+        .what = R"(A `return` in a sub, but with another label, often that of the `if` around it.)",
+        .why = R"(LinuxCNC does not compare the labels: it leaves the running sub, whatever the label is. A reader of
+`o110 return` may think that it leaves only block `o110`, or the sub `o110`; both are wrong. The
+documentation does not say what the label is for, so another version may do something else. The
+value of such a `return` is not computed when the definition is skipped, unlike the value of a
+`return` with the sub's own label.)",
         .bad = R"(G21 G90
 o100 sub
   o110 if [#1 LE 0]
@@ -60,8 +60,8 @@ o100 call [10]
 o100 call [#5420]
 M2
 )",
-        .fix = R"(Write the sub's own label. If only the `if` was to be left, take the `return` out.)",
-        .level_reason = "Info: the program does what is meant, and LinuxCNC's own programs are written so.",
+        .fix = R"(Write the sub's own label. If the program should only leave the `if`, remove the `return`.)",
+        .level_reason = "Info: the program does what is intended, and LinuxCNC's own programs do this too.",
         .interpreter = "",
         .options = "--extend-select OW213",
     },

@@ -82,7 +82,7 @@ G0 Z5
 M2
 )",
         .fix = R"(Give each block a label of its own.)",
-        .level_reason = "Warning: no run meets both blocks today, but the first one that does stops.",
+        .level_reason = "Warning: no run gets to both blocks now, but a run that does stops.",
         .interpreter = "",
         .options = "",
     },

@@ -70,7 +70,7 @@ M2
         .fix = R"(Give the blocks of each sub a range of numbers of their own, for example 110 to 199 inside `o100`.
 If you have many short subs that all start at `o101`, leave this rule off; it is off unless you
 select it.)",
-        .level_reason = "Info: it runs, and many programs count their labels from the same number in each sub.",
+        .level_reason = "Info: it runs, and many programs begin with the same number in each sub.",
         .interpreter = "",
         .options = "--select OW215",
     },

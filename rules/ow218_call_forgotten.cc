@@ -1,5 +1,5 @@
 // OW218 call-forgotten: the label of a sub on a line of its own, without `call`.
-// Depends on: an O-word without a keyword is a Fanuc-style program number, where it does nothing; inside a sub it stops.
+// Depends on: an O-word without a keyword is a Fanuc-style program number and does nothing; inside a sub it stops.
 #include <algorithm>
 
 #include "rules/stops.h"
@@ -24,7 +24,7 @@ bool lacks_call(const Input& in, StatementId id) {
   if (std::ranges::any_of(lines, [&](StatementId line) { return p.at(line).is(Keyword::kSub); })) return s.named || !begins_program(p, id);
   const auto file = in.linked.search_path().find(p.name(s.label));
   if (!file || file->path == p.source->path()) return false;
-  // A number may well be the program's own.
+  // A number may be the program's own.
   return s.named;
 }
 
@@ -39,7 +39,7 @@ void check(const Input& in, Reporter& out) {
     const auto lines = p.by_label[p.at(id).label];
     const auto sub = std::ranges::find_if(lines, [&](StatementId line) { return p.at(line).is(Keyword::kSub); });
     if (sub != lines.end()) relate(f, p, *sub, "the sub is defined here");
-    f.help = "write `" + label + " call`, if the sub is to be called";
+    f.help = "write `" + label + " call` to call the sub";
     f.reach = in.flow.reach(id);
     const uint64_t end = p.at(id).label_span().end;
     f.fixes.push_back({"write `" + label + " call`", false, {{{end, end}, " call"}}});
@@ -55,12 +55,12 @@ extern const Rule kOw218{
     .group = Group::kBlocks,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(`o<drill>` or `o100` alone on a line, where the program defines that sub, or a file has its name.)",
-        .why = R"(LinuxCNC takes an O-word without a keyword for the number of a Fanuc-style program and goes on with the
-next line: the sub is not called, and **nothing is said**. Inside a sub the line stops the program with
-`Nested subroutine definition` or `Fanuc 'O....' subroutine must be called with 'M98'`.
+        .what = R"(`o<drill>` or `o100` alone on a line, if the program defines that sub, or if a file has its name.)",
+        .why = R"(LinuxCNC takes an O-word without a keyword for a Fanuc-style program number and goes on with the
+next line. It does not call the sub, and there is **no message**. Inside a sub the line stops the
+program with `Nested subroutine definition` or `Fanuc 'O....' subroutine must be called with 'M98'`.
 
-A number as the first word of the program is its own number, and is not reported.
+A number as the first word of the program is the program's own number, and is not reported.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -83,8 +83,8 @@ G0 X0 Y0 Z5
 o<drill> call [20]
 M2
 )",
-        .fix = R"(Write `call` behind the label, with the arguments in brackets. Remove the line if it is left over.)",
-        .level_reason = "Error where the program stops here. Warning where it runs on, without the sub.",
+        .fix = R"(Write `call` after the label, with the arguments in brackets. If the line is left over, remove it.)",
+        .level_reason = "Error if the program stops here. Warning if it runs on, without the sub.",
         .interpreter = "",
         .options = "",
         .moves = "X0",

@@ -40,14 +40,14 @@ extern const Rule kOw301{
     .level = Severity::kError,
     .page = {
         .what = R"(A line with an O-word whose next word is none of `sub`, `endsub`, `call`, `do`, `while`, `endwhile`,
-`repeat`, `endrepeat`, `if`, `elseif`, `else`, `endif`, `break`, `continue`, `return`. The nearest
-of these is named. Typical are words from other controls and languages: `goto`, `wend`, `elsif`,
-`until`, `for`.)",
-        .why = R"(The interpreter stops at the line, also in a branch that is not taken. Inside a sub it goes
-unnoticed until the sub is called.
+`repeat`, `endrepeat`, `if`, `elseif`, `else`, `endif`, `break`, `continue`, `return`. owlint
+suggests the nearest of these. Often it is a word from another control or language: `goto`, `wend`,
+`elsif`, `until`, `for`.)",
+        .why = R"(The interpreter stops at the line, also in a branch that is not taken. Inside a sub it notices only
+when the sub is called.
 
-Keywords are recognised by their beginning: `endiff` is `endif` with an `f` too much and stops with
-`Unexpected character after O-word`; `iff [1]` is `if` without its bracket. Blanks do not matter:
+LinuxCNC recognises a keyword by its beginning: `endiff` is `endif` with an extra `f` and stops with
+`Unexpected character after O-word`; `iff [1]` is `if` without its bracket. Spaces do not matter:
 `end if` is `endif`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
@@ -75,9 +75,9 @@ o100 else
 o100 endif
 M2
 )",
-        .fix = R"(Write the keyword as LinuxCNC knows it. There is no jump to a line: `GOTO` has to become an `if` or
-a loop.)",
-        .level_reason = "Error where a run reads the line: the program stops. Warning where no run does.",
+        .fix = R"(Write a keyword that LinuxCNC knows. There is no jump to a line: replace `GOTO` by an `if` or a
+loop.)",
+        .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
         .interpreter = "Unknown control command in o word",
         .options = "",
     },

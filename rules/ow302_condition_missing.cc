@@ -17,7 +17,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.erase(0, 1);
   while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r')) rest.pop_back();
   if (rest.empty() || rest.find_first_of("[]=") != std::string::npos) {
-    f.help = "put the " + what + " in brackets, behind `" + word + "`";
+    f.help = "put the " + what + " in brackets, after `" + word + "`";
   } else {
     f.help = "write `" + word + " [" + rest + "]`";
     const uint64_t from = p.source->bytes().find(rest, s.offset + s.keyword_to);
@@ -41,11 +41,11 @@ extern const Rule kOw302{
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(A condition or a count that is not in square brackets, or is missing: `o100 if #1 GT 5`,
-`o100 repeat 3`, `o100 while (#1 LT 3)`.)",
-        .why = R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment to LinuxCNC, so
-the condition in them is gone; a comment between the keyword and the bracket has the same effect. In
-a branch that is skipped nothing is said, so the mistake may wait for the first run that gets there.
+        .what = R"(A condition or a count that is missing or not in square brackets: `o100 if #1 GT 5`, `o100 repeat
+3`, `o100 while (#1 LT 3)`.)",
+        .why = R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment in LinuxCNC, so
+a condition in them is lost; a comment between the keyword and the bracket has the same effect. In a
+skipped branch there is no message, so the mistake may wait for the first run that gets there.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -66,8 +66,8 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Put the whole condition, or the count, in one pair of square brackets.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .fix = R"(Write the whole condition, or the count, in one pair of square brackets.)",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "Left bracket missing after 'if'",
         .options = "",
     },

@@ -15,7 +15,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = p.at(id);
   std::string text(p.source->slice(s.rest_span()));
   if (text.size() > 40) text = text.substr(0, 37) + "...";
-  Finding& f = out.add(s.rest_span(), "`" + text + "` stands behind `" + p.head(id) + "`, where nothing but a comment may stand");
+  Finding& f = out.add(s.rest_span(), "`" + text + "` after `" + p.head(id) + "`: only a comment is allowed here");
   const std::string written = std::string(spelling(s.keyword)) + text.substr(0, text.find_first_of(" \t([;"));
   const std::string near = s.keyword_to == s.rest_from ? nearest(written, {kKeywordSpellings.begin(), kKeywordSpellings.end()}) : std::string();
   if (!near.empty() && near != written && written.find_first_of("0123456789") == std::string::npos) {
@@ -43,7 +43,7 @@ void check(const Input& in, Reporter& out) {
     if (p.at(id).inner_cr) return;
     Finding* f = report(in, out, id);
     f->reach = in.flow.reach(id);
-    f->message += "; LinuxCNC drops it here without a word";
+    f->message += "; LinuxCNC ignores it here without a message";
   });
 }
 
@@ -52,16 +52,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw304{
     .code = "OW304",
     .name = "text-after-oword",
-    .summary = "other words on the line after the O-word",
+    .summary = "other text on the line after the O-word",
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(Moves, M-codes, a second O-word or anything else behind a complete O-word:
-`o100 if [#1 GT 0] G0 X5`, `o100 endif M2`, `o100 return 5`. An O-word needs a line of its own.)",
-        .why = R"(The interpreter stops at the line. But if it is skipping when it reads the line, it drops the text
-without a word, and that includes the line on which the skip ends. So `o100 endif G0 Z50` stops the
-program if the `if` was true and **leaves out the retract** if it was false; the same goes for
-`else`, `elseif`, `endwhile`, `endrepeat` and for the `endsub` of a definition.
+        .what = R"(Moves, M-codes, a second O-word or anything else after a complete O-word: `o100 if [#1 GT 0] G0 X5`,
+`o100 endif M2`, `o100 return 5`. An O-word needs a line of its own.)",
+        .why = R"(The interpreter stops at the line. But if it is skipping when it reads the line, it ignores the text
+without a message, also on the line where the skip ends. So `o100 endif G0 Z50` stops the program if
+the `if` was true, and **leaves out the retract** if it was false. The same is true for `else`,
+`elseif`, `endwhile`, `endrepeat` and for the `endsub` of a definition.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -81,8 +81,8 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Put the rest on the next line.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where LinuxCNC drops the text without a message, or no run gets here.",
+        .fix = R"(Write the rest on the next line.)",
+        .level_reason = "Error if a run gets here: the program stops. Warning if LinuxCNC ignores the text without a message, or no run gets here.",
         .interpreter = "Unexpected character after O-word",
         .options = "",
     },

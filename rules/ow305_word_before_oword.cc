@@ -10,7 +10,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = in.program.at(id);
   const Span span = in.program.syntax.error(s)->span;
   Finding& f = out.add(span, "an O-word must come first on its line");
-  f.help = "put it on a line of its own; only `/` and a line number may stand before it";
+  f.help = "put it on a line of its own; only `/` and a line number may come before it";
   f.fixes.push_back(split_line(in.program, s, span.begin, "put the O-word on a line of its own"));
   explain_idiom(in, id, f);
   return &f;
@@ -30,12 +30,11 @@ extern const Rule kOw305{
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(An O-word that is not the first thing on its line: `M5 o100 call`, `G0 Z5 o110 endif`,
-`#1=3 o100 call [#1]`. Only the block delete `/` and a line number `N…` may stand before it, not
-even a comment.)",
-        .why = R"(The interpreter reads such a line as ordinary G-code and stops at the `o`. While skipping or inside
-an uncalled sub it does not see the O-word at all: an `endif` or `endwhile` on such a line does not
-end its block, and the program runs to the end of the file without it.
+        .what = R"(An O-word that is not the first thing on its line: `M5 o100 call`, `G0 Z5 o110 endif`, `#1=3 o100
+call [#1]`. Only the block delete `/` and a line number `N…` may come before it; not even a comment.)",
+        .why = R"(The interpreter reads such a line as ordinary G-code and stops at the `o`. While it skips, or in a
+sub that nothing calls, it does not see the O-word: an `endif` or `endwhile` on such a line does not
+end its block, and LinuxCNC skips up to the end of the file.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -57,8 +56,8 @@ G0 Z5
 o100 call [30]
 M2
 )",
-        .fix = R"(Put the O-word on a line of its own.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .fix = R"(Write the O-word on a line of its own.)",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "Bad character 'o' used",
         .options = "",
     },

@@ -65,7 +65,7 @@ void check(const Input& in, Reporter& out) {
   for (const StatementId id : in.index.odd_lines) {
     const Statement& s = p.at(id);
     if (!s.name_open || has_stop(in, id)) continue;
-    Finding& f = out.add(s.label_span(), "the label's name is not closed with `>`: LinuxCNC does nothing on this line");
+    Finding& f = out.add(s.label_span(), "the label's name has no `>`: LinuxCNC does nothing on this line");
     f.help = "close the name with `>`";
     f.reach = in.flow.reach(id);
   }
@@ -76,22 +76,22 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw306{
     .code = "OW306",
     .name = "label-malformed",
-    .summary = "a label that is missing, not an integer, or an unterminated name",
+    .summary = "a label that is missing, not a whole number, or a name without its `>`",
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(An `o` with no number or name behind it, a number with decimals such as `o100.5`, a word without
-`< >`, or a name whose `>` is missing.)",
-        .why = R"(`o100.5 if` stops with `Non integer value for integer`, `odrill call` and `o if` with
-`Unknown word where unary operation could be`, a lone `o` with
-`No characters found in reading real value`.
+        .what = R"(An `o` with no number or name after it, a number with decimals such as `o100.5`, a word without `<
+>`, or a name without its `>`.)",
+        .why = R"(`o100.5 if` stops with `Non integer value for integer`; `odrill call` and `o if` stop with `Unknown
+word where unary operation could be`; an `o` alone stops with `No characters found in reading real
+value`.
 
-Worse is the missing `>`: **nothing is said**. In `o<drill call [10]` the whole rest of the line
-becomes the name, no keyword is left, and the interpreter takes it for a program number: the sub is
-not called. A block whose lines all lack the `>` runs once, whatever its condition says, and so does
-the body of a sub. If only one of its lines lacks it, the other end meets an undefined label, or is
-looked for to the end of the file. Inside a sub such a line stops with
-`Nested subroutine definition`.
+A missing `>` is worse: **there is no message**. In `o<drill call [10]` the whole rest of the line
+becomes the name. There is no keyword left, so the interpreter takes the line for a program number
+and does not call the sub. If all lines of a block lack the `>`, the block runs once, whatever its
+condition is, and a sub runs like ordinary lines. If only one line lacks it, the other end has an
+undefined label, or LinuxCNC looks for it up to the end of the file. Inside a sub such a line stops
+with `Nested subroutine definition`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -112,9 +112,9 @@ o105 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Use a whole number, or a name between `<` and `>`. Number labels in steps of ten to leave room for
-inserted blocks.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .fix = R"(Use a whole number, or a name between `<` and `>`. Number labels in steps of ten, so that there is
+room for more blocks.)",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "Non integer value for integer",
         .options = "",
     },

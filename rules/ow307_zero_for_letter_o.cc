@@ -24,15 +24,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw307{
     .code = "OW307",
     .name = "zero-for-letter-o",
-    .summary = "the figure 0 instead of the letter O",
+    .summary = "the digit 0 instead of the letter O",
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(A line such as `0100 sub` or `01 endif` that begins with the figure zero and reads like an O-word.
-On many screens and print-outs the two look the same.)",
-        .why = R"(The interpreter stops at the line. While skipping, or inside an uncalled sub, it passes over it: a
-`01 else` is not taken, a `01 endif` does not end its block, and everything below is left out up to
-the end of the file.
+        .what = R"(A line such as `0100 sub` or `01 endif` that begins with the digit zero and looks like an O-word. On
+many screens and printouts the two look the same.)",
+        .why = R"(The interpreter stops at the line. While it skips, or in a sub that nothing calls, it ignores the
+line: a `01 else` does not count, a `01 endif` does not end its block, and LinuxCNC skips everything
+below, up to the end of the file.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -53,8 +53,8 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Write a small `o`: it cannot be mistaken for a zero.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .fix = R"(Write a small `o`: it does not look like a zero.)",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "Bad character '0' used",
         .options = "",
     },

@@ -30,12 +30,12 @@ extern const Rule kOw308{
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `(` inside a `( … )` comment, or a `(` without its `)` on the same line. A comment cannot go on
-over several lines.)",
-        .why = R"(The interpreter stops when it reads the line, even in a branch that is not taken or a sub nobody
-calls, because comments are taken out first. The two messages are `Nested comment found` and
-`Unclosed comment found`. After `;` anything may stand, brackets too. A `)` without `(` is no
-comment: it stops with `Bad character ')' used` where the line is executed.
+        .what = R"(A `(` inside a `( … )` comment, or a `(` without its `)` on the same line. A comment cannot have
+several lines.)",
+        .why = R"(The interpreter stops when it reads the line, even in a branch that is not taken or in a sub that
+nothing calls, because it removes comments first. The two messages are `Nested comment found` and
+`Unclosed comment found`. After `;` any text is allowed, brackets too. A `)` without `(` is not a
+comment: it stops with `Bad character ')' used` when the line is executed.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -59,7 +59,7 @@ G80
 M2
 )",
         .fix = R"(Use `[ ]` or a dash inside comments, or begin the comment with `;`.)",
-        .level_reason = "Error where a run reads the line: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
         .interpreter = "Nested comment found",
         .options = "",
     },

@@ -9,7 +9,7 @@ namespace {
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = in.program.at(id);
   Finding& f = out.add(in.program.syntax.error(s)->span, "the line has " + std::to_string(s.length) + " characters; LinuxCNC reads at most 252");
-  f.help = "split it, or shorten the comment";
+  f.help = "split the line, or shorten the comment";
   return &f;
 }
 
@@ -23,14 +23,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw309{
     .code = "OW309",
     .name = "line-too-long",
-    .summary = "a line longer than the interpreter reads",
+    .summary = "a line longer than LinuxCNC reads",
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(A line of more than 252 characters, blanks and comment included. The end of the line does not count.)",
-        .why = R"(The interpreter stops when it reads the line, wherever it stands before the program's end: in a
-comment, in a skipped branch, in a sub that nobody calls. Posts that write the whole job into one
-comment do this.
+        .what = R"(A line of more than 252 characters, with spaces and comment. The line end does not count.)",
+        .why = R"(The interpreter stops when it reads the line, anywhere before the program end: in a comment, in a
+skipped branch, in a sub that nothing calls. Some post-processors write a whole job description into
+one comment.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -48,9 +48,9 @@ G81 X10 Y10 Z-12 R2 F80
 G80
 M2
 )",
-        .fix = R"(Split the comment, the expression or the call over several lines; a long expression can go into a
-named parameter first.)",
-        .level_reason = "Error where a run reads the line: the program stops. Warning where no run does.",
+        .fix = R"(Split the comment, the expression or the call over several lines. Put a part of a long expression
+into a named parameter first.)",
+        .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
         .interpreter = "Command too long",
         .options = "",
     },

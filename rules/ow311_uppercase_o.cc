@@ -50,7 +50,7 @@ M2
 )",
         .fix = R"(Write a small `o`. If your other controls need the capital letter, leave this rule off; it is off
 unless you select it.)",
-        .level_reason = "Info: LinuxCNC reads both alike; it is for people that the letter matters.",
+        .level_reason = "Info: LinuxCNC reads both alike; the letter only matters to people.",
         .interpreter = "",
         .options = "--select OW311",
     },

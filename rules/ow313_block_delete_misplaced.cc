@@ -52,7 +52,7 @@ N50 G0 Z5
 N60 M2
 )",
         .fix = R"(Write the slash before the line number.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "Bad character '/' used",
         .options = "",
     },

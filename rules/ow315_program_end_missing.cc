@@ -39,13 +39,13 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     if (stop.statement == kNoStatement && part_of_a_program(in)) return nullptr;
     if (stop.statement != kNoStatement) {
-      Finding& f = out.add(p.at(stop.statement).keyword_span(), "`%` ends a program only where another `%` begins it");
+      Finding& f = out.add(p.at(stop.statement).keyword_span(), "`%` ends a program only if another `%` begins it");
       f.help = "begin the file with `%`, or end it with `M2`";
       if (!begins_pair(p, stop.statement)) return &f;
       const Span first = first_line(p);
-      f.message = "`%` must be the file's first line: line " + std::to_string(p.source->position(first.begin).line) + " stands before it";
+      f.message = "`%` must be the file's first line: line " + std::to_string(p.source->position(first.begin).line) + " comes before it";
       f.help = "put `%` first, or remove it and end the program with `M2`";
-      f.related.push_back({first, "this stands before it", nullptr});
+      f.related.push_back({first, "this comes before it", nullptr});
       const Span line = p.source->line(p.at(stop.statement).line);
       const Span with_end{line.begin, std::min<uint64_t>(line.end + 1, p.source->bytes().size())};
       f.fixes.push_back({"put `%` first", false, {{{first.begin, first.begin}, std::string(p.source->slice(with_end))}, {with_end, ""}}});
@@ -65,8 +65,8 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kRunsIntoSub) continue;
     const Statement& s = p.at(h.statement);
-    Finding& f = out.add(s.head_span(), "the program runs on into `" + p.head(h.statement) + "`, a sub that `M98` calls");
-    relate(f, p, h.other, "LinuxCNC starts the program again here, for ever; `rs274` ends it");
+    Finding& f = out.add(s.head_span(), "the program runs into `" + p.head(h.statement) + "`, a sub for `M98`");
+    relate(f, p, h.other, "LinuxCNC starts the program again here, for ever; `rs274` ends it here");
     f.help = "end the program with `M30` before this line";
     f.reach = h.reach;
     f.fixes.push_back({f.help, false, {{{s.offset, s.offset}, "M30" + line_end(*p.source, s)}}});
@@ -78,23 +78,25 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw315{
     .code = "OW315",
     .name = "program-end-missing",
-    .summary = "the flow reaches the end of the file without M2, M30 or `%`",
+    .summary = "the program reaches the end of the file without M2, M30 or `%`",
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(A program without `M2` or `M30` at its end, one that has it only inside a branch, or one that begins
-with `%` and lacks the second `%`.)",
-        .why = R"(All moves are made, then the interpreter reports an error at the end of the file: the job never
-counts as finished, and the resets that come with `M2` and `M30` are not done. In a file that begins
-with `%` and lacks the closing one the message is `File ended with no percent sign`; a `%` only at
-the end stops with `Bad character '%' used`. From 2.9.10 the message reads
-`File ended with no percent sign (%) or program end (M2)`.
+        .what = R"(A program without `M2` or `M30` at its end, one that has it only in a branch, or one that begins
+with `%` but has no second `%`.)",
+        .why = R"(The machine makes all moves, then the interpreter reports an error at the end of the file. The job
+never counts as finished, and the resets that `M2` and `M30` make are missing. If a file begins with
+`%` and has no closing one, the message is `File ended with no percent sign`; a `%` only at the end
+stops with `Bad character '%' used`. From 2.9.10 on the message is `File ended with no percent sign
+(%) or program end (M2)`.
 
-If a Fanuc-style sub stands below (`O1000` … `M99`), the program runs into it instead: the sub's moves are made once more than written,
-and its `M99` starts the whole program again, for ever. (`rs274` ends the program there.)
+If there is a Fanuc-style sub below (`O1000` … `M99`), the program runs into it instead: the machine
+makes the sub's moves once more, and `M99` starts the whole program again, for ever. (`rs274` ends
+the program there.)
 
-A file that other programs call needs no program end, nor does one that ngcgui puts before or after a program
-(with `(not_a_subfile)` in it, or named in the INI as `NGCGUI_PREAMBLE` or `NGCGUI_POSTAMBLE`).)",
+A file that other programs call needs no program end. Neither does a file that ngcgui puts before or
+after a program (with `(not_a_subfile)` in it, or named in the INI as `NGCGUI_PREAMBLE` or
+`NGCGUI_POSTAMBLE`).)",
         .bad = R"(G21 G90
 S1200 M3
 G0 X10 Y10 Z5
@@ -113,7 +115,7 @@ M5
 M2
 )",
         .fix = R"(End the program with `M2` or `M30`, on a line that every run reaches.)",
-        .level_reason = "Error: every run that comes to the end of the file stops with a message, after the last move.",
+        .level_reason = "Error: every run that gets to the end of the file stops there, after the last move.",
         .interpreter = "File ended with no percent sign or program end",
         .options = "",
     },

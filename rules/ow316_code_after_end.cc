@@ -68,7 +68,7 @@ void check(const Input& in, Reporter& out) {
     const Span span = p.source->line(line);
     Finding& f = out.add(span, "no run gets to this line: the program ends on line " + std::to_string(p.at(end).line));
     relate(f, p, end, "the program ends here");
-    f.help = "remove what follows, or move it before the end";
+    f.help = "remove the lines below the end, or move them before it";
     f.reach = Reach::kNever;
     return;
   }
@@ -79,20 +79,20 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw316{
     .code = "OW316",
     .name = "code-after-end",
-    .summary = "lines after the program end that nothing can reach",
+    .summary = "lines after the program end that no run reaches",
     .group = Group::kLine,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(Lines after the `M2` or `M30` that every run comes to, or after the closing `%`. Subs below the
-program end are not meant: a call reads ahead to them.
+        .what = R"(Lines after an `M2` or `M30` that every run reaches, or after the closing `%`. Subs below the
+program end are not reported, because a call looks ahead for them.
 
-In a file that other programs call, lines outside of its subs: such a file has the sub of its own name
-and calls nothing outside of it.)",
-        .why = R"(LinuxCNC never reads these lines. Moves there are never made and mistakes there are never reported;
-what looks like a second operation is not cut.
+In a file that other programs call: lines outside its subs. Such a file has the sub with its own
+name, and calls nothing outside the sub.)",
+        .why = R"(LinuxCNC never reads these lines. It never makes moves there, and never reports mistakes there; what
+looks like a second operation is not cut.
 
-When a file is called, LinuxCNC skips to the sub of the file's name and goes back at its `endsub`. It
-executes nothing above or below: a `G21` or `#<depth> = 5` there does nothing.)",
+When a file is called, LinuxCNC skips to the sub with the file's name and returns at its `endsub`.
+It executes nothing above or below: a `G21` or `#<depth> = 5` there has no effect.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G81 X10 Y10 Z-5 R2 F80
@@ -112,9 +112,9 @@ G81 X30 Y10 Z-5 R2 F80
 G80
 M2
 )",
-        .fix = R"(Take the early program end out if the lines below are wanted, or the lines if they are not. To run a
-part only sometimes, put it in an `if`.)",
-        .level_reason = "Warning: the program runs as if the lines were not there, which is seldom what was meant.",
+        .fix = R"(Remove the early program end if you want the lines below it; otherwise remove the lines. If a part
+should run only sometimes, put it into an `if`.)",
+        .level_reason = "Warning: the program runs but these lines never do.",
         .interpreter = "",
         .options = "",
     },

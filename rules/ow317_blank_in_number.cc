@@ -1,5 +1,5 @@
-// OW317 blank-in-number: two numbers in brackets with nothing but a blank between them.
-// Depends on: blanks vanish before anything is read, within numbers too: `[1 2]` is 12.
+// OW317 blank-in-number: two numbers in brackets with only a space between them.
+// Depends on: LinuxCNC removes spaces before it reads a line, also inside numbers: `[1 2]` is 12.
 #include <algorithm>
 
 #include "rules/stops.h"
@@ -16,17 +16,17 @@ void check(const Input& in, Reporter& out) {
     const std::string written(p.source->slice(span));
     std::string read = written;
     std::erase_if(read, [](char c) { return c == ' ' || c == '\t'; });
-    Finding& f = out.add(span, "`" + written + "` is read as `" + read + "`: LinuxCNC drops blanks, within numbers too");
+    Finding& f = out.add(span, "`" + written + "` is read as `" + read + "`: LinuxCNC removes spaces, also inside numbers");
     f.reach = in.flow.reach(id);
-    f.help = "write the number without a blank";
+    f.help = "write the number without a space";
     if (!p.at(id).is(Keyword::kCall)) continue;
     std::string apart = written;
     for (size_t at = apart.find_first_of(" \t"); at != std::string::npos; at = apart.find_first_of(" \t", at + 3)) {
       const size_t end = apart.find_first_not_of(" \t", at);
       apart.replace(at, end - at, "] [");
     }
-    f.help = "give each argument brackets of its own: `[" + apart + "]`";
-    f.fixes.push_back({"give each argument brackets of its own", false, {{span, apart}}});
+    f.help = "write each argument in its own brackets: `[" + apart + "]`";
+    f.fixes.push_back({"write each argument in its own brackets", false, {{span, apart}}});
   }
 }
 
@@ -35,13 +35,14 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw317{
     .code = "OW317",
     .name = "blank-in-number",
-    .summary = "a blank within a number in brackets, which is read as one number",
+    .summary = "a space inside a number in brackets: LinuxCNC reads one number",
     .group = Group::kLine,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(`o100 call [1 2]`, `o100 repeat [1 0]`: two numbers in one pair of brackets, with a blank between them.)",
-        .why = R"(LinuxCNC drops all blanks before it reads a line. `[1 2]` is the one number 12: the sub gets **one argument,
-12**, and its #2 is 0. There is no message.
+        .what = R"(`o100 call [1 2]`, `o100 repeat [1 0]`: two numbers in one pair of brackets, with a space between
+them.)",
+        .why = R"(LinuxCNC removes all spaces before it reads a line. `[1 2]` is the number 12: the sub gets **one
+argument, 12**, and its `#2` is 0. There is no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -58,8 +59,8 @@ o100 endsub
 o100 call [1] [2]
 M2
 )",
-        .fix = R"(Give each argument brackets of its own; write a number without blanks.)",
-        .level_reason = "Warning: LinuxCNC runs the line, with one number in place of two.",
+        .fix = R"(Write each argument in its own brackets; write a number without spaces.)",
+        .level_reason = "Warning: LinuxCNC runs the line, with one number instead of two.",
         .interpreter = "",
         .options = "",
         .moves = "X12",

@@ -1,5 +1,5 @@
 // OW318 word-unreadable: a letter without a value: text, or a word of another language.
-// Depends on: a word is a letter and a value; what else stands on a line is refused when the line is executed.
+// Depends on: a word is a letter and a value; anything else on a line is an error when the line is executed.
 #include <algorithm>
 
 #include "rules/idioms.h"
@@ -14,11 +14,11 @@ void check(const Input& in, Reporter& out) {
     const std::string text(p.source->slice(error.span));
     // `XY5`: of two letters, both are probably words.
     const std::string letter = text.size() <= 2 ? text.substr(0, 1) : std::string();
-    Finding& f = out.add(error.span, "`" + text + "` is not a word of a program: a word is a letter and a number");
-    f.help = "put text in a comment: `(text)`";
+    Finding& f = out.add(error.span, "`" + text + "` is not a G-code word: a word is a letter and a number");
+    f.help = "write text in a comment: `(text)`";
     if (!letter.empty()) {
       f.message = "`" + letter + "` has no number";
-      f.help = "write a number behind `" + letter + "`";
+      f.help = "write a number after `" + letter + "`";
     }
     explain_idiom(in, stop.statement, f);
     return &f;
@@ -30,16 +30,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw318{
     .code = "OW318",
     .name = "word-unreadable",
-    .summary = "text, or a word of another language, among the words of a program",
+    .summary = "text, or a word of another language, in a program",
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
-        .what = R"(A line with text that is in no comment, or with words of another control or of BASIC: `GOTO 20`, `END1`,
-`GOSUB`, `THEN`, a headline above the program. owlint looks at lines on which two letters stand side by side, and says what LinuxCNC has
-instead.)",
-        .why = R"(A word is a letter and a value. The interpreter stops where such a line is executed, with
-`Unknown word where unary operation could be` or `Unknown word starting with e`; in a branch that is skipped it says
-nothing.
+        .what = R"(A line with text outside a comment, or with words of another control or of BASIC: `GOTO 20`, `END1`,
+`GOSUB`, `THEN`, a title above the program. owlint checks lines with two letters in a row, and says
+what LinuxCNC has instead.)",
+        .why = R"(A word is a letter and a value. The interpreter stops when it executes such a line, with `Unknown
+word where unary operation could be` or `Unknown word starting with e`. In a skipped branch there is
+no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -57,8 +57,9 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Put text in a comment. A jump becomes an `if` or a loop, a loop of another control `o100 while`.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .fix = R"(Write text in a comment. Replace a jump by an `if` or a loop, and a loop of another control by `o100
+while`.)",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "Unknown word where unary operation could be",
         .options = "",
     },

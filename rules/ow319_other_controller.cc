@@ -1,5 +1,5 @@
-// OW319 other-controller: a program that is written for another controller than LinuxCNC.
-// Depends on: the marks of analyzer/syntax/controllers.cc, each of which LinuxCNC refuses, or a comment names the controller.
+// OW319 other-controller: a program for a controller other than LinuxCNC.
+// Depends on: the marks in analyzer/syntax/controllers.cc, each of which stops LinuxCNC, or a comment that names the controller.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -10,7 +10,7 @@ void check(const Input& in, Reporter& out) {
   if (nature.kind != Nature::kOtherController) return;
   Finding& f = out.add(nature.mark, "this looks like a program for " + std::string(nature.controller) + "; owlint checks for LinuxCNC");
   if (nature.other_mark.end > nature.other_mark.begin) f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
-  f.help = "leave the file out of the check; if it is meant for LinuxCNC, `--extend-select OW` shows all findings";
+  f.help = "leave the file out of the check; if it is for LinuxCNC, `--extend-select OW` shows all findings";
   f.reach = Reach::kAlways;
 }
 
@@ -19,16 +19,18 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw319{
     .code = "OW319",
     .name = "other-controller",
-    .summary = "a program that is written for another controller",
+    .summary = "a program for another controller",
     .group = Group::kLine,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A program that looks like one for another controller: FluidNC, grbl and grblHAL, Fanuc macro B, Haas, Mach3 and Mach4,
-PathPilot, a 3D printer (Marlin, Klipper), Siemens, Heidenhain. It is recognised by lines that LinuxCNC refuses and only that controller
-has: one that cannot be a slip of the pen, or two of different kinds, or a code that LinuxCNC lacks in a file whose comments name the
-controller. A few such lines in a program with O-word blocks are mistakes, and reported as such.)",
-        .why = R"(LinuxCNC stops at the first line that it does not know. To name all of them would help nobody, so nothing else is reported of the
-file, unless its code is selected: `--extend-select OW`.)",
+        .what = R"(A program that looks like one for another controller: FluidNC, grbl and grblHAL, Fanuc macro B,
+Haas, Mach3 and Mach4, PathPilot, a 3D printer (Marlin, Klipper), Siemens, Heidenhain. owlint
+recognises it by lines that only that controller has and that stop LinuxCNC: a line that cannot be a
+typing error, or two of different kinds, or a code that LinuxCNC does not have in a file whose
+comments name the controller. A few such lines in a program with O-word blocks are mistakes, and are
+reported as mistakes.)",
+        .why = R"(LinuxCNC stops at the first line that it does not know. A list of all of them would not help, so
+owlint reports nothing else in the file, unless you select the code: `--extend-select OW`.)",
         .bad = R"(O9010
 IF [#1 EQ #0] GOTO 90
 #2 = 0
@@ -48,8 +50,8 @@ o9010 endsub
 o9010 call
 M2
 )",
-        .fix = R"(Write it for LinuxCNC, or leave it out of the check.)",
-        .level_reason = "Warning: the program stops, but whoever checks it here knows what it is for.",
+        .fix = R"(Write the program for LinuxCNC, or leave the file out of the check.)",
+        .level_reason = "Warning: the program stops, but perhaps it is meant for another machine.",
         .interpreter = "",
         .options = "",
     },

@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const std::string& path = file.source->path();
     Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` reads " + path + ", which does not define that sub");
     if (path == p.source->path()) {
-      f.message = "`" + p.head(stop.statement) + "` finds this program itself: it is named " + file_name(*file.source) + " like the sub";
+      f.message = "`" + p.head(stop.statement) + "` finds this program itself: its file " + file_name(*file.source) + " has the name of the sub";
       f.help = "give the program another name";
       return &f;
     }
@@ -21,8 +21,8 @@ void check(const Input& in, Reporter& out) {
       if (region.opener != kNoStatement && only == nullptr) only = &region;
     }
     if (only != nullptr && file.name(only->name) == stop.detail && file.source->bytes().starts_with("\xEF\xBB\xBF")) {
-      f.message = "`" + p.head(stop.statement) + "` reads " + path + ", where a byte order mark hides the sub's first line";
-      relate(in, f, {&file, only->opener}, "the byte order mark stands before this line, and no editor shows it");
+      f.message = "`" + p.head(stop.statement) + "` reads " + path + ", but a byte order mark hides the sub's first line";
+      relate(in, f, {&file, only->opener}, "a byte order mark comes before this line; no editor shows it");
       f.help = "save " + file_name(*file.source) + " as UTF-8 without byte order mark, or as plain text";
     } else if (only != nullptr) {
       relate(in, f, {&file, only->opener}, "the file defines this sub");
@@ -67,7 +67,7 @@ o<bore> sub
 o<bore> endsub
 )",
         .fix = R"(Give the sub the name of its file. A copied file usually still has the old name inside.)",
-        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
         .interpreter = "EOF in file:FILE seeking o-word: o<bore> from line: 0",
         .options = "",
     },

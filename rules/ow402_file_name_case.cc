@@ -71,7 +71,7 @@ o<probe> sub
 o<probe> endsub
 )",
         .fix = R"(Rename the file.)",
-        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
         .interpreter = "EOF in file:PROGRAM seeking o-word: o<probe> from line: 2",
         .options = "--ini machine.ini",
     },

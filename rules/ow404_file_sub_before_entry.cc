@@ -60,7 +60,7 @@ o<peck> endsub
 )",
         .fix = R"(Give the helper a file of its own. If you move it after the called sub, it runs up to LinuxCNC 2.9,
 and stops from 2.10 on.)",
-        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
         .interpreter = "EOF in file:FILE seeking o-word: o<peck> from line: N",
         .options = "",
     },

@@ -54,7 +54,7 @@ o<drill-v2> sub
 o<drill-v2> endsub
 )",
         .fix = R"(Rename the file and its sub.)",
-        .level_reason = "Warning: the call works on this computer and fails where the file system or the version differs.",
+        .level_reason = "Warning: the call works on this computer, but may fail with another file system or version.",
         .interpreter = "",
         .options = "",
     },

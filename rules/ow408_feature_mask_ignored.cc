@@ -55,7 +55,7 @@ OWORD_NARGS = 1
 )",
         .fix = R"(Write the keys that replaced the bits, and remove the mask. `INI_VARS` and `HAL_PIN_VARS` are on by
 default.)",
-        .level_reason = "Warning: LinuxCNC starts and runs, without what the mask asks for.",
+        .level_reason = "Warning: LinuxCNC starts and runs, without the features in the mask.",
         .interpreter = "",
         .options = "--ini machine.ini",
     },

@@ -56,7 +56,7 @@ o<slot> sub
 o<slot> endsub
 )",
         .fix = R"(Remove the `%` lines from called files: they end with `endsub`.)",
-        .level_reason = "Error where a run gets to the call: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
         .interpreter = "Failed to find sub 'Oslot' before EOF",
         .options = "",
     },

@@ -1,5 +1,5 @@
-// OW410 helper-clash: a call that runs a sub of another file, although its own file has a sub of that label.
-// Depends on: all files share one table of subs. A label is entered when its `sub` line is met first, and stays for the run.
+// OW410 helper-clash: a call runs a sub of another file, although its own file has a sub with that label.
+// Depends on: all files share one table of subs. The first `sub` line that is read enters its label, for the whole run.
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -21,7 +21,7 @@ void check(const Input& in, Reporter& out) {
     const Elsewhere& runs = h.other_elsewhere;
     const std::string file = file_name(*runs.program->source);
     Finding& f = out.add(s.head_span(), "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " + file + ", not the sub in this file");
-    relate(in, f, runs, "this sub runs: LinuxCNC met it first");
+    relate(in, f, runs, "this sub runs: LinuxCNC read it first");
     if (s.label != kNoName) relate(f, p, own_sub(p, s.label), "this sub does not run");
     f.help = "give the sub in this file a name that no other file uses, or move it to a file of its own";
     f.reach = h.reach;
@@ -35,16 +35,19 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw410{
     .code = "OW410",
     .name = "helper-clash",
-    .summary = "two files define a helper sub of one label: LinuxCNC calls the one that it met first",
+    .summary = "two files have a helper sub with the same label: LinuxCNC always calls the first one",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A file calls a helper sub that it defines itself, but another file of the same run has a sub with the same label.)",
-        .why = R"(LinuxCNC keeps one table of subs for the whole run, not one for each file. The first `o500 sub` that it meets goes into the
-table. Every later `o500 call`, from any file, runs that one. In the example the machine moves twice to X1 and never to X9. There is no
-message, and each of the two files is right when it is used alone.
+        .what = R"(A file calls a helper sub that it defines itself, but another file of the same run has a sub with
+the same label.)",
+        .why = R"(LinuxCNC has one table of subs for the whole run, not one for each file. The first `o500 sub` that
+it reads goes into the table. Every later `o500 call`, from any file, runs that one. In the example
+the machine moves to X1 twice and never to X9. There is no message, and each of the two files works
+when it is used alone.
 
-LinuxCNC 2.10 refuses helpers in called files (OW403), but still runs a sub of the main program that has the label.)",
+LinuxCNC 2.10 does not accept helpers in called files (OW403), but it still runs a sub of the main
+program with the same label.)",
         .bad = R"(G21 G90
 o<probe_left> call
 o<probe_right> call
@@ -85,9 +88,9 @@ o<go_right> sub
   G0 X9
 o<go_right> endsub
 )",
-        .fix = R"(Give each helper a file of its own, named after it, or at least a label that no other file uses, such as
-`o<probe_right_500>`.)",
-        .level_reason = "Error where some run certainly calls the other sub: the machine goes elsewhere than is written. Warning where owlint is not sure.",
+        .fix = R"(Move each helper to a file of its own, with the helper's name, or at least give it a label that no
+other file uses, such as `o<probe_right_500>`.)",
+        .level_reason = "Error if some run certainly calls the other sub: other lines run than intended. Warning if owlint is not sure.",
         .interpreter = "",
         .options = "",
         .moves = "X1",

@@ -19,9 +19,9 @@ bool in_block(const Program& p, StatementId statement) {
 
 Finding& report_sub(const Program& p, const Hazard& h, Reporter& out) {
   const Region& region = p.regions[p.region_of[h.statement]];
-  Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` stands inside `" + p.head(region.opener) +
+  Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` is inside `" + p.head(region.opener) +
                                                           "`: its lines run here at once, and its `endsub` ends the outer sub");
-  f.help = "move this sub to a file of its own, named after it";
+  f.help = "move this sub to a file of its own, with its name";
   return f;
 }
 
@@ -29,7 +29,7 @@ Finding& report_end(const Program& p, const Hazard& h, Reporter& out) {
   const Region& region = p.regions[p.region_of[h.statement]];
   Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` ends `" + p.label_text(region.name) + "`: the lines below it do not run");
   const std::string own = p.label_text(region.name);
-  f.help = "remove the line, or write `" + own + " return` if the sub is to end here";
+  f.help = "remove the line, or write `" + own + " return` to end the sub here";
   f.fixes.push_back({"write `" + own + " return`", false, {{p.at(h.statement).head_span(), own + " return"}}});
   return f;
 }
@@ -49,7 +49,7 @@ void check(const Input& in, Reporter& out) {
       if (of_inner || cut_short(p, h.statement) == nullptr) continue;
     }
     Finding& f = sub ? report_sub(p, h, out) : report_end(p, h, out);
-    relate(f, p, p.regions[region].opener, "the sub that is called begins here");
+    relate(f, p, p.regions[region].opener, "the called sub begins here");
     f.reach = h.reach;
     f.runs_other = sub || !in_block(p, h.statement);
     f.unproven = h.unproven;
@@ -61,14 +61,15 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw411{
     .code = "OW411",
     .name = "sub-in-called-file",
-    .summary = "an inner `sub`, or a foreign `endsub`, inside a called file's sub: what runs is not what is written",
+    .summary = "a `sub`, or an `endsub` with another label, inside a called sub: other lines run than intended",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(Inside the sub that a file is called for stands another `sub`, or an `endsub` with another label.)",
-        .why = R"(When LinuxCNC executes a called sub, a `sub` line does nothing, and **any** `endsub` returns to the caller. So the body of the
-inner sub runs where it stands, with the values of the outer one, its `endsub` ends the call, and the rest of the outer sub never runs. In
-the example the machine goes to X7 and X57, and never to X3. There is no message.
+        .what = R"(Inside the sub of a called file there is another `sub`, or an `endsub` with another label.)",
+        .why = R"(When LinuxCNC executes a called sub, a `sub` line does nothing, and **any** `endsub` returns to the
+caller. So the inner sub runs as part of the outer one, with the outer sub's values, its `endsub`
+ends the call, and the rest of the outer sub never runs. In the example the machine goes to X7 and
+X57, and never to X3. There is no message.
 
 LinuxCNC 2.10 stops at the inner `sub` (OW202).)",
         .bad = R"(G21 G90
@@ -98,8 +99,9 @@ o<step> sub
   G0 X[#1 + 50]
 o<step> endsub
 )",
-        .fix = R"(Move the inner sub to a file of its own, named after it. For an early way out of a sub write `return`, with the sub's own label.)",
-        .level_reason = "Error where some run meets the line: what is written behind it never runs. Warning for an early way out in a block, which works.",
+        .fix = R"(Move the inner sub to a file of its own, with the sub's name. To leave a sub early, write `return`
+with the sub's own label.)",
+        .level_reason = "Error if some run gets to the line: the lines after it never run. Warning for an early exit in a block, which works.",
         .interpreter = "",
         .options = "",
         .moves = "X57",

@@ -79,7 +79,7 @@ M2
 )",
         .fix = R"(Write the later loop with `while` … `endwhile`, or end the first loop by its condition instead of
 `break`.)",
-        .level_reason = "Warning: the program runs, and a later loop ends too early.",
+        .level_reason = "Warning: the program runs, but a later loop ends too early.",
         .interpreter = "",
         .options = "",
     },

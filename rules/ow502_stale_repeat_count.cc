@@ -71,7 +71,7 @@ M2
 )",
         .fix = R"(Use a `while` with a counter, which starts again in each call, or let the `repeat` run to its end
 and skip the work inside.)",
-        .level_reason = "Warning: the program runs, and the next call makes fewer passes.",
+        .level_reason = "Warning: the program runs, but the next call makes fewer passes.",
         .interpreter = "",
         .options = "",
     },

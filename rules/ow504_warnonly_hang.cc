@@ -67,7 +67,7 @@ M2
 )",
         .fix = R"(Correct the label; the finding with an OW1 code at the same line says which one. Better still,
 remove `OWORD_WARNONLY` from the INI.)",
-        .level_reason = "Error: the program never ends, and only an abort gets it back.",
+        .level_reason = "Error: the program never ends, and somebody has to abort it.",
         .interpreter = "duplicate O-word label: 'o100 repeat [4]' - defined in line N",
         .options = "--feature 0x20",
     },

@@ -46,7 +46,7 @@ M2
 )",
         .fix = R"(Move the file into the search path and call it by its name. Until then the program depends on where
 the file is.)",
-        .level_reason = "Error: a program from outside can reach files that it was not given.",
+        .level_reason = "Error: a program from outside can reach files that are not meant for it.",
         .interpreter = "",
         .options = "",
     },

@@ -52,14 +52,15 @@ extern const Rule kOw507{
     .group = Group::kHazards,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A `call` with fewer values than the sub uses: the sub reads `#3`, the call passes two.
+        .what = R"(A `call` with fewer values than the sub uses: the sub reads `#3`, but the call passes two values.
 
-Arguments that the sub can do without are not reported: those that it tests (`if [#3 EQ 0]`, `EXISTS[#3]`, or `#<depth> = #3` and then
-`if [#<depth> EQ 0]`), all of a sub that reads `#<n_args>`, and those that most of its calls leave out.)",
-        .why = R"(LinuxCNC sets what was not passed to **0**. The documentation says that the caller's values stay,
-but the interpreter does not do that, so a `#3` set before the call does not arrive either. A depth,
-a feed or a safe height of 0 is a plunge to the zero face or a rapid through the part, with no
-message.)",
+Arguments that the sub treats as optional are not reported: those that it tests (`if [#3 EQ 0]`,
+`EXISTS[#3]`, or `#<depth> = #3` and then `if [#<depth> EQ 0]`), all arguments of a sub that reads
+`#<n_args>`, and those that most calls leave out.)",
+        .why = R"(LinuxCNC sets arguments that are not passed to **0**. The documentation says that they keep the
+caller's values, but the interpreter does not do that, so setting `#3` before the call does not
+help. A depth, a feed or a safe height of 0 can mean a plunge or a rapid move through the part,
+without a message.)",
         .bad = R"(G21 G90
 o100 sub
   G0 X#1 Y#2
@@ -82,9 +83,9 @@ o100 call [10] [10] [5]
 o100 call [30] [10] [5]
 M2
 )",
-        .fix = R"(Pass a value for every argument. If 0 is meant as "use the default", pass `[0]` so that it can be
-seen, or test it in the sub.)",
-        .level_reason = "Warning: the program runs with a 0 that nobody wrote. What the sub treats as optional is left alone.",
+        .fix = R"(Pass a value for every argument. If 0 means "use the default", pass `[0]` so that a reader can see
+it, or test it in the sub.)",
+        .level_reason = "Warning: the program runs with 0. Arguments that the sub treats as optional are not reported.",
         .interpreter = "",
         .options = "",
     },

@@ -9,7 +9,7 @@
 namespace owlint::rules {
 namespace {
 
-/// A line behind the end of the loop that ends it once more.
+/// A line after the end of the loop that ends it once more.
 StatementId second_end(const Input& in, BlockId block) {
   if (block == kNoBlock || in.program.blocks[block].end == kNoStatement) return kNoStatement;
   const Block& loop = in.program.blocks[block];
@@ -56,8 +56,8 @@ void check(const Input& in, Reporter& out) {
     if (again != kNoStatement) {
       const std::string end = p.head(again);
       Finding& f = out.add(p.at(again).head_span(), "a second `" + end + "` goes back to `" + p.head(h.statement) + "` on line " + std::to_string(s.line) + ", again and again");
-      relate(f, p, h.statement, "it goes back to here");
-      relate(f, p, p.blocks[block].end, "the loop ends here already");
+      relate(f, p, h.statement, "it goes back here");
+      relate(f, p, p.blocks[block].end, "the loop has already ended here");
       f.help = "remove the line, or give it the label of the loop that it ends";
       f.unproven = h.not_always;
       f.reach = h.reach;
@@ -69,7 +69,7 @@ void check(const Input& in, Reporter& out) {
     f.unproven = h.not_always;
     if (block != kNoBlock && p.blocks[block].end != kNoStatement) relate(f, p, p.blocks[block].end, "the loop goes back from here");
     f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
-    if (waits_for_equal(p, h.statement)) f.help = "compare with `GT` or `LT` instead of `NE`: a step can pass the value without meeting it";
+    if (waits_for_equal(p, h.statement)) f.help = "compare with `GT` or `LT` instead of `NE`: the steps may jump over the value";
     f.reach = h.reach;
     f.never_ends = true;
   }

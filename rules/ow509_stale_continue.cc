@@ -70,7 +70,7 @@ M2
 )",
         .fix = R"(Put the rest of the pass into an `if` instead of using `continue`, or write the loop with `while` …
 `endwhile`, where `continue` works.)",
-        .level_reason = "Warning: the program runs, and a later loop makes another number of passes.",
+        .level_reason = "Warning: the program runs, but a later loop makes a different number of passes.",
         .interpreter = "",
         .options = "",
     },

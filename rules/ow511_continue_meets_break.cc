@@ -63,7 +63,7 @@ M2
 )",
         .fix = R"(Write the loop with `while` … `endwhile`, move the `if` with the `break` above the `continue`, or
 replace the `continue` by an `if`.)",
-        .level_reason = "Warning: the program runs, and the loop ends too early.",
+        .level_reason = "Warning: the program runs, but the loop ends too early.",
         .interpreter = "",
         .options = "",
     },

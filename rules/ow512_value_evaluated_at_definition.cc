@@ -71,7 +71,7 @@ M2
 )",
         .fix = R"(Compute the value on a line of its own into a local name, and return that name. Ordinary lines are
 skipped with the definition, and a name that is not set yet does no harm there.)",
-        .level_reason = "Error where the value fails with the parameters of a run: the program stops. Warning where no run does.",
+        .level_reason = "Error if the value cannot be computed on some run: the program stops. Warning if no run does.",
         .interpreter = "Attempt to divide by zero",
         .options = "",
     },

@@ -74,7 +74,7 @@ G0 X#<_value>
 M2
 )",
         .fix = R"(Give `endsub` and every `return` a value, or test `#<_value_returned>` before you use the value.)",
-        .level_reason = "Warning: the program runs with 0 in place of the value.",
+        .level_reason = "Warning: the program runs with 0 instead of the value.",
         .interpreter = "",
         .options = "",
         .moves = "X0",

@@ -34,10 +34,10 @@ std::string leading_comment(const Source& source) {
 void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
   f.message = name + " is read here, but " + (profile.setup->reads_ini ? "the machine's INI has no number for it" : "`INI_VARS = 0` in the machine's INI hides its entries");
   if (!profile.setup->reads_ini) return;
-  f.help = "LinuxCNC looks for section and entry in capital letters, and takes nothing but a decimal number: no unit, no comment behind it; `EXISTS[#<…>]` asks first";
+  f.help = "write section and entry in capital letters in the INI, and only a decimal number: no unit, no comment after it; `EXISTS[#<…>]` tests it first";
 }
 
-/// What is said of a local name that is read where it has no value: which other one it may have been taken for.
+/// Finds the words for a local name that is read without a value: which other name was probably meant.
 class LocalNames {
  public:
   explicit LocalNames(const Input& in) : in_(in) {}
@@ -49,7 +49,7 @@ class LocalNames {
     return "the one on " + line_words(in_, other) + " belongs to " + whose;
   }
 
-  /// Finds words, place and help for a name that `reader` reads. `caller`: the call in which it does, if one is known.
+  /// Finds the words, the position and the help for a name that `reader` reads. `caller`: the call in which it does, if known.
   void explain(const std::string& name, RegionId reader, const Elsewhere& caller, Finding& f) {
     constexpr int kMost = 100;  // each goes through all lines
     if (in_.data.too_large() || ++asked_ > kMost) return;
@@ -58,15 +58,15 @@ class LocalNames {
     const Elsewhere other = owner(name, reader, caller);
     if (other.statement == kNoStatement) return suggest(name, reader, f);
     f.message = "`#<" + name + ">` has no value in " + region_words(p, reader) + ": " + belongs(other, f);
-    f.help = (reader == kMainRegion ? "return the value, as `endsub [#<" + name + ">]`, and read `#<_value>`"
+    f.help = (reader == kMainRegion ? "return the value with `endsub [#<" + name + ">]`, and read `#<_value>`"
                                     : "a name without `_` starts without a value in every call: pass the value as an argument") +
              ", or write `#<_" + name + ">` in both places, which is global";
   }
 
-  /// The same for a name that a sub assigns from itself, which reads 0 there (measured).
+  /// The same for a name that a sub assigns from itself, which is 0 there (measured).
   void explain_zero(const std::string& name, RegionId sub, Finding& f) {
     const Program& p = in_.program;
-    f.message = "`#<" + name + ">` reads 0 here: a name without `_` starts without a value in every call of " + region_words(p, sub);
+    f.message = "`#<" + name + ">` is 0 here: a name without `_` starts without a value in every call of " + region_words(p, sub);
     const auto call = std::ranges::find(p.calls, sub, &Call::target);
     const Elsewhere other = owner(name, sub, call == p.calls.end() ? Elsewhere{} : Elsewhere{&p, call->statement});
     if (other.statement != kNoStatement) f.message += "; " + belongs(other, f);
@@ -196,7 +196,7 @@ void check_comments(const Input& in, LocalNames& names, Reporter& out) {
     Finding& f = out.add(shown.span, "`#<" + shown.local + ">` has no value here");
     names.explain(shown.local, shown.region, {}, f);
     f.message += "; LinuxCNC shows `######`";
-    if (f.help.empty()) f.help = "assign it before";
+    if (f.help.empty()) f.help = "assign it first";
     f.reach = !runs ? Reach::kNever : above == kNoStatement ? Reach::kAlways : in.flow.reach(above);
   }
 }
@@ -234,12 +234,12 @@ void check(const Input& in, Reporter& out) {
     const Statement& line = p.at(s.statement);
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
-    Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but not assigned before"));
+    Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
     if (const auto since = predefined_since(s.detail)) {
       const std::string version(version_text(in.profile.version));
       f.message = name + " is read here, but " + (*since > in.profile.version ? "LinuxCNC " + version + " does not have it; it came with " + std::string(version_text(*since)) : "not every release of LinuxCNC " + version + " has it");
-      f.help = "do without it, ask with `EXISTS[" + name.substr(1, name.size() - 2) + "]` first, or say which version the machine has (`--linuxcnc`)";
+      f.help = "do not use it, test it first with `EXISTS[" + name.substr(1, name.size() - 2) + "]`, or give the machine's version with `--linuxcnc`";
     } else if (s.detail.starts_with("_ini[") && in.profile.setup != nullptr) {
       tell_entry(in.profile, name, f);
     } else if (const std::string other = look_alike_name(in, s.detail); !other.empty()) {
@@ -261,25 +261,25 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw603{
     .code = "OW603",
     .name = "name-undefined",
-    .summary = "`#<name>` is read where some path has not assigned it",
+    .summary = "`#<name>` is read but not assigned on every path",
     .group = Group::kDataFlow,
     .level = Severity::kError,
     .page = {
-        .what = R"(A `#<name>` that is read although no line has given it a value on the way there: a typing error in
-the name, an assignment that stands only in one branch, or a name that belongs to the caller or to
-the called sub.)",
-        .why = R"(The interpreter stops at the line that reads the name, on the run that gets there without an
-assignment. Unlike numbers, which read 0, names have no value until they get one. `#<name>` belongs
-to the sub that is running: the main program's `#<depth>` does not exist inside a sub, nor the sub's
-outside. `#<_name>` with an underscore is shared by all. In a sub such a name starts anew in every call, so a
-counter in a sub, `#<n> = [#<n> + 1]`, reads 0 and gives 1 each time, without a message. A comment
-`(debug, #<name>)` that shows a name without a value shows `######`. Skipped lines are not looked at, and
-`EXISTS[#<name>]` may ask. A global name that the comment at the top of the program speaks of is taken to be
-there. A file that is called from outside gets its arguments as numbers; a remap passes letters (`#<p>`), which are
-taken to be there, with an INI only those of its `REMAP` line.
+        .what = R"(A `#<name>` that is read, but no line before it has given it a value: a typing error in the name, an
+assignment in only one branch, or a name that belongs to the caller or to the called sub.)",
+        .why = R"(The interpreter stops at the line that reads the name, on the first run that gets there without an
+assignment. Numbers are 0 before they are assigned, but names have no value. `#<name>` belongs to
+the sub that is running: the main program's `#<depth>` does not exist inside a sub, and the sub's
+does not exist outside. `#<_name>` with an underscore is global. In a sub, a name starts again in
+every call: a counter `#<n> = [#<n> + 1]` is 0 before and 1 after the line each time, without a
+message. A comment `(debug, #<name>)` shows `######` for a name without a value. Skipped lines are
+not checked, and `EXISTS[#<name>]` tests a name without stopping.
 
-`#<_ini[section]entry>` is an entry of the machine's INI, which owlint looks up where it knows the INI;
-`#<_hal[pin]>` is taken to be there. A name that only some releases of the version have gets a warning.
+If the comment at the top of the program mentions a global name, owlint assumes that it exists. A
+file that is called from outside gets its arguments as numbers. A remap passes letters (`#<p>`):
+owlint assumes that they exist, with an INI only those of its `REMAP` line. `#<_ini[section]entry>`
+is an entry of the machine's INI; owlint looks it up if it knows the INI. It assumes that
+`#<_hal[pin]>` exists. A name that only some releases of the version have is a warning.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -303,7 +303,7 @@ M2
 )",
         .fix = R"(Assign the name before the branch, pass it to the sub as an argument, or use a global name with an
 underscore.)",
-        .level_reason = "Error where a run gets here without the name: the program stops. Warning where another program may have set a global name.",
+        .level_reason = "Error if a run gets here without the name: the program stops. Warning if another program may have set the global name.",
         .interpreter = "Named parameter #<top> not defined",
         .options = "",
     },

@@ -53,7 +53,7 @@ G0 Z5
 M2
 )",
         .fix = R"(Choose another name. To set the feed, the speed or the position, program it: `F120`, `S800`, `G92`.)",
-        .level_reason = "Error where a run gets here: the program stops. Warning where no run does.",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
         .interpreter = "Cannot assign to read-only parameter #<_feed>",
         .options = "",
     },

@@ -67,7 +67,7 @@ bool changes(const Sub& sub, uint32_t n) {
   return true;
 }
 
-/// The parameter that an argument is, if it is nothing but one.
+/// The parameter that an argument is, if it is only that.
 std::optional<flow::ParameterKey> passed(const Program& p, ExprId argument) {
   const Expr& expr = p.syntax.exprs[argument];
   if (expr.op == Operator::kNamed) return flow::key_of_name(p.syntax, expr.name());
@@ -117,7 +117,7 @@ class ByReference {
     const std::string name = "`" + p.label_text(call.callee) + "`";
     const StatementId assigned = sub.data->last_assignment(sub.region, n);
     const bool here = sub.program == &p;
-    const std::string stays = "a call passes values, so the caller's " + words + " stays as it is";
+    const std::string stays = "a call passes only values, so the caller's " + words + " does not change";
     Finding& f = here ? out_.add(p.at(assigned).whole(), name + " changes its own " + own + " here: " + stays)
                       : out_.add(p.at(call.statement).head_span(), name + " changes its own " + own + ": " + stays);
     if (here) {
@@ -189,7 +189,7 @@ M2
 )",
         .fix = R"(Return one value with `endsub [...]`. For several values, use numbers above `#30` or names that
 begin with `_`.)",
-        .level_reason = "Warning: the program runs, and its caller goes on with the old value.",
+        .level_reason = "Warning: the program runs, but its caller keeps the old value.",
         .interpreter = "",
         .options = "",
         .moves = "X0",

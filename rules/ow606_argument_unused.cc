@@ -15,7 +15,7 @@ void check(const Input& in, Reporter& out) {
     if (in.data.surely_reads(call.target, s.value_count)) continue;
     const flow::Summary& sub = in.data.of(call.target);
     if (!sub.known || sub.any_number) continue;
-    // One in the middle has to be passed for the sake of those behind it.
+    // An argument in the middle has to be passed because of those after it.
     const int read = sub.last_argument();
     if (s.value_count <= read) continue;
     const std::string reads = read == 0 ? "reads none" : read == 1 ? "reads only `#1`" : "reads only `#1` to `#" + std::to_string(read) + "`";
@@ -61,7 +61,7 @@ o100 call [20]
 M2
 )",
         .fix = R"(Remove the unused arguments from the call, or read them in the sub.)",
-        .level_reason = "Warning: the program runs, and what the caller passes has no effect.",
+        .level_reason = "Warning: the program runs, and the argument has no effect.",
         .interpreter = "",
         .options = "",
         .moves = "X0",

@@ -129,7 +129,7 @@ o200 call
 M2
 )",
         .fix = R"(Call the sub, or remove it. If you keep a sub for later, suppress the finding with a reason.)",
-        .level_reason = "Warning: the program runs without the sub, whose call may have been forgotten or misspelt.",
+        .level_reason = "Warning: the program runs without the sub; perhaps a call is missing or misspelt.",
         .interpreter = "",
         .options = "",
         .moves = "X10",

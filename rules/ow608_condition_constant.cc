@@ -62,7 +62,7 @@ o100 endwhile
 M2
 )",
         .fix = R"(Reverse the comparison, or compare with another number or parameter.)",
-        .level_reason = "Warning: the program runs, and a part of it never does, or always.",
+        .level_reason = "Warning: the program runs, but a part of it never runs, or always.",
         .interpreter = "",
         .options = "",
         .moves = "X0",

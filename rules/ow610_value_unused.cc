@@ -67,20 +67,22 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw610{
     .code = "OW610",
     .name = "value-unused",
-    .summary = "a parameter assigned and overwritten or never read",
+    .summary = "a parameter that is assigned but never read, or overwritten before it is read",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
     .page = {
-        .what = R"(A name that a sub or the main program assigns and never reads, while another name, spelt almost alike, is
-read. An argument that is computed into such a name, and so has no effect. A value that the next line overwrites.
+        .what = R"(A name that a sub or the main program assigns but never reads, while it reads another name with
+almost the same spelling. An argument that only goes into such a name, and so has no effect. A value
+that the next line overwrites.
 
-Other names that are never read are info, off unless selected: the line could go, and the program would do the same.
-A name that `(debug, …)`, `(print, …)`, `(log, …)` or `(msg, …)` mentions counts as read. One that only gives a name to another
-parameter (`#<feed> = #3`) is not reported. Global names and numbers above `#30` may be read by other programs, and all
-names by the Python code of a machine whose INI has a `[PYTHON]` section.)",
-        .why = R"(LinuxCNC makes a new parameter of every name that it has not met, so a slip of the pen sets one that
-nothing reads, and the one that is meant keeps its old value. No message: in the first program below
-the machine goes to X10.
+Other names that are never read are info, off unless you select it: without the line the program
+would do the same. A name that `(debug, …)`, `(print, …)`, `(log, …)` or `(msg, …)` mentions counts
+as read. A name that only renames another parameter (`#<feed> = #3`) is not reported. Other programs
+may read global names and numbers above `#30`, and the Python code of a machine may read all names
+if the INI has a `[PYTHON]` section.)",
+        .why = R"(LinuxCNC makes a new parameter for every new name. So a typing error sets a parameter that nothing
+reads, and the intended one keeps its old value. There is no message: in the first program below the
+machine goes to X10.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -98,7 +100,7 @@ G0 X#<width>
 M2
 )",
         .fix = R"(Correct the name, or remove the line.)",
-        .level_reason = "Warning where a value is lost: the name is nearly one that is read, the next line overwrites the value, or an argument ends in it. Info for a line that could go without a change.",
+        .level_reason = "Warning if a value is lost: the name is nearly one that is read, the next line overwrites the value, or an argument is never read. Info for a line that has no effect.",
         .interpreter = "",
         .options = "",
         .moves = "X10",

@@ -93,7 +93,7 @@ G0 X[#<found> * 50]
 M2
 )",
         .fix = R"(Compare with `LT`, `LE`, `GT` or `GE`, count passes in whole numbers, or test the distance.)",
-        .level_reason = "Info: the comparison works in most programs; what it needs is a look.",
+        .level_reason = "Info: the comparison works in most programs, but should be checked.",
         .interpreter = "",
         .options = "--extend-select OW611",
         .moves = "X0",

@@ -58,7 +58,7 @@ G0 X#<done>
 M2
 )",
         .fix = R"(Round on purpose, with `FUP` or `FIX`, and cut the rest in a last pass.)",
-        .level_reason = "Warning: the program runs, with another number of passes than is written.",
+        .level_reason = "Warning: the program runs, with a different number of passes.",
         .interpreter = "",
         .options = "",
         .moves = "X8",

@@ -258,7 +258,7 @@ std::string file_name(const Source& source) {
   return path.substr(path.rfind('/') + 1);
 }
 
-/// The call in which it stops, where that is worth telling: others of the same sub may pass values for which it does not.
+/// The call in which it stops, if that matters: other calls of the same sub may pass values for which it does not stop.
 StatementId telling_call(const Program& program, const FlowStop& stop) {
   if (stop.call == kNoStatement || stop.statement == kNoStatement) return kNoStatement;
   if (stop.kind < StopKind::kNameUndefined && program.at(stop.statement).label_expr == kNoExpr) return kNoStatement;
@@ -278,13 +278,13 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
     const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
     const Statement& s = place.program->at(decision.statement);
     const bool repeat = s.is(Keyword::kRepeat);
-    const std::string outcome = repeat ? (decision.taken ? " runs its passes" : " has no pass left")
+    const std::string outcome = repeat ? (decision.taken ? " repeats" : " does not repeat")
                                        : (decision.taken ? " is true" : " is false");
     finding.path.push_back({s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
                             decision.program == nullptr ? nullptr : decision.program->source});
   }
-  relate(in, finding, stop.call_elsewhere, "called from here");
-  relate(finding, in.program, telling_call(in.program, stop), "called from here");
+  relate(in, finding, stop.call_elsewhere, "called here");
+  relate(finding, in.program, telling_call(in.program, stop), "called here");
   add_consequences(in, stop.statement, finding);
 }
 
@@ -327,9 +327,9 @@ bool has_stop(const Input& in, StatementId statement) { return statement < in.in
 std::string look_alike_text(std::string_view text) {
   const char32_t code = character_at(text).code;
   const LookAlike same = look_alike(code).value();
-  const std::string who = fmt::format("U+{:04X} {}", static_cast<uint32_t>(code), same.name);
-  if (same.plain.empty()) return who + " stands here, which no editor shows";
-  return who + (same.plain == " " ? " looks like a blank, and is none" : " looks like `" + same.plain + "`, and is another character");
+  const std::string who = fmt::format("the character U+{:04X} {}", static_cast<uint32_t>(code), same.name);
+  if (same.plain.empty()) return who + " is here, but no editor shows it";
+  return who + (same.plain == " " ? " looks like a space, but is not one" : " looks like `" + same.plain + "`, but is another character");
 }
 
 std::string look_alike_name(const Input& in, std::string_view name) {

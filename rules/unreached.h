@@ -1,4 +1,4 @@
-// Why no run gets to a line: the words behind "not reached:" in the text report.
+// Why no run gets to a line: the text after "not reached:" in the report.
 #pragma once
 
 #include <optional>

@@ -147,7 +147,7 @@ ProgramReport lint_both_settings(const std::shared_ptr<const Program>& program, 
   Profile with = profile;
   with.block_delete = true;
   LintOptions others = options;
-  others.known_calls = nullptr;  // it is a memory of the program as it stands
+  others.known_calls = nullptr;  // it belongs to the program as it is now
   std::vector<ProgramReport> reports;
   reports.push_back(lint_one_way(program, with, others, library));
   reports.push_back(std::move(off));

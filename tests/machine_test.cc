@@ -50,7 +50,7 @@ TEST_CASE("looking for an INI can be turned off", "[machine]") {
   folder.write("owlint.toml", "find-ini = 1\n");
   const Run wrong = check(folder, "programs");
   CHECK(wrong.status == 2);
-  CHECK(contains(wrong.err, "line 1: `find-ini` is true or false"));
+  CHECK(contains(wrong.err, "line 1: `find-ini` must be true or false"));
 }
 
 TEST_CASE("of several INIs none is used", "[machine]") {

@@ -40,23 +40,23 @@ TEST_CASE("usage errors have one voice", "[cli][usage]") {
   CHECK(said("good.ngc --ini") == "--ini needs a value: FILE");
   CHECK(said("--jobs 1 --jobs 2 good.ngc") == "--jobs is given more than once");
   CHECK(said("--fix=maybe good.ngc") == "--fix takes no value");
-  CHECK(said("--jobs many good.ngc") == "--jobs: `many` is not a number, as 4");
-  CHECK(said("--jobs=-1 good.ngc") == "--jobs: `-1` is not a number, as 4");
-  CHECK(said("--feature many good.ngc") == "--feature: `many` is not a number, as 32 or 0x20");
+  CHECK(said("--jobs many good.ngc") == "--jobs: `many` is not a number such as 4");
+  CHECK(said("--jobs=-1 good.ngc") == "--jobs: `-1` is not a number such as 4");
+  CHECK(said("--feature many good.ngc") == "--feature: `many` is not a number such as 32 or 0x20");
   CHECK(said("--fail-on fatal good.ngc") == "--fail-on: `fatal` is none of error, warning, info");
   CHECK(said("--color alwys good.ngc") == "--color: `alwys` is none of auto, always, never; did you mean `always`?");
   CHECK(said("--linuxcnc 2.6 good.ngc").starts_with("--linuxcnc: `2.6` is none of 2.7, 2.8, 2.9, 2.10, all"));
   CHECK(said("graph --format pgn good.ngc").starts_with("--format: `pgn` is none of dot, mermaid, json, svg"));
   CHECK(said("--select OW1O4 good.ngc") == "--select: there is no rule `OW1O4`, did you mean `OW104`?");
   CHECK(said("--ignore OW104,if-lable-reused good.ngc") == "--ignore: there is no rule `if-lable-reused`, did you mean `if-label-reused`?");
-  CHECK(said("--severity OW104 good.ngc") == "--severity: `OW104` is no CODE=LEVEL, with a level of off, info, warning, error");
-  CHECK(said("--severity OW104=fatal good.ngc") == "--severity: `OW104=fatal` is no CODE=LEVEL, with a level of off, info, warning, error");
+  CHECK(said("--severity OW104 good.ngc") == "--severity: `OW104` is not CODE=LEVEL with a level of off, info, warning or error");
+  CHECK(said("--severity OW104=fatal good.ngc") == "--severity: `OW104=fatal` is not CODE=LEVEL with a level of off, info, warning or error");
   CHECK(said("--severity OW999=off good.ngc") == "--severity: there is no rule `OW999`; `owlint rules` lists them");
   CHECK(said("config --show --check .") == "--show and --check do not go together");
   CHECK(said("--config none.toml good.ngc") == "cannot read none.toml: No such file or directory");
   CHECK(said("config --check none.toml") == "cannot read none.toml: No such file or directory");
   CHECK(said("config none") == "there is no none");
-  CHECK(said("--ini good.ngc good.ngc") == "good.ngc is no INI of a machine: it has no [SECTION]");
+  CHECK(said("--ini good.ngc good.ngc") == "good.ngc is not a machine INI: it has no [SECTION]");
   CHECK(said("--sub-path none good.ngc") == "--sub-path: there is no folder none");
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("help is laid out for people", "[cli][usage]") {
     for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
   }
   const std::string help = owlint::test::owlint({"check", "--help"}).out;
-  CHECK(contains(help, "  --format FORMAT           how findings are written: text, grouped, gcc, "));
+  CHECK(contains(help, "  --format FORMAT           the form of the report: text, grouped, gcc, "));
   CHECK(contains(help, "(default: text)"));
   CHECK(contains(help, "  --find-ini, --no-find-ini\n"));
   CHECK(owlint::test::owlint({"help"}).out == owlint::test::owlint({"--help"}).out);

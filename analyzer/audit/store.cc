@@ -35,7 +35,7 @@ std::string words_of(const SQLite::Exception& problem, const std::string& path) 
   switch (problem.getErrorCode()) {
     case SQLITE_FULL: return fmt::format("cannot write the store {}: no space left; what was committed before is safe", path);
     case SQLITE_CORRUPT:
-    case SQLITE_NOTADB: return fmt::format("{} is no store of owlint's, or is damaged: {}", path, problem.what());
+    case SQLITE_NOTADB: return fmt::format("{} is not an owlint store, or is damaged: {}", path, problem.what());
     case SQLITE_BUSY:
     case SQLITE_LOCKED: return fmt::format("the store {} is in use", path);
     case SQLITE_READONLY: return fmt::format("the store {} cannot be written: it, or its folder, is read-only", path);
@@ -59,7 +59,7 @@ Store::Hold::Hold(const std::string& path, bool wait) : fd_(::open(path.c_str(),
   const bool held = errno == EAGAIN || errno == EACCES;
   const std::string why = std::strerror(errno);
   ::close(fd_);
-  throw StoreProblem(held ? fmt::format("another audit is using the store {}: wait until it is done, or say --wait", path)
+  throw StoreProblem(held ? fmt::format("another audit is using the store {}: wait until it has finished, or use --wait", path)
                           : fmt::format("cannot lock the store {}: {}", path, why));
 }
 
@@ -73,8 +73,8 @@ Store Store::open(const std::string& path, For use, bool wait) {
   if (!writing && !std::filesystem::exists(path, problem)) throw StoreProblem(fmt::format("there is no store {}: `owlint audit PATH… --store FILE` makes one", path));
   const auto kind = std::filesystem::status(path, problem).type();
   using Type = std::filesystem::file_type;
-  if (kind != Type::regular && kind != Type::directory && kind != Type::not_found && kind != Type::none) throw StoreProblem(fmt::format("{} is no store of owlint's: it is no file", path));
-  if (is_other_file(path)) throw StoreProblem(fmt::format("{} is no store of owlint's", path));
+  if (kind != Type::regular && kind != Type::directory && kind != Type::not_found && kind != Type::none) throw StoreProblem(fmt::format("{} is not an owlint store: it is not a file", path));
+  if (is_other_file(path)) throw StoreProblem(fmt::format("{} is not an owlint store", path));
   if (writing) store.hold_ = std::make_unique<Hold>(path, wait);
   try {
     // A reader that may write as well takes SQLite's files beside the store away when it is the last to close it.
@@ -92,11 +92,11 @@ void Store::migrate(bool writing) {
   const int version = db_->execAndGet("PRAGMA user_version").getInt();
   const int application = db_->execAndGet("PRAGMA application_id").getInt();
   const bool fresh = db_->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
-  if (!fresh && application != kApplicationId) throw StoreProblem(fmt::format("{} is a database, but no store of owlint's", path_));
+  if (!fresh && application != kApplicationId) throw StoreProblem(fmt::format("{} is a database, but not an owlint store", path_));
   const auto wanted = static_cast<int>(kSteps.size());
   if (version > wanted) throw StoreProblem(fmt::format("the store {} was written by a newer owlint", path_));
   if (!writing) {
-    if (version < wanted) throw StoreProblem(fmt::format("the store {} was written by an older owlint: the next `owlint audit` brings it up to date", path_));
+    if (version < wanted) throw StoreProblem(fmt::format("the store {} was written by an older owlint: the next `owlint audit` updates it", path_));
     return;
   }
   // A network file system may refuse WAL; then SQLite keeps its old way, which is as safe.

@@ -137,11 +137,11 @@ class AuditRun {
  private:
   bool usage_is_right() {
     if (!line_.shard.empty() && !read_shard()) {
-      complain(fmt::format("--shard: `{}` is no I/N, as 1/4 for the first of four", line_.shard));
+      complain(fmt::format("--shard: `{}` is not I/N, such as 1/4 for the first of four", line_.shard));
       return false;
     }
     if (!line_.report.empty() && !audit::has_page()) {
-      complain("this owlint was built without npm, and so without the page of --report");
+      complain("this owlint was built without npm, so it has no page for --report");
       return false;
     }
     for (const std::string& path : line_.check.paths) {
@@ -185,7 +185,7 @@ class AuditRun {
   }
 
   int tell_interrupted(const Outcome& outcome) {
-    std::cerr << fmt::format("stopped: {} of this run are stored, and the next run goes on from there\n", plural(outcome.analysed, "program"));
+    std::cerr << fmt::format("stopped: {} of this run are in the store; the next run goes on from there\n", plural(outcome.analysed, "program"));
     if (line_.watch) return kClean;
     std::cout.flush();
     ::signal(SIGINT, SIG_DFL);
@@ -257,7 +257,7 @@ NamedRun open_run(const std::string& text, const std::string& store) {
   }
   Store opened = Store::open(path, Store::For::kReading);
   const auto found = audit::find_run(opened, run);
-  if (!found) throw audit::StoreProblem(fmt::format("{} has no complete run `{}`: say a number of `owlint audit list`, `last`, `last-1`, or STORE:RUN", path, run));
+  if (!found) throw audit::StoreProblem(fmt::format("{} has no complete run `{}`: use a number from `owlint audit list`, `last`, `last-1`, or STORE:RUN", path, run));
   return {std::move(opened), *found};
 }
 

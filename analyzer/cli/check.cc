@@ -40,7 +40,7 @@ class Check {
     if (fixes) {
       FixResult result = run_and_fix(files_, wanted_, read_, line_.unsafe);
       result_ = std::move(result.run);
-      for (const std::string& path : result.unfinished) trouble(fmt::format("{} is left as it is: fixing it does not come to an end", path));
+      for (const std::string& path : result.unfinished) trouble(fmt::format("{} is not changed: its fixes never come to an end", path));
       if (line_.diff) return print_diffs(result.fixed);
       if (!write_fixed(result.fixed)) result_ = run_checks(files_, wanted_, read_, library_);
     } else {
@@ -193,7 +193,7 @@ class Check {
     for (FileReport& report : result_.reports) known += baseline.take_out(*report.source, report.findings);
     if (line_.quiet) return true;
     if (known > 0) std::cerr << fmt::format("{} not shown: in {}\n", plural(known, "known finding"), line_.baseline);
-    if (const size_t gone = baseline.gone(); gone > 0) std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` takes them out\n", plural(gone, "finding"), line_.baseline);
+    if (const size_t gone = baseline.gone(); gone > 0) std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` removes them\n", plural(gone, "finding"), line_.baseline);
     return true;
   }
 

@@ -27,7 +27,7 @@ class Reader {
     read_text(table, "ini", "mill.ini", &file->ini);
     read_text(table, "linuxcnc", "2.9", &file->linuxcnc);
     if (file->linuxcnc && *file->linuxcnc != "all" && !version_from_text(*file->linuxcnc)) {
-      wrong(*table.get("linuxcnc"), fmt::format("`linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, all, not `{}`", *file->linuxcnc));
+      wrong(*table.get("linuxcnc"), fmt::format("`linuxcnc` must be one of 2.7, 2.8, 2.9, 2.10, all, not `{}`", *file->linuxcnc));
     }
     read_list(table, "sub-path", "folders", &file->sub_path);
     read_list(table, "exclude", "patterns", &file->exclude);
@@ -35,7 +35,7 @@ class Reader {
     read_selection(table, &file->base);
     read_feature(table, file);
     if (const toml::node* node = table.get("find-ini")) {
-      if (!node->is_boolean()) wrong(*node, "`find-ini` is true or false");
+      if (!node->is_boolean()) wrong(*node, "`find-ini` must be true or false");
       file->find_ini = node->value_or(true);
     }
     if (const toml::node* node = table.get("fail-on")) {
@@ -70,7 +70,7 @@ class Reader {
     const toml::node* node = table.get(key);
     if (node == nullptr) return;
     *text = node->value_exact<std::string>();
-    if (!*text) wrong(*node, fmt::format("`{}` is a text in quotes, as \"{}\"", key, example));
+    if (!*text) wrong(*node, fmt::format("`{}` must be text in quotes, such as \"{}\"", key, example));
   }
 
   /// `what` says for people what the texts of the list are.
@@ -82,7 +82,7 @@ class Reader {
     for (size_t i = 0; array != nullptr && i < array->size(); ++i) {
       if (auto text = array->get(i)->value_exact<std::string>(); text && !text->empty()) (*list)->push_back(std::move(*text));
     }
-    if (array == nullptr || (*list)->size() != array->size()) wrong(*node, fmt::format("`{}` is a list of {}", key, what));
+    if (array == nullptr || (*list)->size() != array->size()) wrong(*node, fmt::format("`{}` must be a list of {}", key, what));
   }
 
   void read_codes(const toml::table& table, std::string_view key, Texts* codes) {
@@ -107,7 +107,7 @@ class Reader {
       std::string error;
       Severity severity{};
       if (!take_code(&code, &error)) wrong(value, error);
-      if (!severity_from_text(value.value_or(std::string()), &severity)) wrong(value, fmt::format("the severity of `{}` is one of off, info, warning, error", code));
+      if (!severity_from_text(value.value_or(std::string()), &severity)) wrong(value, fmt::format("the severity of `{}` must be one of off, info, warning, error", code));
       selection->severity[code] = severity;
     }
   }
@@ -124,7 +124,7 @@ class Reader {
     const toml::node* node = table.get("overrides");
     if (node == nullptr) return;
     const toml::array* list = node->as_array();
-    if (list == nullptr || !list->is_array_of_tables()) return wrong(*node, "`overrides` is a list of tables, written `[[overrides]]`");
+    if (list == nullptr || !list->is_array_of_tables()) return wrong(*node, "`overrides` must be a list of tables, written `[[overrides]]`");
     for (size_t i = 0; i < list->size(); ++i) {
       const toml::table& entry = *list->get(i)->as_table();
       check_keys(entry, kOverrideKeys);

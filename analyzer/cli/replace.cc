@@ -101,7 +101,7 @@ bool replace_unchanged(const std::string& path, std::string_view old, std::strin
   if (now == nullptr) return false;
   if (now->bytes() == text) return true;  // by another name of the file
   if (now->bytes() != old) {
-    *error = "it has changed meanwhile, and is left as it is";
+    *error = "it has changed in the meantime, so it is not replaced";
     return false;
   }
   return replace_file(path, text, error);

@@ -114,7 +114,7 @@ RunResult put_together(const std::vector<std::string>& files, std::vector<Checke
   for (FileReport& report : machines) add(std::move(report));
   for (auto& [key, report] : others) result.reports.push_back(std::move(report));
   if (!python.empty()) {
-    result.notes.push_back(fmt::format("not found as subs or files, and taken for functions of the INI's [PYTHON] module: {}", fmt::join(python, ", ")));
+    result.notes.push_back(fmt::format("neither a sub nor a file, so assumed to be functions of the INI's [PYTHON] module: {}", fmt::join(python, ", ")));
   }
   return result;
 }

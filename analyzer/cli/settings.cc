@@ -84,7 +84,7 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
       return false;
     }
     if (!setup->ini.has_sections()) {
-      *error = fmt::format("{} is no INI of a machine: it has no [SECTION]", path);
+      *error = fmt::format("{} is not a machine INI: it has no [SECTION]", path);
       return false;
     }
     for (const Ini::Entry& missing : setup->ini.missing_includes()) {
@@ -164,7 +164,7 @@ std::vector<std::string> Configuration::notes() const {
   if (undecided_.size() == 1) {
     notes.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", first_undecided_, undecided_[0]));
   } else if (undecided_.size() > 1) {
-    notes.push_back(fmt::format("{} folders have several machine INIs each, and none of these is used: {}; choose one with --ini, or with `ini` in an owlint.toml there", undecided_.size(), some(undecided_)));
+    notes.push_back(fmt::format("{} folders have several machine INIs each, so none of them is used: {}; choose one with --ini, or with `ini` in an owlint.toml there", undecided_.size(), some(undecided_)));
   }
   return notes;
 }
@@ -272,7 +272,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   if (line_.feature) {
     profile.feature = parse_mask(*line_.feature);
     if (!profile.feature) {
-      *error = fmt::format("--feature: `{}` is not a number, as 32 or 0x20", *line_.feature);
+      *error = fmt::format("--feature: `{}` is not a number such as 32 or 0x20", *line_.feature);
       return false;
     }
   }
@@ -304,7 +304,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     const size_t equals = text.find('=');
     Severity severity{};
     if (equals == std::string::npos || !severity_from_text(text.substr(equals + 1), &severity)) {
-      *error = fmt::format("--severity: `{}` is no CODE=LEVEL, with a level of off, info, warning, error", text);
+      *error = fmt::format("--severity: `{}` is not CODE=LEVEL with a level of off, info, warning or error", text);
       return false;
     }
     std::string code = text.substr(0, equals);

@@ -40,7 +40,7 @@ CLI::Validator code_level() {
     std::string code = value.substr(0, equals);
     std::string error;
     if (equals == std::string::npos || !severity_from_text(value.substr(equals + 1), &severity)) {
-      error = fmt::format("`{}` is no CODE=LEVEL, with a level of off, info, warning, error", value);
+      error = fmt::format("`{}` is not CODE=LEVEL with a level of off, info, warning or error", value);
     } else {
       take_code(&code, &error);
     }
@@ -53,13 +53,13 @@ CLI::Validator count() {
   const auto check = [](std::string& value) {
     unsigned number = 0;
     const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), number);
-    return problem == std::errc() && end == value.data() + value.size() ? std::string() : fmt::format("`{}` is not a number, as 4", value);
+    return problem == std::errc() && end == value.data() + value.size() ? std::string() : fmt::format("`{}` is not a number such as 4", value);
   };
   return CLI::Validator(check, "");
 }
 
 CLI::Validator mask() {
-  const auto check = [](std::string& value) { return parse_mask(value) ? std::string() : fmt::format("`{}` is not a number, as 32 or 0x20", value); };
+  const auto check = [](std::string& value) { return parse_mask(value) ? std::string() : fmt::format("`{}` is not a number such as 32 or 0x20", value); };
   return CLI::Validator(check, "");
 }
 

@@ -176,7 +176,7 @@ class Walker {
     // Folder by folder they are nearly in order: merging is faster than partitioning.
     std::ranges::stable_sort(out_.files.begin() + static_cast<std::ptrdiff_t>(before), out_.files.end(), {}, &WalkedFile::path);
     if (out_.files.size() == before && !options_.allow_empty) {
-      out_.problems.push_back("no programs in " + root + " (*.ngc *.nc *.tap *.cnc *.gcode); `--include` takes other names, and `--allow-empty` a folder without any");
+      out_.problems.push_back("no programs in " + root + " (*.ngc *.nc *.tap *.cnc *.gcode); `--include` adds other names, and `--allow-empty` allows a folder without programs");
     }
   }
 

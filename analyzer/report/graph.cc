@@ -265,7 +265,7 @@ std::string write_graph_svg(std::ostream& out, const Linked& linked, const std::
   std::ostringstream dot;
   write_graph_dot(dot, linked, findings);
   const Ran ran = run_program({"dot", "-Tsvg"}, dot.str());
-  if (!ran.started) return "the SVG is drawn by Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
+  if (!ran.started) return "SVG needs Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
   if (ran.status != 0) return "Graphviz's `dot` failed";
   out << ran.out;
   return "";

@@ -107,7 +107,7 @@ def no_stores(options, folder, shop):
     refused(folder + "/none/at/all.db", "No such file")
     with sqlite3.connect(folder + "/other.db") as db:
         db.execute("CREATE TABLE mine (a)")
-    refused(folder + "/other.db", "no store of owlint's")
+    refused(folder + "/other.db", "not an owlint store")
     run(options.owlint, "audit", shop, "--store", folder + "/newer.db", "-q")
     with sqlite3.connect(folder + "/newer.db") as db:
         db.execute("PRAGMA user_version = 99")

@@ -95,7 +95,7 @@ TEST_CASE("what is no store is left alone", "[audit]") {
   CHECK_THROWS_WITH(Store::open(scratch.path() + "/text.db", Store::For::kWriting), Catch::Matchers::Contains("no store"));
   CHECK(test::read_file(scratch.path() + "/text.db") == "not a database at all, but long enough to look like one\n");
   { SQLite::Database(scratch.path() + "/other.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t (a)"); }
-  CHECK_THROWS_WITH(Store::open(scratch.path() + "/other.db", Store::For::kWriting), Catch::Matchers::Contains("no store of owlint's"));
+  CHECK_THROWS_WITH(Store::open(scratch.path() + "/other.db", Store::For::kWriting), Catch::Matchers::Contains("not an owlint store"));
   CHECK_THROWS_WITH(Store::open(scratch.path() + "/none.db", Store::For::kReading), Catch::Matchers::Contains("there is no store"));
 }
 

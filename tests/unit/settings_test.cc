@@ -118,23 +118,23 @@ TEST_CASE("an unknown key names the nearest one", "[settings]") {
 }
 
 TEST_CASE("values that cannot be meant are errors", "[settings]") {
-  CHECK(error_of("select = \"OW1\"\n") == "line 1: `select` is a list of codes");
-  CHECK(error_of("select = [1]\n") == "line 1: `select` is a list of codes");
+  CHECK(error_of("select = \"OW1\"\n") == "line 1: `select` must be a list of codes");
+  CHECK(error_of("select = [1]\n") == "line 1: `select` must be a list of codes");
   CHECK(error_of("ignore = [\"OW1O4\"]\n") == "line 1: there is no rule `OW1O4`, did you mean `OW104`?");
-  CHECK(error_of("[severity]\nOW104 = \"fatal\"\n") == "line 2: the severity of `OW104` is one of off, info, warning, error");
+  CHECK(error_of("[severity]\nOW104 = \"fatal\"\n") == "line 2: the severity of `OW104` must be one of off, info, warning, error");
   CHECK(error_of("severity = \"off\"\n") == "line 1: `severity` is a table of codes and levels");
   CHECK(error_of("feature = \"many\"\n") == "line 1: `feature` is a number, as 32 or 0x20");
   CHECK(error_of("feature = -1\n") == "line 1: `feature` is a number, as 32 or 0x20");
-  CHECK(error_of("ini = 5\n") == "line 1: `ini` is a text in quotes, as \"mill.ini\"");
-  CHECK(error_of("linuxcnc = 2.9\n") == "line 1: `linuxcnc` is a text in quotes, as \"2.9\"");
+  CHECK(error_of("ini = 5\n") == "line 1: `ini` must be text in quotes, such as \"mill.ini\"");
+  CHECK(error_of("linuxcnc = 2.9\n") == "line 1: `linuxcnc` must be text in quotes, such as \"2.9\"");
   CHECK(error_of("fail-on = \"off\"\n") == "line 1: `fail-on` is one of info, warning, error");
-  CHECK(error_of("exclude = \"old\"\n") == "line 1: `exclude` is a list of patterns");
-  CHECK(error_of("\nsub-path = [5]\n") == "line 2: `sub-path` is a list of folders");
+  CHECK(error_of("exclude = \"old\"\n") == "line 1: `exclude` must be a list of patterns");
+  CHECK(error_of("\nsub-path = [5]\n") == "line 2: `sub-path` must be a list of folders");
   // Of several mistakes the first one.
   CHECK(error_of("fail-on = 1\nini = 5\n[severity]\nOW999 = \"off\"\n") == "line 1: `fail-on` is one of info, warning, error");
-  CHECK(error_of("linuxcnc = \"2.6\"\n") == "line 1: `linuxcnc` is one of 2.7, 2.8, 2.9, 2.10, all, not `2.6`");
+  CHECK(error_of("linuxcnc = \"2.6\"\n") == "line 1: `linuxcnc` must be one of 2.7, 2.8, 2.9, 2.10, all, not `2.6`");
   CHECK(error_of("[[overrides]]\nselect = [\"OW1\"]\n") == "line 1: an override needs `files`, a list of patterns");
-  CHECK(error_of("overrides = 1\n") == "line 1: `overrides` is a list of tables, written `[[overrides]]`");
+  CHECK(error_of("overrides = 1\n") == "line 1: `overrides` must be a list of tables, written `[[overrides]]`");
   CHECK(error_of("select = [\n").starts_with("line 1: not TOML: "));
 }
 
