@@ -28,7 +28,7 @@ void check(const Input& in, Reporter& out) {
     if (stops) continue;
     Finding& f = out.add(p.at(region.opener).head_span(), "`" + p.label_text(region.name) + "` is a second sub in the file of `" + p.label_text(p.entry) + "`");
     relate(f, p, entry->opener, "calls of this file run this sub");
-    f.help = "move it into a file of its own: if another file has a `" + p.label_text(region.name) + "`, both call the one that ran first, and LinuxCNC 2.10 stops at the call";
+    f.help = "move it into a file of its own: if another file also has `" + p.label_text(region.name) + "`, LinuxCNC calls the first one for both, and 2.10 stops at the call";
     f.reach = in.flow.reach(region.opener);
   }
 }

@@ -98,7 +98,7 @@ bool enough_once(const Finding& f) { return f.stops || f.never_ends || f.runs_ot
 void depends_on(Finding& f, bool on) {
   f.block_delete = on ? "on" : "off";
   if (f.reach == Reach::kAlways) f.reach = Reach::kMaybe;
-  f.path.insert(f.path.begin(), {f.span, on ? "when block delete is on (LinuxCNC starts so; lines that begin with `/` are skipped)" : "when block delete is off (lines that begin with `/` run)", nullptr});
+  f.path.insert(f.path.begin(), {f.span, on ? "when block delete is on, as when LinuxCNC starts (lines that begin with `/` are skipped)" : "when block delete is off (lines that begin with `/` run)", nullptr});
   // The fix is made of the lines that run in this case, and may be wrong in the other one.
   for (Fix& fix : f.fixes) fix.safe = false;
 }
