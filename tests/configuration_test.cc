@@ -16,7 +16,8 @@ Run check(const Scratch& folder, const std::string& arguments) { return owlint::
 /// The files in which a run found something, in their order.
 std::vector<std::string> files(const Scratch& folder, const std::string& arguments) {
   std::vector<std::string> names;
-  for (const auto& file : nlohmann::json::parse(check(folder, "--format json " + arguments).out)["files"]) names.push_back(file["path"]);
+  const auto report = nlohmann::json::parse(check(folder, "--format json " + arguments).out);
+  for (const auto& file : report["files"]) names.push_back(file["path"]);
   return names;
 }
 

@@ -104,7 +104,10 @@ complete -o filenames -F _owlint owlint
 std::string bash_completion(const CLI::App& app) {
   const Commands commands = all_commands(app);
   std::string out = kBashHead;
-  out += fmt::format("  local options= commands= codes='{}'\n  case \"$command ${{COMP_WORDS[2]}}\" in\n", code_words());
+  std::vector<std::string> names;
+  for (const Command& command : commands_of(app)) names.push_back(command.path);
+  out += fmt::format("  local options= commands= codes='{}'\n", code_words());
+  out += fmt::format("  [[ ' {} ' == *\" $command \"* ]] || command=check  # it may be left out\n  case \"$command ${{COMP_WORDS[2]}}\" in\n", fmt::join(names, " "));
   for (const Command& one : commands) {
     if (one.path.find(' ') != std::string::npos) out += fmt::format("    '{0}') command='{0}' ;;\n", one.path);
   }
@@ -115,9 +118,7 @@ std::string bash_completion(const CLI::App& app) {
     const std::string offered = own.empty() ? "" : fmt::format(" ; [[ $COMP_CWORD -eq 2 ]] && commands='{}'", fmt::join(own, " "));
     out += fmt::format("    '{}') options='{}'{}{} ;;\n", one.path, all_spellings(*one.app), takes_codes(*one.app) ? " ; [[ $current != -* ]] && kind=codes" : "", offered);
   }
-  std::vector<std::string> names;
-  for (const Command& command : commands_of(app)) names.push_back(command.path);
-  out += fmt::format("    *) options='{}' ;;\n  esac\n  [[ $COMP_CWORD -eq 1 ]] && commands='{}'\n", all_spellings(app), fmt::join(names, " "));
+  out += fmt::format("  esac\n  [[ $COMP_CWORD -eq 1 ]] && commands='{}' options+=' {}'\n", fmt::join(names, " "), all_spellings(app));
   std::map<std::string, std::string> values;  // by command and option
   for (const Command& one : commands) {
     for (const CLI::Option* option : options_of(*one.app)) {
@@ -159,7 +160,7 @@ std::string zsh_completion(const CLI::App& app) {
   for (const Command& one : commands) {
     if (!is_own(one)) out += fmt::format("    {}\n", quoted(one.path + ":" + one.app->get_description()));
   }
-  out += "  )\n  if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n    _describe command commands\n    _files\n    return\n  fi\n  local command=$words[2]\n  case \"$words[2] $words[3]\" in\n";
+  out += "  )\n  if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n    _describe command commands\n    _files\n    return\n  fi\n  local command=$words[2]\n  if [[ -z ${(M)commands:#$command:*} ]]; then\n    words=($words[1] check ${words[2,-1]}); (( CURRENT++ )); command=check  # it may be left out\n  fi\n  case \"$words[2] $words[3]\" in\n";
   for (const Command& one : commands) {
     if (is_own(one)) out += fmt::format("    '{}') command='{}'; shift words; (( CURRENT-- )) ;;\n", one.path, one.path);
   }
@@ -201,9 +202,12 @@ std::string fish_completion(const CLI::App& app) {
     const std::string when = blank == std::string::npos ? "__fish_use_subcommand" : "__fish_seen_subcommand_from " + one.path.substr(0, blank);
     out += fmt::format("complete -c owlint -n '{}' -a {} -d {}\n", when, one.app->get_name(), quoted(one.app->get_description()));
   }
+  std::string others;
+  for (const Command& one : commands_of(app)) others += one.path == "check" ? "" : " " + one.path;
   for (const Command& one : commands) {
     std::string when;
     for (const std::string& word : CLI::detail::split(one.path, ' ')) when += (when.empty() ? "" : "; and ") + std::string("__fish_seen_subcommand_from ") + word;
+    if (one.path == "check") when = "not __fish_seen_subcommand_from" + others;  // it may be left out
     if (takes_codes(*one.app)) out += fmt::format("complete -c owlint -n '{}' -f -a '(__owlint_codes)'\n", when);
     for (const CLI::Option* option : options_of(*one.app)) {
       out += fmt::format("complete -c owlint -n '{}'", when);

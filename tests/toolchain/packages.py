@@ -77,6 +77,7 @@ def readable(prefix, commands):
     check(offered("owlint", "check", "--linuxcnc", "2.1") == ["2.10"], "bash does not offer versions")
     check(offered("owlint", "audit", "export", "--format", "sa") == ["sarif"], "bash does not offer values of a command's command")
     check({"list", "show"} <= set(offered("owlint", "audit", "")), "bash does not offer a command's commands")
+    check(offered("owlint", "--fix", "--format", "sa") == ["sarif"], "bash offers nothing where `check` is left out")
     if shutil.which("fish"):
         fish = os.path.join(prefix, "share/fish/vendor_completions.d/owlint.fish")
 
