@@ -29,7 +29,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id, RegionId outer) 
                                           : what + " is inside `" + p.head(region.opener) + "`, which begins" + began);
   relate(f, p, region.opener, "the outer sub begins here");
   f.help = region.end == kNoStatement ? "close it with `" + p.label_text(region.name) + " endsub`" : "move this sub out of the other one";
-  if (region.end != kNoStatement && s.is(Keyword::kSub)) {
+  if (region.end != kNoStatement && s.is(Keyword::kSub) && s.label != kNoName) {
     const auto lines = p.by_label[s.label];
     const auto end = std::ranges::find_if(std::ranges::upper_bound(lines, id), lines.end(), [&](StatementId line) { return p.at(line).is(Keyword::kEndsub); });
     if (end != lines.end() && *end < region.end) f.fixes.push_back(move_up(p, id, *end, region.opener, "move this sub before the other one"));
