@@ -45,14 +45,14 @@ def _check(task):
     """One program, in a worker: -> (name, counts, disagreements)."""
     name, text, findings = task
     warnonly = _interpreter.warnonly
-    explorer, disagreements = investigate(_interpreter, text, findings, warnonly, seed=name)
-    counts = Counter(runs=explorer.runs, complete=explorer.complete)
-    counts.update({"run: " + outcome: count for outcome, count in explorer.outcomes.items()})
-    counts.update(asked=explorer.asked, other_bodies=explorer.other_bodies)
-    for (outcome, codes, _), run in explorer.ends.items():
-        if outcome == "error" or (run.warned and outcome in ("crash", "hang")):
-            counts["stops"] += 1
-            counts["stop: " + ("|".join(sorted(codes)) if outcome == "error" else outcome)] += 1
+    explorers, disagreements, (asked, others) = investigate(_interpreter, text, findings, warnonly, seed=name)
+    counts = Counter(runs=sum(e.runs for e in explorers), complete=all(e.complete for e in explorers), asked=asked, other_bodies=others)
+    for explorer in explorers:
+        counts.update({"run: " + outcome: count for outcome, count in explorer.outcomes.items()})
+        for (outcome, codes, _), run in explorer.ends.items():
+            if outcome == "error" or (run.warned and outcome in ("crash", "hang")):
+                counts["stops"] += 1
+                counts["stop: " + ("|".join(sorted(codes)) if outcome == "error" else outcome)] += 1
     for claim in to_witness(findings, warnonly):
         counts["claims " + claim.reach] += 1
     for disagreement in disagreements:
@@ -60,12 +60,12 @@ def _check(task):
         counts["missed for lack of values"] += disagreement.kind == MISS and "OW512" in disagreement.codes
         counts["%s %s" % (disagreement.kind, disagreement.reach)] += 1
     loops = [h for h in hazards_of(findings) if h.code in HANGS]
-    if explorer.outcomes["hang"] and not loops:
+    if any(e.outcomes["hang"] for e in explorers) and not loops:
         counts["programs that hang unannounced"] += 1
     if not warnonly:
-        counts["programs that crash"] += bool(explorer.outcomes["crash"])
+        counts["programs that crash"] += any(e.outcomes["crash"] for e in explorers)
         counts["endless loops announced"] += len(loops)
-        counts["endless loops seen"] += sum(is_witnessed(loop, explorer) for loop in loops)
+        counts["endless loops seen"] += sum(any(is_witnessed(loop, e) for e in explorers) for loop in loops)
     return name, counts, disagreements
 
 

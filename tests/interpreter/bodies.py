@@ -7,6 +7,7 @@ import re
 from dataclasses import dataclass
 
 import bundle
+from claims import settings
 from explore import Explorer
 from judge import NO_OTHER_BODY, OTHER_BODY, Disagreement
 
@@ -15,23 +16,25 @@ FAILS = "G0 X[1/[1-%s]]" % FLAG
 HELPER_CLASH, IN_CALLED_FILE = "OW410", "OW411"
 RUNS, PATIENCE = 60, 25
 
-_OWORD = re.compile(r"/?(?:n[\d.]+)?o(<[^>]*>|[\d.]+)(sub|endsub|call|$)")
+OPENERS, CLOSERS = ("if", "while", "do", "repeat"), ("endif", "endwhile", "while", "endrepeat")
+_OWORD = re.compile(r"/?(?:n[\d.]+)?o(<[^>]*>|[\d.]+)(sub|endsub|call|%s|$)" % "|".join(dict.fromkeys(OPENERS + CLOSERS)))
 
 
 @dataclass(frozen=True)
 class Place:
-    """A line with a sub, its end, or a call."""
+    """A line with a sub, a call, or a block, or the end of one."""
     row: int            # of the bundle, from 0
-    file: int           # 0 is the program
+    file: str           # without its folder and `.ngc`; empty for the program
     label: str
     keyword: str        # `sub` for a bare number, too, and `call` for M98
 
 
 def places_of(text):
-    """All lines of a bundle that open, end, or call subs."""
-    places, file = [], 0
+    """All such lines of a bundle."""
+    places, file = [], ""
     for row, line in enumerate(text.split("\n")):
-        file += line.startswith("; file: ")
+        if line.startswith("; file: "):
+            file = re.sub(r".*/|\.ngc.*", "", line[len("; file: "):])
         code = re.sub(r"\([^)]*\)|;.*|\s", "", line).lower()
         if found := re.match(r"/?(?:n[\d.]+)?m98p([\d.]+)", code):
             places.append(Place(row, file, str(int(float(found[1]))), "call"))
@@ -41,36 +44,45 @@ def places_of(text):
     return places
 
 
-def questions(text):
-    """-> [(code, Place, lines to put in: {row: (before, after)})]"""
+def questions(text, claims):
+    """Of these claims {(code, line)}, and where it could be: {(code, line): lines to put in, {row: (before, after)}}"""
     places = places_of(text)
     subs = [p for p in places if p.keyword == "sub"]
-    asked = []
-    open_sub = None
-    for place in places:
-        if not place.file:
-            continue
-        if open_sub and open_sub.file != place.file:
-            open_sub = None
-        if place.keyword == "call":
-            own = [s for s in subs if s.label == place.label and s.file == place.file]
-            other = [s for s in subs if s.label == place.label and s.file != place.file]
-            if own and other:
-                put = {place.row: ([FLAG + "=1"], [FLAG + "=0"]), **{s.row: ([], [FLAG + "=0"]) for s in own}, **{s.row: ([], [FAILS]) for s in other}}
-                asked.append((HELPER_CLASH, place, put))
-        elif place.keyword == "sub":
-            if open_sub:
-                put = {p.row: ([FLAG + "=0"], []) for p in places if p.keyword == "call"}
-                put[place.row] = ([FLAG + "=1"], [FAILS])
-                asked.append((IN_CALLED_FILE, place, put))
-            else:
-                open_sub = place
-        elif place.keyword == "endsub" and open_sub:
-            if place.label == open_sub.label:
-                open_sub = None
-            else:
-                asked.append((IN_CALLED_FILE, place, {place.row: (["G0 X[1/0]"], [])}))
-    return asked
+    asked = [(HELPER_CLASH, call) for call in places if call.keyword == "call" and call.file]
+    asked += [(IN_CALLED_FILE, place) for outer in subs for place in inside(places, outer)]
+    asked += [(code, place) for place in places for code in (HELPER_CLASH, IN_CALLED_FILE) if (code, place.row + 1) in claims]
+    put = {(code, place.row + 1): helper(place, subs) if code == HELPER_CLASH else inner(place, places) for code, place in asked}
+    return {where: rows for where, rows in put.items() if rows}
+
+
+def inside(places, outer):
+    """The subs, and the ends of others, between the beginning and the end of the sub for which its file is called."""
+    ends = [p for p in places if (p.file, p.label, p.keyword) == (outer.file, outer.label, "endsub") and p.row > outer.row]
+    if outer.label != outer.file or not ends:
+        return
+    rows = [p for p in places if p.file == outer.file and outer.row < p.row < ends[0].row]
+    for place in rows:
+        before, after = ({p.label for p in rows if p.keyword in kinds and (p.row < place.row) == early}
+                         for kinds, early in ((OPENERS, True), (CLOSERS, False)))
+        if place.keyword == "sub":
+            yield place
+        # In a block it is an early way out; the end of an inner sub is one mistake with its beginning.
+        elif place.keyword == "endsub" and not before & after and not any((p.label, p.keyword) == (place.label, "sub") for p in rows):
+            yield place
+
+
+def helper(call, subs):
+    """Lines that fail where the call of a sub that its file has runs that of another file."""
+    own = [s for s in subs if s.label == call.label and s.file == call.file]
+    other = [s for s in subs if s.label == call.label and s.file != call.file]
+    return own and other and {call.row: ([FLAG + "=1"], [FLAG + "=0"]), **{s.row: ([], [FLAG + "=0"]) for s in own}, **{s.row: ([], [FAILS]) for s in other}}
+
+
+def inner(place, places):
+    """Lines that fail where a `sub` is run into, or an `endsub` reached."""
+    if place.keyword != "sub":
+        return {place.row: (["G0 X[1/0]"], [])}
+    return {**{p.row: ([FLAG + "=0"], []) for p in places if p.keyword == "call"}, place.row: ([FLAG + "=1"], [FAILS])}
 
 
 def happens(interpreter, text, put, seed):
@@ -86,9 +98,12 @@ def happens(interpreter, text, put, seed):
     if not begin:
         rows.insert(0, FLAG + "=0")
         failing = {row + 1 for row in failing}
-    explorer = Explorer(interpreter, "\n".join(rows), seed)
-    explorer.explore(RUNS, PATIENCE)
-    return any(outcome == "error" and line in failing for outcome, _, line in explorer.ends)
+    for block_delete in settings(text):
+        explorer = Explorer(interpreter, "\n".join(rows), seed, block_delete)
+        explorer.explore(RUNS, PATIENCE)
+        if any(outcome == "error" and line in failing for outcome, _, line in explorer.ends):
+            return True
+    return False
 
 
 def judge_bodies(interpreter, text, findings, seed):
@@ -96,7 +111,7 @@ def judge_bodies(interpreter, text, findings, seed):
     if not bundle.is_bundle(text):
         return [], 0, 0
     claims = {(f["code"], f["start"]["line"]) for f in findings if f["code"] in (HELPER_CLASH, IN_CALLED_FILE) and f["reach"] != "never"}
-    answers = {(code, place.row + 1): happens(interpreter, text, put, seed) for code, place, put in questions(text)}
+    answers = {where: happens(interpreter, text, put, seed) for where, put in questions(text, claims).items()}
     seen = {place for place, yes in answers.items() if yes}
     found = [Disagreement(OTHER_BODY, frozenset({code}), line) for code, line in sorted(seen - claims)]
     found += [Disagreement(NO_OTHER_BODY, frozenset({code}), line) for code, line in sorted(claims - seen)]

@@ -1,15 +1,25 @@
 """What owlint's findings say about how a program ends, held against how it ended in rs274."""
+import re
+
 from messages import same_words
 
 CRASHES = frozenset({"OW503", "OW505"})
 ENDLESS = frozenset({"OW504", "OW508", "OW510"})
 
 
-class Claims:
-    """What owlint's findings say about how a program ends."""
+_DELETED = re.compile(r"^[ \t]*/", re.MULTILINE)
 
-    def __init__(self, findings):
-        met = [f for f in findings if f["reach"] != "never"]
+
+def settings(text):
+    """Of block delete, those with which this program is run."""
+    return (False, True) if _DELETED.search(text) else (False,)
+
+
+class Claims:
+    """What owlint's findings say about how a program ends, with that setting of block delete."""
+
+    def __init__(self, findings, block_delete=False):
+        met = [f for f in findings if f["reach"] != "never" and f.get("block_delete", "on" if block_delete else "off") == ("on" if block_delete else "off")]
         self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
         self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
         self.endless = [f for f in met if f["code"] in ENDLESS]

@@ -18,9 +18,10 @@ ONES_FOR_EVER = b"\xff"   # every condition true, every count 1: see plugin/name
 class Explorer:
     """All that is known about one program's runs."""
 
-    def __init__(self, interpreter, text, seed=0):
+    def __init__(self, interpreter, text, seed=0, block_delete=False):
         self.interpreter = interpreter
         self.text = text
+        self.block_delete = block_delete
         self.rng = random.Random(seed)
         self.ends = {}                  # (outcome, codes, line) -> a Run that ended so, the one with the fewest choices
         self.hung_after = set()         # lines warned about in runs that never ended
@@ -54,7 +55,7 @@ class Explorer:
         tail = bytes(self.rng.choice((1, 2)) if self.rng.random() < bias else 0 for _ in range(TAIL))
         if not self.runs or start == ONES_FOR_EVER:
             tail = b""
-        run = self.interpreter.run(self.text, start + tail)
+        run = self.interpreter.run(self.text, start + tail, self.block_delete)
         self.runs += 1
         if start == ONES_FOR_EVER and run.outcome == "hang":
             # A loop of the program's own may do that too: it only bears out a claim, it is no stop to be predicted.

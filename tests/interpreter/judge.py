@@ -1,7 +1,8 @@
 """owlint's claims about a program held against what its runs showed.
 
 A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNONLY also OW503 (crashes) and OW504
-(never ends).  A disagreement is one of
+(never ends).  A program with lines that begin with `/` is run with block delete off and on, and a claim may be about one of
+the two.  A disagreement is one of
   miss          the interpreter stops where owlint claims nothing
   unwitnessed   no run ends where owlint claims a stop
   not always    a run ends elsewhere although owlint says that every run gets to this stop
@@ -29,6 +30,10 @@ class Claim:
     reach: str
     at_file_end: bool = False   # the finding stands at the cause; the interpreter stops where the file ends
     message: str = ""           # what LinuxCNC says, as owlint quotes it, of the program as it runs here
+    block_delete: str = ""      # `on` or `off` if it is about runs with that setting
+
+    def is_about(self, explorer):
+        return self.block_delete in ("", "on" if explorer.block_delete else "off")
 
 
 @dataclass(frozen=True)
@@ -64,17 +69,20 @@ def claims_of(findings):
     """The stops that these findings claim, with those that they name as consequences of the same mistake."""
     claims = set()
     for f in findings:
-        if f["stops"] and f["reach"] != "never" and f["code"] not in HAZARDS:
-            at_file_end = codes_of(f.get("interpreter", "")) & {EOF} != set()
-            claims.add(Claim(f["code"], f["start"]["line"], f["reach"], at_file_end, for_interpreter(f.get("interpreter", ""))))
-        if f["stops"] and f["reach"] != "never":
-            claims.update(Claim(c["code"], c["start"]["line"], "maybe", message=for_interpreter(c.get("interpreter", ""))) for c in f.get("consequences", []))
+        if not f["stops"] or f["reach"] == "never":
+            continue
+        stops = [(c, "maybe") for c in f.get("consequences", []) if c["interpreter"]]   # the others are never met
+        if f["code"] not in HAZARDS:
+            stops.append((f, f["reach"]))
+        for stop, reach in stops:
+            said = stop.get("interpreter", "")
+            claims.add(Claim(stop["code"], stop["start"]["line"], reach, EOF in codes_of(said), for_interpreter(said), f.get("block_delete", "")))
     return claims
 
 
 def hazards_of(findings):
     """The crashes and endless loops that these findings claim."""
-    return {Claim(f["code"], f["start"]["line"], f["reach"]) for f in findings
+    return {Claim(f["code"], f["start"]["line"], f["reach"], block_delete=f.get("block_delete", "")) for f in findings
             if f["code"] in HAZARDS and f["reach"] != "never"}
 
 
@@ -107,31 +115,35 @@ def to_witness(findings, warnonly):
     return claims_of(findings) | hazards
 
 
-def judge(findings, explorer, warnonly=False):
-    """All disagreements about one program."""
-    claims = claims_of(findings)
-    hazards = hazards_of(findings)
-    found = []
-    for end, run in explorer.ends.items():
-        outcome, codes, line = end
-        agreeing = [claim for claim in claims if _agrees(claim, end)]
-        if outcome == "error" and not agreeing:
-            found.append(Disagreement(MISS, codes, line, run))
-        elif outcome == "error" and not any(same_words(run.words, claim.message) for claim in agreeing):
-            found.append(Disagreement(OTHER_WORDS, codes, line, run, "|".join(sorted({claim.message for claim in agreeing}))))
-        elif warnonly and run.warned and (
-                (outcome == "crash" and not any(h.code == CRASH and h.line == line for h in hazards)) or
-                (outcome == "hang" and not any(h.code in HANGS for h in hazards))):
-            found.append(Disagreement(MISS, frozenset({CRASH if outcome == "crash" else "OW504"}), line, run))
+def judge(findings, explorers, warnonly=False):
+    """All disagreements about one program, taken through its runs by one explorer or two."""
+    claims, hazards, found = claims_of(findings), hazards_of(findings), []
+    for explorer in explorers:
+        found += misses({c for c in claims if c.is_about(explorer)}, {h for h in hazards if h.is_about(explorer)}, explorer, warnonly)
     for claim in sorted(to_witness(findings, warnonly), key=lambda c: (c.line, c.code)):
-        if not is_witnessed(claim, explorer):
+        about = [explorer for explorer in explorers if claim.is_about(explorer)]
+        if not any(is_witnessed(claim, explorer) for explorer in about):
             found.append(Disagreement(UNWITNESSED, frozenset({claim.code}), claim.line, None, claim.reach))
         elif claim.reach == "always" and claim in claims:
-            elsewhere = [run for end, run in explorer.ends.items()
-                         if end[0] in ("ok", "error") and not _agrees(claim, end)]
+            elsewhere = [run for explorer in about for end, run in explorer.ends.items() if end[0] in ("ok", "error") and not _agrees(claim, end)]
             if elsewhere:
                 found.append(Disagreement(NOT_ALWAYS, frozenset({claim.code}), claim.line, elsewhere[0], "always"))
     for finding in findings:
         if finding["stops"] and finding["reach"] == "never":
             found.append(Disagreement(NEVER_STOPS, frozenset({finding["code"]}), finding["start"]["line"]))
     return found
+
+
+def misses(claims, hazards, explorer, warnonly):
+    """What was seen and is not claimed, or with other words."""
+    for end, run in explorer.ends.items():
+        outcome, codes, line = end
+        agreeing = [claim for claim in claims if _agrees(claim, end)]
+        if outcome == "error" and not agreeing:
+            yield Disagreement(MISS, codes, line, run)
+        elif outcome == "error" and not any(same_words(run.words, claim.message) for claim in agreeing):
+            yield Disagreement(OTHER_WORDS, codes, line, run, "|".join(sorted({claim.message for claim in agreeing})))
+        elif warnonly and run.warned and (
+                (outcome == "crash" and not any(h.code == CRASH and h.line == line for h in hazards)) or
+                (outcome == "hang" and not any(h.code in HANGS for h in hazards))):
+            yield Disagreement(MISS, frozenset({CRASH if outcome == "crash" else "OW504"}), line, run)

@@ -86,7 +86,7 @@ def call_line(message):
 def same_words(message, quote):
     """Whether the interpreter's message is what owlint quotes, to the letter but for where files lie.  Under OWORD_WARNONLY
     the messages of its warnings stand before it."""
-    message, quote = (_FILE.sub(r"\1FILE", text).replace("\t", " ") for text in (message, quote.encode().decode("latin-1")))
+    message, quote = (_FILE.sub(r"\1FILE", text).replace("\t", " ").rstrip() for text in (message, quote.encode().decode("latin-1")))
     return bool(quote) and (message == quote or (message.endswith(quote) and _WARNING.match(message) is not None))
 
 

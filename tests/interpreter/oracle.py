@@ -127,12 +127,13 @@ def _make_canon(folder, record=None):
 
     class Canon:
         parameter_file = os.path.join(folder, "absent", "p.var")
+        block_delete = False
         get_tool = staticmethod({pocket: tool for pocket in range(1100)}.__getitem__)   # asked 1001 times a run
 
         def get_external_angular_units(self): return 1.0
         def get_external_length_units(self): return 1.0
         def get_axis_mask(self): return 7 if record is None else 511
-        def get_block_delete(self): return False
+        def get_block_delete(self): return self.block_delete
         def check_abort(self): return False
 
         def __getattr__(self, name):
@@ -177,16 +178,16 @@ class Interpreter:
         self.pipe = None
         self.left = 0
 
-    def run(self, text, choices=b""):
-        """Run `text` (as owlint sees it) with these choices."""
-        run = self._run(text, choices)
+    def run(self, text, choices=b"", block_delete=False):
+        """Run `text` (as owlint sees it) with these choices; with `block_delete` lines that begin with `/` are skipped."""
+        run = self._run(text, choices, block_delete)
         return replace(run, calls=self._calls()) if self.record else run
 
     def _calls(self):
         size = os.fstat(self.record.fileno()).st_size
         return tuple(os.pread(self.record.fileno(), size, 0).decode("utf-8", "replace").split("\n")[:-1])
 
-    def _run(self, text, choices):
+    def _run(self, text, choices, block_delete):
         if not self.child or not self.left:
             self._stop()
             self._start()
@@ -195,7 +196,7 @@ class Interpreter:
         files = self._lay_out(text)
         text = for_interpreter(pad(text) if self.warnonly else files[bundle.MAIN][1])
         data = text.encode("latin-1", "replace")
-        self.pipe.send((data, bytes(choices)))
+        self.pipe.send((data, bytes(choices), block_delete))
         try:
             if not self.pipe.poll(20):
                 os.kill(self.child, signal.SIGVTALRM)
@@ -324,7 +325,7 @@ class Interpreter:
         written = None
         while True:
             try:
-                data, choices = pipe.recv()
+                data, choices, canon.block_delete = pipe.recv()
             except EOFError:
                 os._exit(0)
             if data != written:

@@ -34,10 +34,10 @@ class Outcome:
     text: str = field(default="", compare=False)
 
 
-def run(path, mode="default"):
+def run(path, mode="default", block_delete=False):
     """Run the program at `path` -> its Outcome."""
     path = os.path.abspath(path)
-    return _outcome(path, *_run(path, mode))
+    return _outcome(path, *_run(path, mode, block_delete))
 
 
 def canonical(path):
@@ -49,10 +49,10 @@ def canonical(path):
     return done.returncode, done.stdout
 
 
-def _run(path, mode):
+def _run(path, mode, block_delete):
     """-> (exit status, what it printed on standard error, the X of its last rapid move)"""
     with tempfile.TemporaryDirectory(prefix="owlint-rs274-") as folder:
-        argv = ["rs274", "-g"]
+        argv = ["rs274", "-g"] + ["-b"] * block_delete
         where = folder
         if mode in ("machine", "files"):    # the program's own folder has the INI, or the files that it calls
             where = os.path.dirname(path)

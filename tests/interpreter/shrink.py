@@ -2,19 +2,22 @@
 import os
 
 from bodies import judge_bodies
+from claims import settings
 from explore import Explorer
 from judge import is_witnessed, judge, to_witness
 from oracle import FROM_BEFORE
 
 
 def investigate(interpreter, text, findings, warnonly, seed=0, first=150, patience=50, more=2000):
-    """Run a program until its claims are witnessed or the budget is spent.  -> (explorer, disagreements)"""
-    explorer = Explorer(interpreter, text, seed)
-    explorer.explore(first, patience)
-    claims = to_witness(findings, warnonly)
-    explorer.search(more, lambda: all(is_witnessed(claim, explorer) for claim in claims))
-    bodies, explorer.asked, explorer.other_bodies = judge_bodies(interpreter, text, findings, seed) if not warnonly else ([], 0, 0)
-    return explorer, judge(findings, explorer, warnonly) + bodies
+    """Run a program until its claims are witnessed or the budget is spent.  -> (explorers, disagreements, (places where another
+    sub may run than the one that is written, at how many of them it does))"""
+    explorers = [Explorer(interpreter, text, seed, on) for on in settings(text)]
+    for explorer in explorers:
+        explorer.explore(first, patience)
+        claims = [claim for claim in to_witness(findings, warnonly) if claim.is_about(explorer)]
+        explorer.search(more, lambda: all(is_witnessed(claim, explorer) for claim in claims))
+    bodies, asked, others = judge_bodies(interpreter, text, findings, seed) if not warnonly else ([], 0, 0)
+    return explorers, judge(findings, explorers, warnonly) + bodies, (asked, others)
 
 
 def has_before(lines):
@@ -56,7 +59,7 @@ class Shrinker:
             return None
         findings = self.linter.check(self.folder, programs)
         for name, text in programs.items():
-            _, found = investigate(self.interpreter, text, findings[name], self.warnonly, first=60, patience=20,
+            _, found, _ = investigate(self.interpreter, text, findings[name], self.warnonly, first=60, patience=20,
                                    more=400)
             for disagreement in found:
                 if disagreement.key == key:

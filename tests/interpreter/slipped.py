@@ -10,14 +10,13 @@ safe fixes, and rs274 runs what comes out, a process for each.  Held against wha
   other place the interpreter stops, owlint claims stops elsewhere only
   other words the stop is claimed there, with a message that the interpreter does not print
   not always  a stop that is claimed for every run is not the one that ends this run
-  no end      the interpreter never ends, owlint does not say so
   crash       the interpreter crashes, owlint does not say so
 
 Counted, and no disagreements, are
   ordinary    a stop at a line of words that no fix touched, with a message about words: owlint does not read them yet.  A
               line of words has neither an O-word (with or without its label) nor M98 or M99, and begins no assignment
   unknowable  a stop for what the machine holds and the program does not set: a pin, an INI's entry, a numbered parameter
-  endless without the slip
+  endless     the interpreter never ends, owlint claims neither that nor a stop in every run
 Disagreements are shrunk and printed.
 
 Exit status: 0 none; 1 disagreements; 2 trouble; 77 rs274 is not here.
@@ -39,7 +38,7 @@ from dataclasses import dataclass, replace
 
 import bundle
 import rs274
-from claims import Claims
+from claims import Claims, settings
 from confirm import Program, corpus, fixtures, read
 from messages import EOF, UNKNOWN, codes_of, same_words
 from slips import slip
@@ -49,11 +48,11 @@ LARGEST = 20_000            # bytes of a program that is tried
 SKIPPED = 77
 AT_ONCE = 25                # programs for one start of owlint
 SHOWN_PER_KEY = 2
-SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, NO_END, CRASH = "silent", "other place", "other words", "not always", "no end", "crash"
-ORDINARY, UNKNOWABLE, ENDLESS = "ordinary", "unknowable", "endless without the slip"
+SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other words", "not always", "crash"
+ORDINARY, UNKNOWABLE, ENDLESS = "ordinary", "unknowable", "endless"
 COUNTED = (ORDINARY, UNKNOWABLE, ENDLESS)
 
-_OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value")
+_OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value|Multiple \S+ words|Unknown m code|words? with no|Two . codes used")
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 # O-words, also where the letter or the label is lost; assignments; calls and returns of the other style.
 _NO_WORDS = re.compile(r"^/?(n[\d.]+)?(#|o|(0|n)?(\d+|<[^>]*>|\[.*?\])?(sub|endsub|call|do\b|while|endwhile|repeat|endrepeat|if|elseif|else|endif|break|continue|return))"
@@ -164,35 +163,36 @@ class Examiner:
         return os.path.join(self.folder, "%04d" % number)
 
     def examine(self, programs):
-        """[(program with its slip, program without)]: -> [(Disagreement, one of COUNTED, or None; outcome; Checked)]"""
-        checked = self.fix([program for program, _ in programs])
+        """-> [(Disagreement, one of COUNTED, or None; outcome; Checked)]"""
         results = []
-        for number, ((program, without), one) in enumerate(zip(programs, checked)):
-            outcome = rs274.run(os.path.join(self._own(number), bundle.MAIN), program.mode)
+        for number, (program, one) in enumerate(zip(programs, self.fix(programs))):
             self.counts["fixed"] += one.fixed
-            self.counts["run: " + outcome.kind] += 1
-            result = judge(outcome, one, program)
-            if isinstance(result, Disagreement) and result.kind == NO_END and without and self.runs_on(without, number):
-                result = ENDLESS
-            results.append((result, outcome, one))
+            results.append(self.worst(self.judge_run(number, program, one, on) for on in settings("\n".join(one.texts.values()))))
             shutil.rmtree(self._own(number))
         return results
 
-    def runs_on(self, program, number):
-        shutil.rmtree(self._own(number))
-        bundle.write(self._own(number), files_of(program))
-        return rs274.run(os.path.join(self._own(number), bundle.MAIN), program.mode).kind == "hang"
+    def judge_run(self, number, program, checked, block_delete):
+        outcome = rs274.run(os.path.join(self._own(number), bundle.MAIN), program.mode, block_delete)
+        self.counts["run: " + outcome.kind] += 1
+        return judge(outcome, checked, program, block_delete), outcome, checked
+
+    @staticmethod
+    def worst(results):
+        """With block delete off and on: a disagreement if there is one."""
+        return max(results, key=lambda result: (isinstance(result[0], Disagreement), result[0] is not None))
 
 
 def files_of(program):
     return bundle.split(program.text) if bundle.is_bundle(program.text) else {bundle.MAIN: (0, program.text)}
 
 
-def judge(outcome, checked, program):
+def judge(outcome, checked, program, block_delete):
     """-> Disagreement, one of COUNTED, or None where owlint says what happens."""
-    claims = Claims(checked.findings)
+    claims = Claims(checked.findings, block_delete)
     if outcome.kind == "hang":
-        return None if claims.endless else Disagreement(NO_END, "")
+        if claims.always:
+            return Disagreement(NOT_ALWAYS, "%s: it never ends" % claims.always[0]["code"])
+        return None if claims.endless else ENDLESS
     if outcome.kind == "crash":
         return None if claims.crashes else Disagreement(CRASH, outcome.message)
     if outcome.kind == "ok":
@@ -237,10 +237,11 @@ def is_ordinary(outcome, checked, program):
 
 def is_unknowable(outcome, checked):
     """Whether it stops for what was in the machine before the program."""
-    if re.match(r"Named parameter #<_(hal|ini)\[", outcome.message):
+    everything = "".join(checked.texts.values())
+    # A part of a program that ngcgui makes.
+    if re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "(not_a_subfile)" in everything or "[PYTHON]" in everything:
         return True
     codes = codes_of(outcome.message)
-    everything = "".join(checked.texts.values())
     # Of the end of the file it is not said which label was sought.
     where = outcome.text if codes & {"OW512", "OW604"} else "".join(re.findall(r"(?i)o[#[].*", everything)) if codes & {EOF, "OW208"} else ""
     return any(not re.search(r"#\s*%s\s*=" % number, everything) for number in re.findall(r"#(\d+)", where) if int(number) > 30)
@@ -256,7 +257,7 @@ class Shrinker:
         """The first of these programs that shows it: -> (program, its result) or None."""
         for at in range(0, len(programs), AT_ONCE):
             some = programs[at:at + AT_ONCE]
-            for program, result in zip(some, self.examiner.examine([(p, None) for p in some])):
+            for program, result in zip(some, self.examiner.examine(some)):
                 if isinstance(result[0], Disagreement) and result[0].key == key:
                     return program, result
         return None
@@ -323,10 +324,10 @@ def _start_worker(owlint, folder):
 
 
 def _examine(tasks):
-    """In a worker: [(name, what, program, without)] -> (disagreements, counts)"""
+    """In a worker: [(name, what, program)] -> (disagreements, counts)"""
     _examiner.counts.clear()
     found = []
-    for (name, what, program, _), (result, _, _) in zip(tasks, _examiner.examine([(program, without) for _, _, program, without in tasks])):
+    for (name, what, program), (result, _, _) in zip(tasks, _examiner.examine([program for _, _, program in tasks])):
         if result in COUNTED:
             _examiner.counts[result] += 1
         elif result:
@@ -338,9 +339,8 @@ def tasks_of(options):
     sources = programs_to_slip()
     for number in range(options.programs):
         rng = random.Random("slip/%d/%d" % (options.seed, number))
-        without = rng.choice(sources)
-        what, program = slipped(without, rng)
-        yield without.name, what, program, without
+        what, program = slipped(rng.choice(sources), rng)
+        yield program.name, what, program
 
 
 def main(argv):

@@ -19,7 +19,7 @@ class Style:
         self.decimals = chance(0.03)
         self.numbers = chance(0.1)
         self.comments = rng.choice((0, 0, 0, 0.2))
-        self.block_delete = chance(0.03)
+        self.block_delete = chance(0.07)
         self.names = {}
         if chance(0.25):
             words = rng.sample(("probe", "Pocket_1", "my sub", "face-mill", "a", "loop", "x10"), 7)
