@@ -16,7 +16,7 @@ std::vector<nlohmann::json> missing_subs(const Scratch& folder, const std::strin
   std::vector<nlohmann::json> out;
   for (const auto& file : nlohmann::json::parse(check(folder, "--format json " + arguments).out)["files"]) {
     for (const auto& f : file["findings"]) {
-      if (f["code"] == "OW208") out.push_back(f);
+      if (f["code"].get<std::string>() == "OW208") out.push_back(f);
     }
   }
   return out;
@@ -38,13 +38,13 @@ TEST_CASE("calls of a sub that is nowhere are one finding with all places", "[gr
   write_programs(folder);
   const auto found = missing_subs(folder, ".");
   REQUIRE(found.size() == 1);
-  CHECK(found[0]["severity"] == "warning");
-  CHECK(contains(found[0]["message"], "(4 places in 3 files)"));
+  CHECK(found[0]["severity"].get<std::string>() == "warning");
+  CHECK(contains(found[0]["message"].get<std::string>(), "(4 places in 3 files)"));
   REQUIRE(found[0]["related"].size() == 3);
-  CHECK(found[0]["related"][0]["path"] == "mill/a.ngc");
-  CHECK(found[0]["related"][1]["path"] == "mill/a.ngc");
-  CHECK(found[0]["related"][1]["start"]["line"] == 2);
-  CHECK(found[0]["related"][2]["path"] == "mill/b.ngc");
+  CHECK(found[0]["related"][0]["path"].get<std::string>() == "mill/a.ngc");
+  CHECK(found[0]["related"][1]["path"].get<std::string>() == "mill/a.ngc");
+  CHECK(found[0]["related"][1]["start"]["line"].get<int>() == 2);
+  CHECK(found[0]["related"][2]["path"].get<std::string>() == "mill/b.ngc");
 }
 
 TEST_CASE("each folder that is checked has its own", "[groups]") {
@@ -60,12 +60,12 @@ TEST_CASE("a file of that name in the tree is named, with what tells owlint", "[
   folder.write("subs/drill.ngc", "o<drill> sub\nG0 X#1\no<drill> endsub\n");
   const auto found = missing_subs(folder, ".");
   REQUIRE(found.size() == 1);
-  CHECK(contains(found[0]["help"], "subs/drill.ngc"));
-  CHECK(contains(found[0]["help"], "`--sub-path subs`"));
-  CHECK(contains(found[0]["help"], "`sub-path = [\"subs\"]`"));
+  CHECK(contains(found[0]["help"].get<std::string>(), "subs/drill.ngc"));
+  CHECK(contains(found[0]["help"].get<std::string>(), "`--sub-path subs`"));
+  CHECK(contains(found[0]["help"].get<std::string>(), "`sub-path = [\"subs\"]`"));
   CHECK(missing_subs(folder, "--sub-path subs .").empty());
   folder.write("lathe/macros/drill.ngc", "o<drill> sub\nG0 X#1\no<drill> endsub\n");
-  CHECK(contains(missing_subs(folder, "lathe subs")[0]["help"], "`--sub-path lathe/macros`"));  // the nearest
+  CHECK(contains(missing_subs(folder, "lathe subs").at(0)["help"].get<std::string>(), "`--sub-path lathe/macros`"));  // the nearest
 }
 
 TEST_CASE("the text shows some places and counts the others", "[groups]") {
