@@ -204,9 +204,8 @@ bool enough(const std::vector<Seen>& seen, std::string_view controller, bool nam
     if (proof == Proof::kIfNamed) continue;
     // Of two, one at least must be what no machine can be taught.
     if (first != nullptr && s.mark->family != first->mark->family && (proof == Proof::kTwo || first->mark->proof == Proof::kTwo)) {
-      const bool hint = first->mark->proof == Proof::kHint;
-      nature->mark = hint ? s.span : first->span;
-      nature->other_mark = hint ? first->span : s.span;
+      nature->mark = first->span;
+      nature->other_mark = s.span;
       return true;
     }
     if (first == nullptr || (first->mark->proof == Proof::kHint && proof == Proof::kTwo)) first = &s;
