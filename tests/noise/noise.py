@@ -25,11 +25,11 @@ ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 PAGE = os.path.join(ROOT, "docs", "rules", "noise.md")
 OURS = os.path.join(ROOT, "tests", "noise", "programs")
 REAL = os.path.normpath(os.path.join(ROOT, "..", "shared", "programs"))
-HEAD = """# Levels, and how often each rule speaks
+HEAD = """# Levels, and how often each rule reports something
 
 Made by `./dev noise`, which runs owlint with its default settings and counts what a user sees: errors and warnings. The last two
-columns are findings per 100 programs: of 716 programs from 25 public repositories, and of the programs in `tests/noise/programs`,
-which are sound, and written as people write them. A test fails when a rule gets louder than this page says.
+columns are findings per 100 programs: for 716 programs from 25 public repositories, and for the programs in `tests/noise/programs`,
+which are correct and written as people write them. A test fails if a rule reports more than this page says.
 
 | rule | level | why | real | ours |
 |---|---|---|---|---|
