@@ -127,7 +127,7 @@ TEST_CASE("messages are lower case and end without a full stop", "[coverage]") {
         INFO(fixtures[i].path << ": " << text);
         CHECK(text.back() != '.');
         CHECK((std::islower(static_cast<unsigned char>(text[0])) != 0 || !std::isalpha(static_cast<unsigned char>(text[0])) ||
-               text.starts_with("LinuxCNC") || text.starts_with("M") || text.starts_with("N")));
+               text.starts_with("LinuxCNC") || text.starts_with("M") || text.starts_with("N") || text.starts_with("U+")));
       }
     }
   }
