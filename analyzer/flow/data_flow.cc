@@ -264,7 +264,8 @@ std::span<const std::pair<ParameterKey, StatementId>> DataFlow::assignments(Regi
     }
     std::ranges::sort(*sub.assignments);
   }
-  return std::span(std::ranges::equal_range(*sub.assignments, key, {}, &Assignment::first));
+  const auto first = std::ranges::lower_bound(*sub.assignments, key, {}, &Assignment::first);
+  return {first, std::ranges::upper_bound(*sub.assignments, key, {}, &Assignment::first)};
 }
 
 bool DataFlow::read_above(RegionId region, StatementId place, ParameterKey key) const {

@@ -90,6 +90,12 @@ void Naming::require_free(const std::string& name) const {
   if (target_.kind != Target::Kind::kSub) return;
   const std::string file = workspace_.called_file(*sub_.document, name);
   if (!file.empty()) refuse("the file " + file + " exists already");
+  if (!sub_.own_file) return;
+  // Calls that find nothing now would find the file.
+  for (const Document* in : workspace_.documents_around(*sub_.document)) {
+    const std::vector<Occurrence> labels = sub_labels(*in, name);
+    if (!labels.empty() && definition_in(*in, name) == kNoStatement) refuse("`" + text(name) + "` is used on " + place(*in, labels.front().span.begin) + " already");
+  }
 }
 
 void Naming::require_ours(const std::string& name) const {

@@ -82,7 +82,7 @@ class Workspace {
   std::string called_file(const Document& from, const std::string& name);
   /// The names of all files that a document could call.
   std::vector<std::string> callable_files(const Document& from);
-  const std::vector<std::string>& notes() const { return configuration_->notes(); }
+  std::vector<std::string> notes() const { return configuration_->notes(); }
 
  private:
   std::shared_ptr<const SearchPath> search_path(const Document& from);
