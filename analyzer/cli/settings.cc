@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -152,7 +151,7 @@ std::string Configuration::ini_above(const std::string& program) {
 std::vector<std::string> Configuration::notes() const {
   const auto some = [](const std::vector<std::string>& names) {
     const size_t most = 3;
-    const std::string text = fmt::format("{}", fmt::join(names | std::views::take(most), ", "));
+    const std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most)), ", "));
     return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
   };
   std::vector<std::string> notes = notes_;
