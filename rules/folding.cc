@@ -28,6 +28,7 @@ class Folding {
     for (const Part& part : parts_) choose(part);
     for (const Part& part : parts_) fold_unclosed(part);
     for (const Part& part : parts_) fold_unreached(part);
+    fold_into_wrong_body();
     move_folded();
   }
 
@@ -96,6 +97,16 @@ class Folding {
     if (into_[from] != kNone || to == from) return false;
     into_[from] = to;
     return true;
+  }
+
+  /// Where another sub's lines run than those that are written, labels that do not fit are no mistakes of their own.
+  void fold_into_wrong_body() {
+    const auto wrong_body = std::ranges::find_if(findings_, &Finding::runs_other);
+    if (wrong_body == findings_.end()) return;
+    for (const Part& part : parts_) {
+      const bool follows = finding(part).unproven && find_rule(finding(part).code)->group == Group::kAbortList;
+      if (follows && into_[part.finding] == kNone) into_[part.finding] = static_cast<size_t>(wrong_body - findings_.begin());
+    }
   }
 
   void move_folded() {

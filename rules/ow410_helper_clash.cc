@@ -1,5 +1,8 @@
 // OW410 helper-clash: a call runs a sub of another file, although its own file has a sub with that label.
 // Depends on: all files share one table of subs. The first `sub` line that is read enters its label, for the whole run.
+#include <map>
+#include <set>
+
 #include "rules/stops.h"
 
 namespace owlint::rules {
@@ -13,11 +16,14 @@ StatementId own_sub(const Program& p, NameId sub) {
   return kNoStatement;
 }
 
+/// A call that may run one of several subs, all of other files, is one finding; so are all calls of one label.
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
+  std::vector<Finding> findings;
+  std::map<std::string, size_t> by_label;
+  std::set<StatementId> calls;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kOtherHelper || h.other_elsewhere.program == nullptr) continue;
-    const Statement& s = p.at(h.statement);
     const Elsewhere& runs = h.other_elsewhere;
     const std::string file = file_name(*runs.program->source);
     Finding& f = out.add(s.head_span(), "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " + file + ", not the sub in this file");
@@ -27,6 +33,13 @@ void check(const Input& in, Reporter& out) {
     f.reach = h.reach;
     f.runs_other = true;
     f.unproven = h.unproven;
+  }
+  for (Finding& f : findings) {
+    Finding& added = out.add(f.span, std::move(f.message));
+    f.code = added.code;
+    f.rule = added.rule;
+    f.message = std::move(added.message);
+    added = std::move(f);
   }
 }
 

@@ -236,6 +236,7 @@ void check(const Input& in, Reporter& out) {
     const bool some = s.reach != Reach::kAlways;
     Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
+    f.uncertain = some && !s.detail.starts_with("_");  // a list of cases may name all that there are
     if (const auto since = predefined_since(s.detail)) {
       const std::string version(version_text(in.profile.version));
       f.message = name + " is read here, but " + (*since > in.profile.version ? "LinuxCNC " + version + " does not have it; it came with " + std::string(version_text(*since)) : "not every release of LinuxCNC " + version + " has it");

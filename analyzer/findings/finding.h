@@ -61,6 +61,7 @@ struct Finding {
   Reach reach = Reach::kMaybe;
   bool stops = false;        ///< the interpreter stops here with this error on some path
   bool unproven = false;     ///< it may not happen on the real machine: never more than a warning
+  bool uncertain = false;    ///< unproven, and it depends on what only the program's author knows: info
   bool never_ends = false;   ///< it hangs or crashes here on some path
   bool runs_other = false;   ///< on some path other lines run here than those that are written
   bool remark = false;       ///< true, but nothing that an author has to change: info, and off unless its code is selected

@@ -26,7 +26,7 @@ Severity decide_severity(const Finding& finding, Severity level, bool abort_list
   if (abort_list && policy.warn_only && !finding.stops) {
     severity = Severity::kWarning;
   } else if (finding.stops || finding.never_ends || finding.runs_other) {
-    severity = finding.unproven ? Severity::kWarning : Severity::kError;
+    severity = !finding.unproven ? Severity::kError : finding.uncertain ? Severity::kInfo : Severity::kWarning;
   } else if (level == Severity::kError) {
     severity = Severity::kWarning;  // the mistake is there, but no run meets it
   }
