@@ -25,8 +25,18 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kOtherHelper || h.other_elsewhere.program == nullptr) continue;
     const Elsewhere& runs = h.other_elsewhere;
-    const std::string file = file_name(*runs.program->source);
-    Finding& f = out.add(s.head_span(), "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " + file + ", not the sub in this file");
+    const bool first_place = calls.insert(h.statement).second;
+    const auto [known, added] = by_label.emplace(runs.program->head(runs.statement), findings.size());
+    if (!added) {
+      Finding& f = findings[known->second];
+      f.unproven = f.unproven && h.unproven;
+      if (first_place) relate(f, p, h.statement, "so does this call");
+      continue;
+    }
+    const Statement& s = p.at(h.statement);
+    Finding& f = findings.emplace_back();
+    f.span = s.head_span();
+    f.message = "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " + file_name(*runs.program->source) + ", not the sub in this file";
     relate(in, f, runs, "this sub runs: LinuxCNC read it first");
     if (s.label != kNoName) relate(f, p, own_sub(p, s.label), "this sub does not run");
     f.help = "give the sub in this file a name that no other file uses, or move it to a file of its own";

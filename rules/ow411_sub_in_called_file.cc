@@ -13,8 +13,10 @@ const Region* cut_short(const Program& p, StatementId end) {
   return region.opener != kNoStatement && region.end != kNoStatement && region.end > end ? &region : nullptr;
 }
 
+/// Whether it is in a block of its sub, and so may be passed over.
 bool in_block(const Program& p, StatementId statement) {
-  return std::ranges::any_of(p.blocks, [&](const Block& b) { return b.opener < statement && b.end != kNoStatement && statement < b.end; });
+  const StatementId sub = p.regions[p.region_of[statement]].opener;
+  return std::ranges::any_of(p.blocks, [&](const Block& b) { return sub < b.opener && b.opener < statement && b.end != kNoStatement && statement < b.end; });
 }
 
 Finding& report_sub(const Program& p, const Hazard& h, Reporter& out) {

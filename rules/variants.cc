@@ -103,6 +103,17 @@ void depends_on(Finding& f, bool on) {
   for (Fix& fix : f.fixes) fix.safe = false;
 }
 
+/// What the same finding says of the other setting, where it stops in other ways.
+void stops_also(Finding& f, const Finding& other) {
+  const auto add = [&](const Consequence& stop) {
+    const bool known = stop.interpreter.empty() || stop.interpreter == f.interpreter ||
+                       std::ranges::any_of(f.consequences, [&](const Consequence& c) { return c.span == stop.span && c.interpreter == stop.interpreter; });
+    if (!known) f.consequences.push_back(stop);
+  };
+  if (other.stops) add({other.code, other.span, other.interpreter});
+  for (const Consequence& stop : other.consequences) add(stop);
+}
+
 /// Puts together what is found with block delete off and on.
 std::vector<Finding> join_settings(const Source& source, Lists on_and_off) {
   std::vector<Finding>& on = on_and_off[0];
@@ -123,7 +134,13 @@ std::vector<Finding> join_settings(const Source& source, Lists on_and_off) {
     if (as_bad(f, other)) {
       if (!enough_once(f) && f.message != other.message) continue;  // true every time here, false every time there
       if (f.reach != other.reach) f.reach = Reach::kMaybe;
+      stops_also(f, other);
       findings.push_back(std::move(f));
+    } else if (f.stops && other.stops) {  // surely in one case, perhaps in the other
+      Finding& surer = worse(other, f) ? other : f;
+      if (f.reach != other.reach) surer.reach = Reach::kMaybe;
+      stops_also(surer, &surer == &f ? other : f);
+      findings.push_back(std::move(surer));
     } else if (worse(other, f)) {
       depends_on(other, true);
       findings.push_back(std::move(other));

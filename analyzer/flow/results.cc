@@ -31,7 +31,7 @@ void Analysis::end_of_file(const State& state) {
     if (!set.lines.empty()) stop.statement = set.lines.front();
     if (stop.statement == kNoStatement) return;
     const BlockId block = program_.block_of[stop.statement];
-    if (block == kNoBlock || program_.blocks[block].end == kNoStatement) return;
+    if (block == kNoBlock || program_.blocks[block].end == kNoStatement || program_.at(program_.blocks[block].end).refused) return;
     // The block is closed: what set the skip is a line with its label further on.
     const NameId name = machine_.label_of(label);
     const StatementId last = trace_->nearest(state.record, [&](StatementId id) { return program_.at(id).label == name; });

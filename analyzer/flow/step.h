@@ -54,7 +54,11 @@ struct Machine::Step {
   void stop(StopKind kind, std::string message, StatementId other = kNoStatement, std::string detail = {}) {
     out.stop(state, kind, other, std::move(message), std::move(detail));
   }
-  void stop_error() { stop(error()->kind, error()->message); }
+  void stop_error() {
+    long number = 0;
+    if (error()->target && !settle(m.evaluator_.target(*error()->target, &number))) return;
+    stop(error()->kind, error()->message);
+  }
 
   /// One of the eight documented errors: stops, or under FEATURE 0x20 prints a message. True if the run goes on.
   bool documented(StopKind kind, std::string message, StatementId other = kNoStatement) {

@@ -255,6 +255,21 @@ void Evaluator::begin_name(NameId name, Parameters& p) const {
   map.set(pool_, key, global || before == kMaybeUnassigned || coarse_ ? kUnknown : values_.intern(0));
 }
 
+Evaluation Evaluator::target(double value, long* number) const {
+  Evaluation out;
+  if (!to_integer(value, number)) {
+    out.fails = StopKind::kParameterRange;
+    out.message = "Non integer value for integer";
+  } else if (*number < 1 || *number > kLastNumber) {
+    out.fails = StopKind::kParameterReadOnly;
+    out.message = "Parameter number out of range";
+  } else if (read_only(*number)) {
+    out.fails = StopKind::kParameterReadOnly;
+    out.message = "Parameter is readonly";
+  }
+  return out;
+}
+
 Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) const {
   Evaluation may;  // the first thing that stops on some of the merged paths
   struct Assigned {
@@ -276,17 +291,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
       if (index.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? index : may;
       write.number = 0;
       if (values_.is_constant(index.value)) {
-        Evaluation out;
-        if (!to_integer(values_.value(index.value), &write.number)) {
-          out.fails = StopKind::kParameterRange;
-          out.message = "Non integer value for integer";
-        } else if (write.number < 1 || write.number > kLastNumber) {
-          out.fails = StopKind::kParameterReadOnly;
-          out.message = "Parameter number out of range";
-        } else if (read_only(write.number)) {
-          out.fails = StopKind::kParameterReadOnly;
-          out.message = "Parameter is readonly";
-        }
+        const Evaluation out = target(values_.value(index.value), &write.number);
         if (out.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? out : may;
       }
     }

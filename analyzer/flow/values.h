@@ -107,6 +107,8 @@ class Evaluator {
   /// Applies the assignments of a line, in order, after all its values were read.
   /// Returns the stop, if there is one.
   Evaluation assign(const Statement& s, Parameters& parameters, ReadLog* log) const;
+  /// Whether the parameter of that number can be set, and the number as a whole one.
+  Evaluation target(double value, long* number) const;
 
   /// From now on constants are only "assigned", and outcomes are not remembered: for very large programs.
   void set_coarse() { coarse_ = true; }

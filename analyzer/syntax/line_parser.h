@@ -33,6 +33,7 @@ class LineParser {
   bool m_code(ExprId value, size_t from, size_t to, Statement& s);
   void note_rest(size_t at, Statement& s);
   bool assignment(ExpressionParser& in, Statement& s);
+  void note_target(ExprId number, Statement& s);
   static std::string bad_character(char c);
   void misplaced_character(size_t at, Statement& s);
   size_t label_end(size_t at) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct LineError {
   StopKind kind = StopKind::kNone;
   Span span;
   std::string message;
+  std::optional<double> target = std::nullopt;  ///< the parameter that the line sets, by its number: whether that can be set is asked first
 };
 
 using StatementId = uint32_t;
