@@ -27,7 +27,8 @@ bool waits_for_equal(const Program& p, StatementId opener) {
   const Expr& condition = p.syntax.exprs[p.syntax.values[p.at(test).first]];
   if (condition.op != Operator::kNe) return false;
   const Expr& left = p.syntax.exprs[condition.left()];
-  for (StatementId id = opener; block != kNoBlock && id < p.blocks[block].end; ++id) {
+  const StatementId end = block == kNoBlock ? opener : std::min<StatementId>(p.blocks[block].end, static_cast<StatementId>(p.size()));
+  for (StatementId id = opener; id < end; ++id) {
     const Statement& s = p.at(id);
     for (uint32_t i = 0; s.has_items() && i < s.item_count; ++i) {
       const Item& item = p.syntax.items[s.first + i];

@@ -116,7 +116,7 @@ class Tester:
         self.run("standard input", root, named, ["-"], stdin=scratch.LABEL + b" if [1]\n", validate=True)
         self.run("standard input without a name", root, [], ["-"], stdin=scratch.SAMPLE)
         self.run("nothing found", root, [], ["clean"], validate=True)
-        self.run("no files", root, [], ["nothing"], validate=True)
+        self.run("no files", root, ["--allow-empty"], ["nothing"], validate=True)
         return outputs
 
     def options(self, root, outputs):

@@ -14,7 +14,8 @@ Run check(const Scratch& folder, const std::string& arguments) { return owlint::
 
 std::vector<nlohmann::json> missing_subs(const Scratch& folder, const std::string& arguments) {
   std::vector<nlohmann::json> out;
-  for (const auto& file : nlohmann::json::parse(check(folder, "--format json " + arguments).out)["files"]) {
+  const nlohmann::json report = nlohmann::json::parse(check(folder, "--format json " + arguments).out);
+  for (const auto& file : report["files"]) {
     for (const auto& f : file["findings"]) {
       if (f["code"].get<std::string>() == "OW208") out.push_back(f);
     }

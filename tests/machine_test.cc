@@ -183,7 +183,7 @@ TEST_CASE("Python functions are named and not reported", "[machine]") {
   const Run run = check(folder, "--isolated p.ngc");
   CHECK(run.status == 0);
   CHECK(run.out.empty());
-  CHECK(contains(run.err, "taken for functions of the INI's [PYTHON] module: o<measure>\n"));
+  CHECK(contains(run.err, "assumed to be functions of the INI's [PYTHON] module: o<measure>\n"));
 }
 
 TEST_CASE("graphs show the called files", "[machine]") {

@@ -97,7 +97,7 @@ def no_stores(options, folder, shop):
 
     with open(folder + "/text", "w", encoding="utf-8") as file:
         file.write("my own notes\n" * 100)
-    refused(folder + "/text", "no store")
+    refused(folder + "/text", "is not an owlint store")
     with open(folder + "/text", encoding="utf-8") as file:
         check(file.read() == "my own notes\n" * 100, "a text file was changed")
     refused(folder, "directory")

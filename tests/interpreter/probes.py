@@ -58,7 +58,7 @@ def main(argv):
         for mode, linter in linters.items():
             findings = linter.check(os.path.join(folder, "programs"), texts)
             for name, outcome in sorted(by_mode[mode].items()):
-                for problem in judge(outcome, Claims(findings[name]), "probes"):
+                for problem in judge(outcome, Claims(findings[name])):
                     wrong += 1
                     print("%s, %s: %s" % (name, mode, problem))
     print("%d probes in %d modes, %d disagreements" % (len(texts), len(linters), wrong))

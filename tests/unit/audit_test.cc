@@ -92,7 +92,7 @@ TEST_CASE("a store of an older owlint gets the steps that it lacks", "[audit]") 
 TEST_CASE("what is no store is left alone", "[audit]") {
   const test::Scratch scratch;
   scratch.write("text.db", "not a database at all, but long enough to look like one\n");
-  CHECK_THROWS_WITH(Store::open(scratch.path() + "/text.db", Store::For::kWriting), Catch::Matchers::Contains("no store"));
+  CHECK_THROWS_WITH(Store::open(scratch.path() + "/text.db", Store::For::kWriting), Catch::Matchers::Contains("is not an owlint store"));
   CHECK(test::read_file(scratch.path() + "/text.db") == "not a database at all, but long enough to look like one\n");
   { SQLite::Database(scratch.path() + "/other.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t (a)"); }
   CHECK_THROWS_WITH(Store::open(scratch.path() + "/other.db", Store::For::kWriting), Catch::Matchers::Contains("not an owlint store"));
