@@ -78,7 +78,7 @@ TEST_CASE("however many INIs there are, a check and an audit say it in two lines
     INFO(command);
     const Run run = owlint::test::owlint(words(command), "", folder.path());
     CHECK(contains(run.err, "using 5 machine INIs, each for the programs in and below its folder: a/machine.ini, b/machine.ini, c/machine.ini and 2 more (--no-find-ini turns this off)\n"));
-    CHECK(contains(run.err, "5 folders have several machine INIs each, and none of these is used: "));
+    CHECK(contains(run.err, "5 folders have several machine INIs each, so none of them is used: "));
     CHECK(contains(run.err, "is used: a2, b2, c2 and 2 more; choose one with --ini, or with `ini` in an owlint.toml there\n"));
     CHECK_FALSE(contains(run.err, "d/machine.ini"));
   }

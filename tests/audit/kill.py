@@ -102,8 +102,8 @@ def no_stores(options, folder, shop):
         check(file.read() == "my own notes\n" * 100, "a text file was changed")
     refused(folder, "directory")
     os.mkfifo(folder + "/pipe")
-    refused(folder + "/pipe", "no file")
-    refused("/dev/null", "no file")
+    refused(folder + "/pipe", "not a file")
+    refused("/dev/null", "not a file")
     refused(folder + "/none/at/all.db", "No such file")
     with sqlite3.connect(folder + "/other.db") as db:
         db.execute("CREATE TABLE mine (a)")
