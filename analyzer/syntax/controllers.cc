@@ -31,7 +31,6 @@ constexpr Mark kMarks[] = {
     {kGrbl, "command", Proof::kAlone, "$@=@", "$110=500"},
     {kHal, "flow", Proof::kAlone, "O@ALARM*", "o100 alarm [3]"},
     {kHal, "flow", Proof::kAlone, "O@ERROR*", "o100 error [3]"},
-    {kHal, "end", Proof::kIfNamed, "M99", "M99"},
 
     {kFanuc, "jump", Proof::kTwo, "IF*GOTO@", "IF [#1 EQ 2] GOTO 20"},
     {kFanuc, "jump", Proof::kTwo, "IF*GOTO#*", "IF [#1 EQ 2] GOTO #3"},
