@@ -26,6 +26,7 @@ struct Read {
         case LineKind::kM98: out += "M98"; break;
         case LineKind::kM99: out += "M99"; break;
         case LineKind::kM99Behind: out += "M99 behind"; break;
+        case LineKind::kContour: out += "contour" + (s.label == kNoName ? " ?" : " " + syntax.names.text(s.label)); break;
         case LineKind::kProgramEnd: out += "end"; break;
         case LineKind::kPercent: out += "%"; break;
         case LineKind::kAbort: out += "abort"; break;
@@ -232,4 +233,14 @@ TEST_CASE("comments that speak to the linter are noted", "[syntax]") {
   CHECK_FALSE(read.syntax.directives[1].own_line);
   CHECK_FALSE(read.syntax.directives[1].on_oword);
   CHECK(read.syntax.directives[2].on_oword);
+}
+
+TEST_CASE("G70 to G72 with Q run a sub", "[syntax]") {
+  CHECK(shape("G71 Q7 X11 Z0 I1\n") == "1 contour 7");
+  CHECK(shape("n10 x11 g 7 2 . 1 (c) q [3+4]\n") == "1 contour 7");
+  CHECK(shape("G70 Q#1 X11\n") == "1 contour ?");
+  CHECK(shape("G71 Q-1 X11\n") == "1 words");  // counts as no Q
+  CHECK(shape("G83 Q0.5 X1 Z-5 R2\n").empty());
+  CHECK(shape("G73 X1 Z-5 R2 Q1\nG7\n").empty());
+  CHECK(shape("(G71) X1 Q7\n").empty());
 }
