@@ -43,7 +43,7 @@ def installed(build, prefix):
     for path in ("share/owlint/owlint-report-1.schema.json", "share/owlint/owlint-config-1.schema.json", "share/owlint/owlint-baseline-1.schema.json",
                  "share/doc/owlint/rules/OW104.md", "include/owlint.h"):
         check(os.path.isfile(os.path.join(prefix, path)), "not installed: " + path)
-    commands = [line.split()[0] for line in run(owlint, "--help").stdout.split("Commands:")[1].splitlines() if line.startswith("  ") and line[2] != " "]
+    commands = [line.split()[0] for line in run(owlint, "--help").stdout.split("Commands:")[1].split("\n\n")[0].splitlines() if line.startswith("  ") and line[2] != " "]
     check(len(commands) >= 7, "commands: %s" % commands)
     for page in ["owlint"] + ["owlint-" + command for command in commands]:
         check(os.path.isfile(os.path.join(prefix, "share/man/man1/%s.1" % page)), "no manual page " + page)
