@@ -304,7 +304,7 @@ M2
 )",
         .fix = R"(Assign the name before the branch, pass it to the sub as an argument, or use a global name with an
 underscore.)",
-        .level_reason = "Error if a run gets here without the name: the program stops. Warning if another program may have set the global name.",
+        .level_reason = "Error if a run gets here without the name: the program stops. Warning if another program may have set the global name. Info if a list of cases may name every value that there is.",
         .interpreter = "Named parameter #<top> not defined",
         .options = "",
     },
