@@ -29,10 +29,11 @@ bool moves_lines(const Program& program, const Fix& fix) {
   });
 }
 
-/// Whether what a rule finds in a file does not matter, as the file is no LinuxCNC program: one rule says that.
-bool is_aside(const Rule& rule, const Nature& nature) {
-  if (nature.kind == Nature::kProgram || rule.group == Group::kLinter) return false;
-  return rule.code != (nature.kind == Nature::kOtherController ? "OW319" : "OW314");
+/// How much a rule's findings in a file matter: little if the file is no LinuxCNC program, which one rule reports.
+Weight weight_of(const Rule& rule, const Nature& nature) {
+  if (nature.kind == Nature::kProgram || rule.group == Group::kLinter) return Weight::kFull;
+  if (nature.kind == Nature::kOtherController) return rule.code == "OW319" ? Weight::kFull : Weight::kAside;
+  return rule.code == "OW314" ? Weight::kFull : Weight::kRemark;
 }
 
 void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy, std::vector<Finding>& out) {
@@ -43,9 +44,9 @@ void run_rules(const Input& input, const LintOptions& options, const SeverityPol
     const size_t first = out.size();
     Reporter reporter(*rule, out);
     rule->check(input, reporter);
-    const bool aside = is_aside(*rule, input.index.nature);
+    const Weight weight = weight_of(*rule, input.index.nature);
     for (size_t i = first; i < out.size(); ++i) {
-      out[i].remark = out[i].remark || aside;
+      out[i].weight = std::max(out[i].weight, weight);
       out[i].severity = decide_severity(out[i], rule->level, rule->group == Group::kAbortList, policy);
       if (out[i].reach == Reach::kNever && rule->level == Severity::kError && out[i].source == nullptr) {
         if (!unreached) unreached.emplace(input);

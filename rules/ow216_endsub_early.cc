@@ -21,7 +21,7 @@ void check(const Input& in, Reporter& out) {
     relate(f, p, region.end, "the last `endsub` is here");
     f.help = "write `" + p.label_text(region.name) + " return` to leave the sub early";
     f.reach = in.flow.reach(region.early_end);
-    f.remark = p.sub_file;
+    if (p.sub_file) f.weight = Weight::kRemark;
     f.fixes.push_back({"write `return`", false, {{p.at(region.early_end).keyword_span(), "return"}}});
   }
 }

@@ -10,7 +10,7 @@ void check(const Input& in, Reporter& out) {
   if (nature.kind != Nature::kOtherController) return;
   Finding& f = out.add(nature.mark, "this looks like a program for " + std::string(nature.controller) + "; owlint checks for LinuxCNC");
   if (nature.other_mark.end > nature.other_mark.begin) f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
-  f.help = "leave the file out of the check; if it is for LinuxCNC, `--extend-select OW` shows all findings";
+  f.help = "leave the file out of the check";
   f.reach = Reach::kAlways;
 }
 
@@ -29,8 +29,8 @@ recognises it by lines that only that controller has and that stop LinuxCNC: a l
 typing error, or two of different kinds, or a code that LinuxCNC does not have in a file whose
 comments name the controller. A few such lines in a program with O-word blocks are mistakes, and are
 reported as mistakes.)",
-        .why = R"(LinuxCNC stops at the first line that it does not know. A list of all of them would not help, so
-owlint reports nothing else in the file, unless you select the code: `--extend-select OW`.)",
+        .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller once;
+what else it finds in the file is info.)",
         .bad = R"(O9010
 IF [#1 EQ #0] GOTO 90
 #2 = 0

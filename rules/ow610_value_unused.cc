@@ -56,9 +56,9 @@ void check(const Input& in, Reporter& out) {
       f.help = "use the value, or remove the argument";
     } else {
       f.help = "remove the line";
-      f.remark = true;
+      f.weight = Weight::kRemark;
     }
-    if (in.profile.may_be_python()) f.remark = true;  // a remap's Python code may read the names of its sub
+    if (in.profile.may_be_python()) f.weight = Weight::kRemark;  // a remap's Python code may read the names of its sub
   }
 }
 

@@ -110,7 +110,7 @@ TEST_CASE("what cannot be read does not keep the rest from being checked", "[cli
   }
 }
 
-TEST_CASE("a folder takes its programs; one without any is an error, unless it may be empty", "[cli]") {
+TEST_CASE("a folder takes its programs, and one without any is an error, unless it may be empty", "[cli]") {
   const Scratch s;
   s.write("programs/a.ngc", kGood);
   s.write("programs/deep/b.NC", kBad);

@@ -48,6 +48,13 @@ struct Consequence {
   std::string interpreter;
 };
 
+/// How much a finding may matter, whatever its rule says.
+enum class Weight : uint8_t {
+  kFull,
+  kAside,   ///< its file is for another controller, which is reported once: never more than info
+  kRemark,  ///< nothing that an author has to change: info, and off unless its code is selected
+};
+
 struct Finding {
   std::string_view code;
   std::string_view rule;
@@ -64,7 +71,7 @@ struct Finding {
   bool uncertain = false;    ///< unproven, and it depends on what only the program's author knows: info
   bool never_ends = false;   ///< it hangs or crashes here on some path
   bool runs_other = false;   ///< on some path other lines run here than those that are written
-  bool remark = false;       ///< true, but nothing that an author has to change: info, and off unless its code is selected
+  Weight weight = Weight::kFull;
   std::vector<Related> related;
   std::vector<Related> path;  ///< the branch outcomes that lead here, or the line that keeps every run away; shown behind `related`
   std::vector<Fix> fixes;

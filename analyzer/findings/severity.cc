@@ -30,7 +30,8 @@ Severity decide_severity(const Finding& finding, Severity level, bool abort_list
   } else if (level == Severity::kError) {
     severity = Severity::kWarning;  // the mistake is there, but no run meets it
   }
-  if (finding.remark) {
+  if (finding.weight == Weight::kAside) severity = std::min(severity, Severity::kInfo);
+  if (finding.weight == Weight::kRemark) {
     const bool wanted = std::ranges::any_of(policy.selected, [&](const std::string& prefix) { return finding.code.starts_with(prefix); });
     severity = wanted ? Severity::kInfo : Severity::kOff;
   }

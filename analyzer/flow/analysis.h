@@ -161,6 +161,8 @@ class Analysis final : public Listener {
   void ends_in_subs();
   std::vector<uint32_t> passed_well() const;
   void idle_loops();
+  /// Whether a run may go round for ever, though other runs leave the loop: nothing on the way round changes what decides.
+  bool may_go_round() const;
   RegionId region_at(StatementId position) const;
   const std::vector<ExprId>& fragile_in(RegionId region);
   bool joins(const State& state, RegionId region, size_t there, size_t most);

@@ -3,9 +3,28 @@
 #include <map>
 #include <numeric>
 
+#include "analyzer/flow/accesses.h"
 #include "analyzer/flow/analysis.h"
+#include "analyzer/machine/predefined.h"
 
 namespace owlint::flow {
+namespace {
+
+/// Whether nothing that these lines read is changed by those, or by the machine.
+bool stays_the_same(const Program& program, const std::vector<StatementId>& reading, const std::vector<StatementId>& changing) {
+  const AccessTable read(program, reading);
+  const AccessTable changed(program, changing);
+  const Accesses reads = read.lines(0, reading.size());
+  const Accesses writes = changed.lines(0, changing.size());
+  if (reads.reads_any() || writes.writes_any()) return false;
+  return std::ranges::none_of(reads.all_reads(), [&](ParameterKey key) {
+    const ParameterId id = parameter_of(key);
+    const bool of_machine = id.named ? may_be_predefined(program.name(id.id)) : id.id >= kFirstVolatileNumber;
+    return of_machine || std::ranges::find(writes.all_writes(), key, &Write::key) != writes.all_writes().end();
+  });
+}
+
+}  // namespace
 
 /// By statement: how many before it some run passes, executing them, that comes to an end.
 std::vector<uint32_t> Analysis::passed_well() const {
@@ -86,6 +105,33 @@ void Analysis::idle_loops() {
     hazards_.emplace(std::make_tuple(HazardKind::kHang, loop.warned, kNoStatement, 0U),
                      Hazard{HazardKind::kHang, loop.warned, loop.first, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}});
   }
+}
+
+bool Analysis::may_go_round() const {
+  const std::vector<uint32_t> group = trace_->cycles();
+  std::vector<std::vector<uint32_t>> lines(trace_->size() + 1), deciding(trace_->size() + 1);  // by way round
+  std::vector<bool> fixed(trace_->size() + 1, true);
+  for (RecordId id = 0; id < trace_->size(); ++id) {
+    if (group[id] != 0 && trace_->at(id).statement != kNoStatement) lines[group[id]].push_back(trace_->at(id).statement);
+  }
+  trace_->for_edges([&](RecordId from, RecordId to) {
+    if (group[from] == 0 || group[from] == group[to]) return;
+    const StatementId here = trace_->at(from).statement;
+    const Statement* s = here == kNoStatement ? nullptr : &program_.at(here);
+    const bool tests = s != nullptr && (s->is(Keyword::kIf) || s->is(Keyword::kElseif) || s->is(Keyword::kWhile));
+    // The counter of `repeat` comes to an end; the number that it begins with decides whether there is a pass.
+    const bool begins = s != nullptr && s->is(Keyword::kRepeat) && trace_->at(to).parent == from && trace_->at(to).branch == 1;
+    if (tests || begins) {
+      deciding[group[from]].push_back(here);
+    } else {
+      fixed[group[from]] = false;
+    }
+  });
+  for (uint32_t round = 1; round < lines.size(); ++round) {
+    if (lines[round].empty() || !fixed[round]) continue;
+    if (stays_the_same(program_, deciding[round], lines[round])) return true;
+  }
+  return false;
 }
 
 }  // namespace owlint::flow

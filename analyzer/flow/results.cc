@@ -254,7 +254,7 @@ void Analysis::finish() {
   size_t paths = 0;
   for (auto& [key, info] : stops_) {
     FlowStop stop = std::move(info.stop);
-    stop.reach = trace_->only_end(info.key) ? Reach::kAlways : Reach::kMaybe;
+    stop.reach = trace_->only_end(info.key) && !may_go_round() ? Reach::kAlways : Reach::kMaybe;
     if (stop.reach == Reach::kMaybe && paths++ < kMaxPaths) stop.path = trace_->path(info.record, info.key);
     // A global name may come from another program; a branch that is not followed exactly may go as one before it.
     if (key.kind == StopKind::kNameUndefined) {

@@ -21,10 +21,12 @@ void pack(const std::vector<std::pair<RecordId, RecordId>>& edges, size_t nodes,
   for (const auto& [from, to] : edges) list[fill[forward ? from : to]++] = forward ? to : from;
 }
 
+}  // namespace
+
 /// Tarjan's strongly connected components, with the recursion as a stack of (record, next edge): by record the number of
 /// its component, from 1, or 0 if there is no way from it back to it. The edges of record i are `next[first[i]]` up to
 /// `next[first[i + 1]]`.
-std::vector<uint32_t> ways_round(const std::vector<uint32_t>& first, const std::vector<uint32_t>& next) {
+std::vector<uint32_t> Trace::ways_round(const std::vector<uint32_t>& first, const std::vector<uint32_t>& next) {
   const auto size = static_cast<RecordId>(first.size() - 1);
   constexpr uint32_t kNew = 0;
   std::vector<uint32_t> order(size, kNew);
@@ -73,8 +75,6 @@ std::vector<uint32_t> ways_round(const std::vector<uint32_t>& first, const std::
   }
   return group;
 }
-
-}  // namespace
 
 void Trace::finish(std::vector<bool> executed) {
   executed_ = std::move(executed);

@@ -85,6 +85,8 @@ class Trace {
   /// Cycles that need no condition to be true (as the cycles of loops do), so that nothing ends them: by record, the number
   /// of its group of such cycles, or 0.
   std::vector<uint32_t> idle_cycles() const;
+  /// All cycles, numbered in the same way.
+  std::vector<uint32_t> cycles() const { return ways_round(next_first_, next_); }
   /// Cycles without an exit, numbered in the same way; `removed` edges do not count.
   std::vector<uint32_t> closed_cycles(const std::function<bool(RecordId from, RecordId to)>& removed) const;
   /// Calls `each` with all edges: from, to.
@@ -96,6 +98,7 @@ class Trace {
   }
 
  private:
+  static std::vector<uint32_t> ways_round(const std::vector<uint32_t>& first, const std::vector<uint32_t>& next);
   bool has_cycle(const std::vector<bool>& within) const;
   std::vector<bool> backward_from(const std::vector<RecordId>& goals) const;
 

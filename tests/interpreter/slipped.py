@@ -52,7 +52,7 @@ SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other wo
 ORDINARY, UNKNOWABLE, ENDLESS = "ordinary", "unknowable", "endless"
 COUNTED = (ORDINARY, UNKNOWABLE, ENDLESS)
 
-_OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value|Multiple \S+ words|Unknown m code|words? with no|Two . codes used")
+_OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value|G-code out of range|Multiple \S+ words|Unknown m code|words? with no|Two . codes used")
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 # O-words, also where the letter or the label is lost; assignments; calls and returns of the other style.
 _NO_WORDS = re.compile(r"^/?(n[\d.]+)?(#|o|(0|n)?(\d+|<[^>]*>|\[.*?\])?(sub|endsub|call|do\b|while|endwhile|repeat|endrepeat|if|elseif|else|endif|break|continue|return))"
@@ -189,6 +189,8 @@ def files_of(program):
 def judge(outcome, checked, program, block_delete):
     """-> Disagreement, one of COUNTED, or None where owlint says what happens."""
     claims = Claims(checked.findings, block_delete)
+    # A remap's file is checked for itself: what is said of it holds when its code is used.
+    claims.always = [f for f in claims.always if f["path"] == bundle.MAIN or "REMAP" not in program.text]
     if outcome.kind == "hang":
         if claims.always:
             return Disagreement(NOT_ALWAYS, "%s: it never ends" % claims.always[0]["code"])
@@ -229,6 +231,9 @@ def is_ordinary(outcome, checked, program):
     code = re.sub(r"\s", "", _COMMENT.sub("", outcome.text))
     if outcome.message.startswith("G7X error"):     # found at the end of the contour's sub
         return True
+    # `M5 M5 M99`: what is wrong is not the M99.
+    if outcome.message.startswith("Two m codes") and len(re.findall(r"m0*(?:98|99|2|30)(?!\d)", code, re.IGNORECASE)) == 1:
+        code = re.sub(r"m0*(98|99|2|30)(?!\d)", "", code, flags=re.IGNORECASE)
     if _NO_WORDS.search(code) or not (_OF_WORDS.search(outcome.message) or codes_of(outcome.message) == {UNKNOWN}):
         return False
     alike = lambda texts: sum(line.strip() == outcome.text for text in texts for line in text.split("\n"))
@@ -241,10 +246,14 @@ def is_unknowable(outcome, checked):
     # A part of a program that ngcgui makes.
     if re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "(not_a_subfile)" in everything or "[PYTHON]" in everything:
         return True
+    # The value of a name that is not there, when a definition is skipped, is whatever is in memory.
+    if outcome.message.startswith("Calculation resulted in") and re.search(r"(?i)#<_value>", outcome.text):
+        return True
     codes = codes_of(outcome.message)
     # Of the end of the file it is not said which label was sought.
     where = outcome.text if codes & {"OW512", "OW604"} else "".join(re.findall(r"(?i)o[#[].*", everything)) if codes & {EOF, "OW208"} else ""
-    return any(not re.search(r"#\s*%s\s*=" % number, everything) for number in re.findall(r"#(\d+)", where) if int(number) > 30)
+    own = 30 if re.search(r"(?i)(?<!end)sub\b", checked.texts[bundle.MAIN]) else 0     # the last number that is an argument
+    return any(not re.search(r"#\s*%s\s*=" % number, everything) for number in re.findall(r"#(\d+)", where) if int(number) > own)
 
 
 # -- shrinking and printing
