@@ -36,13 +36,25 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   return &f;
 }
 
+/// Whether it is the `sub` of a file's own name. Measured: the first call looks for it, later ones read the line.
+bool begins_file(const Program& p, StatementId id) {
+  return p.sub_file && p.at(id).is(Keyword::kSub) && p.at(id).label == p.entry;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
-  for_unmet_errors(in, out, [&](StatementId id, const LineError&) {
+  for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
     if (p.at(id).inner_cr) return;
     Finding* f = report(in, out, id);
     f->reach = in.flow.reach(id);
+    if (begins_file(p, id)) {
+      f->message += "; LinuxCNC ignores it in the first call of the file only";
+      f->stops = true;
+      f->reach = Reach::kMaybe;
+      f->interpreter = error.message;
+      return;
+    }
     f->message += "; LinuxCNC ignores it here without a message";
   });
 }

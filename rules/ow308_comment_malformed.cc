@@ -18,7 +18,12 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
-  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = Reach::kNever; });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) {
+    Finding* f = report(in, out, id);
+    f->reach = Reach::kNever;
+    // One habit of the author, if no run gets that far.
+    if (f->fixes.empty()) f->group = in.program.source->path();
+  });
 }
 
 }  // namespace

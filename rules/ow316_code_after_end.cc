@@ -59,7 +59,7 @@ void check(const Input& in, Reporter& out) {
     if (end == kNoStatement) continue;
     uint32_t line = 0;
     if (s.plain_code_follows && !in_sub(p, id) && (id == end || !in.flow.executed[id])) line = s.first_plain_line;
-    if (id > end && p.region_of[id] == kMainRegion && !in.flow.executed[id] && s.kind != LineKind::kPercent && s.kind != LineKind::kProgramEnd) line = s.line;
+    if (id > end && p.region_of[id] == kMainRegion && !in.flow.executed[id] && s.kind != LineKind::kPercent && s.kind != LineKind::kProgramEnd && !s.nul) line = s.line;
     if (line == 0) continue;
     // Inside a block that runs past the end on another path, nothing is certain.
     bool within = false;

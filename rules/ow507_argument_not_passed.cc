@@ -25,6 +25,8 @@ void report(const Input& in, Reporter& out, StatementId id, const Reads& reads) 
   for (const auto& [n, read] : reads) relate(in, f, place_of(in, read->other, read->other_elsewhere), "`#" + std::to_string(n) + "` is read here");
   f.help = one ? "pass a " + ordinal(number) + " argument, or set `#" + std::to_string(number) + "` in the sub before it is read"
                : "pass " + std::to_string(reads.rbegin()->first) + " arguments, or set these in the sub before they are read";
+  // Calls all over a shop that lack the same arguments of a sub in a file of its own are one question to its author.
+  if (place_of(in, first->other, first->other_elsewhere).program != &in.program) f.group = in.program.label_at(id) + " " + argument_words(bits);
   f.reach = first->reach;
 }
 

@@ -92,3 +92,27 @@ TEST_CASE("a baseline and suppressions are about each place", "[groups]") {
   CHECK(run.status == 0);
   CHECK(check(folder, ".").out.empty());
 }
+
+TEST_CASE("subs that are all in one folder of the tree are one finding", "[groups]") {
+  const Scratch folder;
+  folder.write("mill/a.ngc", "o<drill> call [1]\no<bore> call [2]\no<tap> call\no<ream> call\no<mark> call\nM2\n");
+  for (const std::string name : {"drill", "bore", "tap", "ream", "mark"}) folder.write("helpers/" + name + ".ngc", "o<" + name + "> sub\n  G0 X#1\no<" + name + "> endsub\n");
+  const auto found = missing_subs(folder, ".");
+  REQUIRE(found.size() == 1);
+  CHECK(contains(found[0]["message"].get<std::string>(), "all are in `helpers`"));
+  CHECK(found[0]["related"].size() == 4);
+  CHECK(missing_subs(folder, "--sub-path helpers .").empty());
+}
+
+TEST_CASE("calls in several programs that lack the same argument of a file's sub are one finding", "[groups]") {
+  const Scratch folder;
+  folder.write("bore.ngc", "o<bore> sub\n  G0 X#1\n  G1 Z#2 F100\no<bore> endsub\n");
+  folder.write("a.ngc", "o<bore> call [1]\nM2\n");
+  folder.write("b.ngc", "o<bore> call [1]\no<bore> call [2]\nM2\n");
+  const nlohmann::json report = nlohmann::json::parse(check(folder, "--format json .").out);
+  size_t found = 0;
+  for (const auto& file : report["files"]) {
+    for (const auto& f : file["findings"]) found += f["code"] == "OW507" ? 1 : 0;
+  }
+  CHECK(found == 1);
+}

@@ -114,7 +114,7 @@ TEST_CASE("remembered calls change no finding while fixtures and corpus are edit
 TEST_CASE("remembered calls change no finding while programs of many subs are edited", "[known]") {
   std::mt19937 random(7);
   uint64_t recalled = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 460; ++i) {
     const std::string whole = many_subs(random);
     std::string text = whole;
     flow::KnownCalls known;

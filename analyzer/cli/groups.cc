@@ -30,6 +30,7 @@ struct Group {
   size_t places = 1;
   std::set<const Source*> files;
   std::vector<Related> others;
+  std::string found_in;  ///< the folder of the file that may be meant; empty: there is none
 };
 
 class Folder {
@@ -49,6 +50,7 @@ class Folder {
       findings = std::move(kept);
     }
     for (auto& [key, group] : groups_) word(group);
+    fold_by_folder();
   }
 
  private:
@@ -87,7 +89,38 @@ class Folder {
     if (const std::string* file = nearest_file(f.group, report.source->path())) {
       const std::string folder = file->substr(0, file->rfind('/') + 1);
       const std::string shown = folder.size() > 1 ? folder.substr(0, folder.size() - 1) : folder.empty() ? "." : folder;
+      group.found_in = shown;
       f.help = fmt::format("if `{}` is meant, say `--sub-path {}`, or `sub-path = [\"{}\"]` in owlint.toml, or `--ini FILE` with the machine's INI", *file, shown, shown);
+    }
+  }
+
+  /// Names that are all in one folder lack one setting: the first speaks for them.
+  void fold_by_folder() {
+    std::map<std::tuple<std::string, std::string, std::string>, std::vector<std::pair<std::string, Group*>>> missing;  // by folder of the run, code, folder
+    for (auto& [key, group] : groups_) {
+      if (!group.found_in.empty()) missing[{std::get<0>(key), std::get<1>(key), group.found_in}].emplace_back(std::get<2>(key), &group);
+    }
+    std::map<size_t, std::set<size_t>> folded;  // findings, by report
+    for (auto& [key, groups] : missing) {
+      if (groups.size() == 1) continue;
+      std::ranges::sort(groups, {}, [](const auto& named) { return std::pair(named.second->report, named.second->finding); });
+      const Group& first = *groups[0].second;
+      Finding& f = reports_[first.report].findings[first.finding];
+      constexpr size_t kNamed = 3;
+      std::vector<std::string> names;
+      for (size_t i = 1; i < groups.size(); ++i) {
+        const Group& other = *groups[i].second;
+        const Finding& moved = reports_[other.report].findings[other.finding];
+        if (names.size() < kNamed) names.push_back("`" + groups[i].first + "`");
+        if (f.related.size() < kMaxPlaces) f.related.push_back({moved.span, "`" + groups[i].first + "` is called here", other.report == first.report ? nullptr : reports_[other.report].source});
+        folded[other.report].insert(other.finding);
+      }
+      const size_t more = groups.size() - 1 - names.size();
+      f.message += fmt::format("; nor {}{}: all are in `{}`", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "", std::get<2>(key));
+    }
+    for (const auto& [report, places] : folded) {
+      size_t at = 0;
+      std::erase_if(reports_[report].findings, [&](const Finding&) { return places.contains(at++); });
     }
   }
 

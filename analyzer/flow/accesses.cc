@@ -90,6 +90,10 @@ void AccessTable::add(const Program& program, StatementId id) {
     writes_.push_back({key_of_target(syntax, item), i});
     if (item.target != kNoExpr) read(syntax, item.target);
   }
+  const LineError* error = syntax.error(s);
+  for (ExprId at = error == nullptr ? 0 : error->read_from; error != nullptr && at < error->read_to; ++at) {
+    if (!syntax.exprs[at].target) read(syntax, at);
+  }
 }
 
 void AccessTable::add_shown(std::span<const ShownRead> shown, StatementId id) {

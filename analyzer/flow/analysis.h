@@ -44,6 +44,7 @@ class Analysis final : public Listener {
         level_(detail != Detail::kBySize || program_.size() > kTooLarge ? kCoarse : 0), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
         trace_(std::make_shared<Trace>()) {
     result_.executed.resize(program_.size());
+    remaps_ = profile.setup != nullptr && profile.setup->has_remaps;
     // Under FEATURE 0x20 any label may lead out of a sub.
     if (known != nullptr && !profile.warn_only()) memory_of_calls_.emplace(*known, CallKeys(linked, machine_));
   }
@@ -161,8 +162,8 @@ class Analysis final : public Listener {
   void ends_in_subs();
   std::vector<uint32_t> passed_well() const;
   void idle_loops();
-  /// Whether a run may go round for ever, though other runs leave the loop: nothing on the way round changes what decides.
-  bool may_go_round() const;
+  /// Loops that other runs leave, but in which a run may go round for ever: nothing on the way round changes what decides.
+  void stuck_loops();
   RegionId region_at(StatementId position) const;
   const std::vector<ExprId>& fragile_in(RegionId region);
   bool joins(const State& state, RegionId region, size_t there, size_t most);
@@ -200,6 +201,9 @@ class Analysis final : public Listener {
   std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond the limit
   std::map<std::pair<HazardKind, StatementId>, size_t> origins_;
   uint32_t next_key_ = 1;
+  bool remaps_ = false;        ///< the machine has codes that may assign anything
+  std::vector<bool> stuck_;    ///< by record: see stuck_loops()
+  bool may_go_round_ = false;  ///< one is
   struct Memory {
     Memory(KnownCalls& calls, CallKeys made) : known(calls), keys(std::move(made)) {}
     KnownCalls& known;

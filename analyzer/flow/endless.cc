@@ -10,6 +10,8 @@
 namespace owlint::flow {
 namespace {
 
+bool is_loop(const Statement& s) { return s.is(Keyword::kWhile) || s.is(Keyword::kDo) || s.is(Keyword::kRepeat); }
+
 /// Whether nothing that these lines read is changed by those, or by the machine.
 bool stays_the_same(const Program& program, const std::vector<StatementId>& reading, const std::vector<StatementId>& changing) {
   const AccessTable read(program, reading);
@@ -17,7 +19,10 @@ bool stays_the_same(const Program& program, const std::vector<StatementId>& read
   const Accesses reads = read.lines(0, reading.size());
   const Accesses writes = changed.lines(0, changing.size());
   if (reads.reads_any() || writes.writes_any()) return false;
+  // A call of something that is not known may assign any global.
+  const bool calls_out = std::ranges::any_of(changing, [&](StatementId id) { return program.at(id).calls() && program.at(id).label_expr != kNoExpr; });
   return std::ranges::none_of(reads.all_reads(), [&](ParameterKey key) {
+    if (calls_out && is_global(key)) return true;
     const ParameterId id = parameter_of(key);
     const bool of_machine = id.named ? may_be_predefined(program.name(id.id)) : id.id >= kFirstVolatileNumber;
     return of_machine || std::ranges::find(writes.all_writes(), key, &Write::key) != writes.all_writes().end();
@@ -57,7 +62,7 @@ void Analysis::endless_loops() {
     const StatementId source = trace_->at(from).statement;
     if (target == kNoStatement || source == kNoStatement || target > source) return false;
     const Statement& s = program_.at(target);
-    return s.is(Keyword::kWhile) || s.is(Keyword::kDo) || s.is(Keyword::kRepeat);
+    return is_loop(s);
   };
   const auto removed = [&](RecordId from, RecordId to) { return goes_back(from, to) && found[trace_->at(to).statement]; };
   for (int i = 0; i < kMaxNesting; ++i) {
@@ -107,31 +112,49 @@ void Analysis::idle_loops() {
   }
 }
 
-bool Analysis::may_go_round() const {
+void Analysis::stuck_loops() {
+  if (remaps_ || level_ >= kCoarse) return;  // stretches that were passed over may assign something
   const std::vector<uint32_t> group = trace_->cycles();
-  std::vector<std::vector<uint32_t>> lines(trace_->size() + 1), deciding(trace_->size() + 1);  // by way round
-  std::vector<bool> fixed(trace_->size() + 1, true);
+  struct Round {
+    std::vector<StatementId> lines;
+    std::vector<StatementId> deciding;  ///< conditions with a way out
+    StatementId opener = kNoStatement;
+    bool fixed = true;
+  };
+  std::map<uint32_t, Round> rounds;
   for (RecordId id = 0; id < trace_->size(); ++id) {
-    if (group[id] != 0 && trace_->at(id).statement != kNoStatement) lines[group[id]].push_back(trace_->at(id).statement);
+    if (group[id] != 0 && trace_->at(id).statement != kNoStatement) rounds[group[id]].lines.push_back(trace_->at(id).statement);
   }
+  if (rounds.empty()) return;
   trace_->for_edges([&](RecordId from, RecordId to) {
-    if (group[from] == 0 || group[from] == group[to]) return;
     const StatementId here = trace_->at(from).statement;
+    if (group[from] == 0) return;
+    Round& round = rounds[group[from]];
     const Statement* s = here == kNoStatement ? nullptr : &program_.at(here);
+    if (group[from] == group[to]) {
+      const StatementId target = trace_->at(to).statement;
+      if (target != kNoStatement && here != kNoStatement && target <= here && is_loop(program_.at(target))) round.opener = std::min(round.opener, target);
+      return;
+    }
     const bool tests = s != nullptr && (s->is(Keyword::kIf) || s->is(Keyword::kElseif) || s->is(Keyword::kWhile));
     // The counter of `repeat` comes to an end; the number that it begins with decides whether there is a pass.
     const bool begins = s != nullptr && s->is(Keyword::kRepeat) && trace_->at(to).parent == from && trace_->at(to).branch == 1;
     if (tests || begins) {
-      deciding[group[from]].push_back(here);
+      round.deciding.push_back(here);
     } else {
-      fixed[group[from]] = false;
+      round.fixed = false;
     }
   });
-  for (uint32_t round = 1; round < lines.size(); ++round) {
-    if (lines[round].empty() || !fixed[round]) continue;
-    if (stays_the_same(program_, deciding[round], lines[round])) return true;
+  for (auto& [number, round] : rounds) {
+    if (!round.fixed || round.opener == kNoStatement || round.deciding.empty()) continue;
+    if (!stays_the_same(program_, round.deciding, round.lines)) continue;
+    // What a call that was not gone through assigns decides, if it assigns anything.
+    if (trace_->leaves_out() && std::ranges::any_of(round.lines, [&](StatementId id) { return program_.at(id).calls(); })) trace_->miss_left_out();
+    for (RecordId id = 0; id < trace_->size(); ++id) stuck_[id] = stuck_[id] || group[id] == number;
+    may_go_round_ = true;
+    hazards_.emplace(std::make_tuple(HazardKind::kEndlessLoop, round.opener, kNoStatement, 0U),
+                     Hazard{HazardKind::kEndlessLoop, round.opener, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}, true});
   }
-  return false;
 }
 
 }  // namespace owlint::flow

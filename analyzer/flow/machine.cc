@@ -1,6 +1,7 @@
 #include "analyzer/flow/machine.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "analyzer/syntax/line_parser.h"
 
@@ -104,7 +105,13 @@ void Machine::index() {
     const LineError* error = syntax.error(s);
     if (s.kind == LineKind::kOWord && s.label_expr != kNoExpr) computed_.push_back(id);
     if (s.is(Keyword::kDo)) reads_break_ = true;
-    if (s.opens_sub()) definitions_.push_back(id);
+    if (s.opens_sub()) {
+      definitions_.push_back(id);
+      const std::string_view name = s.label == kNoName ? std::string_view() : std::string_view(syntax.names.text(s.label));
+      double number = 0;
+      const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), number);
+      if (problem == std::errc{} && end == name.data() + name.size()) numbered_subs_.emplace_back(number, s.label);
+    }
     if ((s.is(Keyword::kEndsub) || s.is(Keyword::kReturn)) && s.value_count > 0 && s.label != kNoName) {
       if (s.label >= returns_value_.size()) returns_value_.resize(std::max<size_t>(s.label + 1, syntax.names.size()));
       returns_value_[s.label] = true;
@@ -120,6 +127,8 @@ void Machine::index() {
     if (error->kind < StopKind::kKeywordUnknown) always_read_.push_back(id);
     if (error->kind == StopKind::kKeywordUnknown) unknown_keywords_.push_back(id);
   }
+  std::ranges::sort(numbered_subs_);
+  numbered_subs_.erase(std::unique(numbered_subs_.begin(), numbered_subs_.end()), numbered_subs_.end());
 }
 
 void Machine::set_coarse(bool passes_over) {

@@ -36,11 +36,12 @@ enum FlagSet : uint8_t {
 
 /// Remaining passes of a running `repeat`.
 enum Count : uint8_t {
-  // 0 to 3: exactly that many left
-  kManyLeft = 4,  // running, number not tracked
-  kAnyCount = 5,  // running or not
+  // up to kLargestExactCount: exactly that many left
+  kManyLeft = 16,  // running, number not tracked
+  kAnyCount = 17,  // running or not
 };
-inline constexpr int kLargestExactCount = 3;
+/// Bolt circles and step-downs have a few passes; where these are counted, the loop is left in one state and not in many.
+inline constexpr int kLargestExactCount = kManyLeft - 1;
 
 struct State {
   StatementId position = 0;
@@ -207,6 +208,7 @@ class Machine {
   // Positions at which a skip may be interrupted, each sorted.
   std::vector<StatementId> computed_, always_read_, unknown_keywords_, definitions_, percents_, file_ends_;
   std::vector<bool> returns_value_;  // by label of a sub: some `return` or `endsub` has a value
+  std::vector<std::pair<double, NameId>> numbered_subs_;  // sorted
   Names computed_names_;  // numbered after the program's own
   std::unordered_set<NameId> computed_calls_;
 };

@@ -227,10 +227,14 @@ void Analysis::blame_calls() {
 void Analysis::finish() {
   blame_calls();
   trace_->finish(result_.executed);
-  if (memory_of_calls_) learn_calls();
+  stuck_.assign(trace_->size(), false);
   idle_loops();
   const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
-  if (!hangs) endless_loops();  // one mistake, one finding
+  if (!hangs) {  // one mistake, one finding
+    endless_loops();
+    stuck_loops();
+  }
+  if (memory_of_calls_) learn_calls();
   ends_in_subs();
   std::optional<OptionalArguments> optional;
   for (const auto& [context, number, read] : not_passed_) {
@@ -254,7 +258,7 @@ void Analysis::finish() {
   size_t paths = 0;
   for (auto& [key, info] : stops_) {
     FlowStop stop = std::move(info.stop);
-    stop.reach = trace_->only_end(info.key) && !may_go_round() ? Reach::kAlways : Reach::kMaybe;
+    stop.reach = trace_->only_end(info.key) && !may_go_round_ ? Reach::kAlways : Reach::kMaybe;
     if (stop.reach == Reach::kMaybe && paths++ < kMaxPaths) stop.path = trace_->path(info.record, info.key);
     // A global name may come from another program; a branch that is not followed exactly may go as one before it.
     if (key.kind == StopKind::kNameUndefined) {
@@ -299,7 +303,7 @@ void Analysis::learn_calls() {
     if (watch == nullptr || watch->disturbed) continue;
     for (const auto& [hash, record] : group.seen) {
       const StatementId line = group.position - watch->entry.position;  // wraps for lines before
-      if (hanging[record] || line >= watch->lines.size()) watch->disturbed = true;
+      if (hanging[record] || stuck_[record] || line >= watch->lines.size()) watch->disturbed = true;
       else if (trace_->at(record).executed) watch->lines[line] = true;
     }
   }

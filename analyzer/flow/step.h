@@ -22,6 +22,7 @@ struct Machine::Step {
   StatementId here;
   bool skipping;
   FullLabel label = kNoLabel;
+  Range label_range;  ///< of a computed label that is not known
   Fact tested;  ///< the condition of this line, if its outcome can be remembered
   std::optional<ValueId> returned_value;  ///< the value on this `return` or `endsub`
   bool decided = false;  ///< the condition has only one outcome here, so going on is not a branch
@@ -55,8 +56,14 @@ struct Machine::Step {
     out.stop(state, kind, other, std::move(message), std::move(detail));
   }
   void stop_error() {
-    long number = 0;
-    if (error()->target && !settle(m.evaluator_.target(*error()->target, &number))) return;
+    for (ExprId id = error()->read_from; id < error()->read_to; ++id) {
+      const Expr& expr = m.program_.syntax.exprs[id];
+      if (expr.op == Operator::kNumber || (expr.target && expr.op == Operator::kNamed)) continue;
+      const Evaluation e = evaluate(expr.target ? expr.left() : id);
+      if (!settle(e)) return;
+      long number = 0;
+      if (expr.target && m.values_.is_constant(e.value) && !settle(m.evaluator_.target(m.values_.value(e.value), &number))) return;
+    }
     stop(error()->kind, error()->message);
   }
 
@@ -172,7 +179,8 @@ struct Machine::Step {
   Keyword kind_of(StatementId line) const { return m.program_.at(line).keyword; }
   uint32_t line_of(StatementId id) const { return m.program_.at(id).line; }
   std::string line_text() const {
-    const std::string_view text = m.linked_.source_of(here).slice(s.whole());
+    std::string_view text = m.linked_.source_of(here).slice(s.whole());
+    text = text.substr(0, text.find('\0'));  // a line ends there for the interpreter
     return std::string(text.substr(0, text.find_last_not_of(" \t\r\v\f") + 1));
   }
   /// `N: `, the beginning of the interpreter's messages about labels.
@@ -205,6 +213,7 @@ struct Machine::Step {
   void m99();
   void o_word();
   bool resolve_label();
+  bool call_any();
   void act(Truth truth, double number);
   bool enter_sub();
   bool is_called_sub() const;

@@ -1,4 +1,5 @@
 // What the interpreter does with one line in a given state: reading it, its label, its values; then its keyword acts.
+#include <algorithm>
 #include <cmath>
 
 #include "analyzer/flow/step.h"
@@ -115,7 +116,10 @@ bool Machine::Step::resolve_label() {
     const Evaluation e = evaluate(s.label_expr);
     report_reads();
     if (!settle(e)) return false;
-    if (!m.values_.is_constant(e.value)) return true;
+    if (!m.values_.is_constant(e.value)) {
+      label_range = m.values_.range(e.value);
+      return true;
+    }
     std::string text;
     if (!label_of_number(m.values_.value(e.value), &text)) {
       stop(StopKind::kLabelNotInteger, "Non integer value for integer");
@@ -148,7 +152,7 @@ void Machine::Step::o_word() {
   if (label == kNoLabel) {
     // The label is computed from something unknown: no claim, on either side. A call comes back, having done
     // whatever it likes to the global parameters.
-    if (k == Keyword::kCall && !skipping && !defining()) Evaluator::call_outside(state.parameters);
+    if (k == Keyword::kCall && !skipping && !defining() && !call_any()) return;
     return next_line();
   }
   Truth truth = Truth::kOpen;
@@ -182,6 +186,35 @@ void Machine::Step::o_word() {
   if (skipping && !target) return next_line();
   if (state.seek && k != Keyword::kSub && k != Keyword::kBare) return next_line();
   act(truth, number);
+}
+
+/// A call whose label is computed from something that is not known: any sub with a number in question may run, and what it does
+/// with the arguments is not proven; or another one, of which nothing is known. False where the arguments stop every run.
+bool Machine::Step::call_any() {
+  constexpr ptrdiff_t kMostCandidates = 16;  // more say too little about each
+  constexpr int kDeepest = 4;             // of calls within such calls
+  for (uint32_t i = 0; i < s.value_count; ++i) {
+    const Evaluation e = evaluate(value(i));
+    report_reads();
+    if (!settle(e)) return false;
+  }
+  if (error() != nullptr) {
+    stop_error();
+    return false;
+  }
+  const auto first = std::ranges::lower_bound(m.numbered_subs_, label_range.low, {}, [](const auto& sub) { return sub.first; });
+  const auto last = std::ranges::upper_bound(m.numbered_subs_, label_range.high, {}, [](const auto& sub) { return sub.first; });
+  if (last - first <= kMostCandidates && context.depth < kDeepest) {
+    for (const auto& [number, name] : std::ranges::subrange(first, last)) {
+      if (name == context.sub || !label_range.has(number)) continue;
+      Step one(m, state, context, out);
+      one.state.mixed = true;
+      one.label = m.full_label(kGlobalScope, name);
+      one.call(1, false);
+    }
+  }
+  Evaluator::call_outside(state.parameters);
+  return true;
 }
 
 void Machine::Step::act(Truth truth, double number) {

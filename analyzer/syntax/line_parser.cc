@@ -42,7 +42,7 @@ void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::
   if (s.error != UINT32_MAX) return;  // the first error on a line is the one that the interpreter reports
   if (is_foreign(line_[from])) to = from + foreign_run(line_.text(), from);
   s.error = static_cast<uint32_t>(out_.errors.size());
-  out_.errors.push_back({kind, line_.span(from, to), std::move(message)});
+  out_.errors.push_back({kind, line_.span(from, to), std::move(message), item_begins_, static_cast<ExprId>(out_.exprs.size())});
 }
 
 size_t LineParser::skip_comments(size_t at, bool* any) const {
@@ -71,6 +71,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
                            comment == StopKind::kCommentNested ? "Nested comment found" : "Unclosed comment found"});
     return true;
   }
+  line_begins_ = item_begins_ = static_cast<ExprId>(out_.exprs.size());
   size_t at = 0;
   number_at_ = std::string_view::npos;
   if (line_.text() == "%") {
@@ -248,6 +249,7 @@ void LineParser::recover(size_t at, Statement& s, bool has_letter) {
   const uint32_t error = s.error;
   s.error = UINT32_MAX;
   s.item_count = 0;
+  out_.errors[error].read_from = line_begins_;
   o_word(at, s, has_letter);
   out_.errors.resize(errors);
   s.error = error;

@@ -33,7 +33,6 @@ class LineParser {
   bool m_code(ExprId value, size_t from, size_t to, Statement& s);
   void note_rest(size_t at, Statement& s);
   bool assignment(ExpressionParser& in, Statement& s);
-  void note_target(ExprId number, Statement& s);
   static std::string bad_character(char c);
   void misplaced_character(size_t at, Statement& s);
   size_t label_end(size_t at) const;
@@ -52,6 +51,8 @@ class LineParser {
   size_t contour_from_ = 0, contour_to_ = 0;
   bool cuts_contour_ = false;     ///< the line has a G70, G71 or G72
   size_t number_at_ = std::string_view::npos;  // where the line number is, if there is one
+  ExprId line_begins_ = 0;   // the first expression of the line
+  ExprId item_begins_ = 0;   // and of the word or setting that is being read
   uint32_t letters_ = 0;     // of the words on the line so far, one bit each
   ExprId target_ = kNoExpr;  // the P of M98
 };

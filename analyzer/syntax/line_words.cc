@@ -120,11 +120,6 @@ void LineParser::unreadable(const ReadError& error, size_t from, Statement& s) {
   fail(s, StopKind::kWordUnreadable, from, std::max(to, error.to), foreign_letter(line_[from]) ? bad_character(line_[from]) : error.message);
 }
 
-void LineParser::note_target(ExprId number, Statement& s) {
-  double value = 0;
-  if (number != kNoExpr && literal_value(out_.exprs, number, &value)) out_.errors[s.error].target = value;
-}
-
 bool LineParser::assignment(ExpressionParser& in, Statement& s) {
   const size_t from = in.cursor;
   ++in.cursor;  // '#'
@@ -140,19 +135,18 @@ bool LineParser::assignment(ExpressionParser& in, Statement& s) {
   item.target_name = parameter.name();
   if (line_[in.cursor] != '=') {
     fail(s, StopKind::kExpression, from, in.cursor, "Equal sign missing in parameter setting");
-    note_target(item.target, s);
     return false;
   }
   ++in.cursor;
   item.value = in.value();
   if (item.value == kNoExpr) {
     fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
-    note_target(item.target, s);
     return false;
   }
   item.to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
   out_.items.push_back(item);
   ++s.item_count;
+  if (s.kind != LineKind::kM98) item_begins_ = static_cast<ExprId>(out_.exprs.size());
   return true;
 }
 
@@ -187,6 +181,7 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
     out_.items.push_back(item);
     ++s.item_count;
   }
+  item_begins_ = static_cast<ExprId>(out_.exprs.size());
   return true;
 }
 

@@ -39,7 +39,9 @@ Nature nature_of(std::string_view bytes) {
   // A crash leaves a file of the right length with NUL bytes at its end.
   const std::string_view first = bytes.substr(0, std::min(kFirst, bytes.find_last_not_of('\0') + 1));
   Nature nature;
-  if (is_utf16(first)) {
+  if (first.empty() && !bytes.empty()) {
+    nature.kind = Nature::kNoText;
+  } else if (is_utf16(first)) {
     nature.kind = Nature::kUtf16;
   } else if (is_no_text(first)) {
     nature.kind = Nature::kNoText;

@@ -43,6 +43,13 @@ constexpr auto kClasses = make_classes();
 // memory as a whole.
 constexpr size_t kStretch = 4 << 20;  // bytes
 
+/// Whether nothing but NUL bytes comes after the first of them, as at the end of a file on a disk that was pulled out: the
+/// interpreter does not see them.
+bool ends_in_nuls(std::string_view line) {
+  const size_t first = line.find('\0');
+  return first <= kLineLimit && line.find_first_not_of('\0', first) == std::string_view::npos;
+}
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -239,13 +246,15 @@ class Reader {
       before_ += found.line;
       return;
     }
-    const std::string_view line = bytes_.substr(found.begin, found.end - found.begin);
+    std::string_view line = bytes_.substr(found.begin, found.end - found.begin);
     const uint32_t number = before_ + found.line;
     if (!seen_first_) note_first_line(line);
     Statement statement;
     statement.line = number;
-    bool keep = found.view.too_long;
-    if (found.view.too_long) {
+    const bool too_long = found.view.too_long && !ends_in_nuls(line);
+    if (found.view.too_long && !too_long) line = line.substr(0, line.find('\0') + 1);
+    bool keep = too_long;
+    if (too_long) {
       statement.offset = found.begin;
       statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
       statement.error = static_cast<uint32_t>(out_.errors.size());
@@ -253,8 +262,9 @@ class Reader {
       out_.last_code = number;
     } else {
       const LineView& view = found.view;
-      if (view.code) out_.last_code = number;
-      if (view.matters) keep = parser_.parse(line, found.begin, &statement);
+      const bool code = view.code && line.find_first_not_of(std::string_view("\0 \t\r", 4)) != std::string_view::npos;
+      if (code) out_.last_code = number;
+      if (view.matters || view.too_long) keep = parser_.parse(line, found.begin, &statement);
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
         const bool plain = !keep || (statement.error == UINT32_MAX && statement.has_items());
@@ -266,7 +276,7 @@ class Reader {
           keep = true;
         }
       }
-      if (!keep && view.code) note_plain(number);
+      if (!keep && code) note_plain(number);
     }
     if (!keep) return;
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;

@@ -45,7 +45,9 @@ struct LineError {
   StopKind kind = StopKind::kNone;
   Span span;
   std::string message;
-  std::optional<double> target = std::nullopt;  ///< the parameter that the line sets, by its number: whether that can be set is asked first
+  /// What the interpreter has read of the unfinished word or setting before the error, in this order: it computes while it reads,
+  /// so a name that is not there or a division by 0 among these is what it reports.
+  ExprId read_from = 0, read_to = 0;
 };
 
 using StatementId = uint32_t;

@@ -52,7 +52,8 @@ SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other wo
 ORDINARY, UNKNOWABLE, ENDLESS = "ordinary", "unknowable", "endless"
 COUNTED = (ORDINARY, UNKNOWABLE, ENDLESS)
 
-_OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value|G-code out of range|Multiple \S+ words|Unknown m code|words? with no|Two . codes used")
+_OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value|G-code out of range|Multiple \S+ words|Unknown m code|words? with no|Cannot use axis values|Two . codes used")
+_BESIDE = re.compile(r"Multiple \S+ words|Cannot use axis values|Non integer value|P word with no|Unknown g code used")     # of the words beside an M99
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 # O-words, also where the letter or the label is lost; assignments; calls and returns of the other style.
 _NO_WORDS = re.compile(r"^/?(n[\d.]+)?(#|o|(0|n)?(\d+|<[^>]*>|\[.*?\])?(sub|endsub|call|do\b|while|endwhile|repeat|endrepeat|if|elseif|else|endif|break|continue|return))"
@@ -221,7 +222,9 @@ def is_there(finding, claim, outcome, texts, mode):
     # Under OWORD_WARNONLY the number may be that of a warning.
     numbered = re.match(r"\d+: ", outcome.message) and mode != "warnonly"
     lines = texts.get(finding["path"], "").split("\n")
-    said = lines[line - 1].strip() if line <= len(lines) else ""
+    said = lines[line - 1].strip().split("\0")[0] if line <= len(lines) else ""
+    if re.match(r"O[\d.]+ CALL$", outcome.text):      # what G71 makes of its Q
+        return same_words(outcome.message, claim.get("interpreter", ""))
     fits = said.startswith(outcome.text) if outcome.message == "Command too long" else said == outcome.text
     return fits and (not numbered or line == outcome.line)
 
@@ -231,6 +234,13 @@ def is_ordinary(outcome, checked, program):
     code = re.sub(r"\s", "", _COMMENT.sub("", outcome.text))
     if outcome.message.startswith("G7X error"):     # found at the end of the contour's sub
         return True
+    # A contour on the line that ends the program.
+    if re.match(r"O[\d.]+ CALL$", outcome.text) and re.search(r"(?i)g7[0-2][^\n(;]*m0*(2|30)\b", "\n".join(checked.texts.values())):
+        return True
+    if code[:1].lower() in ("u", "v", "w") and outcome.message.startswith("Unknown word where unary"):     # axes, within a contour
+        return True
+    if _BESIDE.match(outcome.message):
+        code = re.sub(r"(?i)m0*(98|99)(?!\d)", "", code)
     # `M5 M5 M99`: what is wrong is not the M99.
     if outcome.message.startswith("Two m codes") and len(re.findall(r"m0*(?:98|99|2|30)(?!\d)", code, re.IGNORECASE)) == 1:
         code = re.sub(r"m0*(98|99|2|30)(?!\d)", "", code, flags=re.IGNORECASE)
@@ -243,17 +253,23 @@ def is_ordinary(outcome, checked, program):
 def is_unknowable(outcome, checked):
     """Whether it stops for what was in the machine before the program."""
     everything = "".join(checked.texts.values())
+    # The value of a parameter whose number is computed.
+    if re.search(r"#\s*[#\[]", outcome.text):
+        return True
     # A part of a program that ngcgui makes.
-    if re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "(not_a_subfile)" in everything or "[PYTHON]" in everything:
+    in_remap = "REMAP" in everything and outcome.message.startswith("EOF in file")      # files that a remap names are checked for themselves
+    if in_remap or re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "(not_a_subfile)" in everything or "[PYTHON]" in everything:
         return True
     # The value of a name that is not there, when a definition is skipped, is whatever is in memory.
     if outcome.message.startswith("Calculation resulted in") and re.search(r"(?i)#<_value>", outcome.text):
         return True
     codes = codes_of(outcome.message)
     # Of the end of the file it is not said which label was sought.
-    where = outcome.text if codes & {"OW512", "OW604"} else "".join(re.findall(r"(?i)o[#[].*", everything)) if codes & {EOF, "OW208"} else ""
+    where = outcome.text if codes & {"OW512", "OW604"} or re.match(r"(?i)/?o[#\[]", outcome.text) else "".join(re.findall(r"(?i)[oq]\s*[#[].*", everything)) if codes & {EOF, "OW208"} or not outcome.line else ""
+    where += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), everything))
+    before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", checked.texts[bundle.MAIN]))[0]
     own = 30 if re.search(r"(?i)(?<!end)sub\b", checked.texts[bundle.MAIN]) else 0     # the last number that is an argument
-    return any(not re.search(r"#\s*%s\s*=" % number, everything) for number in re.findall(r"#(\d+)", where) if int(number) > own)
+    return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in re.findall(r"#(\d+)", where) if int(number) > own)
 
 
 # -- shrinking and printing
