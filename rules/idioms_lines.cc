@@ -140,7 +140,7 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
   if (std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); })) return false;
   const size_t open = line.text.text().find('[', line.text.text().find(keyword_text(line)));
   const std::string all = line.written(open, line.end);
-  f.message = "the brackets end before `" + std::string(line.written(line.at, line.at + letters(rest).size() + (letters(rest).empty() ? 1 : 0))) + "`: one pair must be around everything";
+  f.message = "the condition ends before `" + std::string(line.written(line.at, line.at + letters(rest).size() + (letters(rest).empty() ? 1 : 0))) + "`: one pair of brackets must enclose all of it";
   f.help = "write `" + keyword_text(line) + " [" + all + "]`";
   line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")}, true);
   // At the end of the text, not of the spaces after it.

@@ -151,7 +151,7 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   if (start >= line.at) return false;
   const bool assigns = start > 0 && line.text[start - 1] == '=';
   const std::string all = line.written(start, line.end);
-  f.message = "a calculation outside of brackets";
+  f.message = "a calculation must be in brackets";
   f.help = "write `[" + all + "]`";
   line.propose(f, "write brackets around the calculation", {line.put(start, start, "["), line.put(line.end, line.end, "]")}, assigns);
   const Span behind = line.text.span(start, line.end);

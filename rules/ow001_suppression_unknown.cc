@@ -15,7 +15,7 @@ void check(const Input& in, Reporter& out) {
     } else if (!known_prefix(s.code)) {
       Finding& f = out.add(s.span, "there is no rule `" + s.code + "`");
       const std::string_view near = nearest_rule(s.code);
-      f.help = near.empty() ? "`owlint rules` lists them" : "write `" + std::string(near) + "`";
+      f.help = near.empty() ? "write an existing code; `owlint rules` lists all codes" : "write `" + std::string(near) + "`";
       f.reach = Reach::kAlways;
       // LinuxCNC passes comments on, so no change of one is safe.
       if (!near.empty()) f.fixes.push_back({"write `" + std::string(near) + "`", false, {{s.span, std::string(near)}}});

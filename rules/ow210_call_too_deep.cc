@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const RegionId region = p.region_of[s.statement];
     const bool recursive = p.regions[region].name != kNoName && p.regions[region].name == p.at(s.statement).label;
     if (recursive) {
-      f.message = "`" + p.head(s.statement) + "` calls its own sub" + (s.unproven ? ", and owlint does not know how deep" : " again and again") + "; LinuxCNC allows nine levels";
+      f.message = "`" + p.head(s.statement) + "` calls its own sub" + (s.unproven ? "; owlint cannot tell how deep the calls nest" : " again and again") + ", and LinuxCNC allows nine levels";
       relate(f, p, p.regions[region].opener, "the sub begins here");
     }
     f.help = recursive ? "use a loop, or count the depth and stop before the tenth call" : "call the subs one after the other instead";

@@ -162,8 +162,8 @@ extern const Rule kOw605{
 this number after the call and never sets it.
 
 A sub changes an argument. The caller passes a parameter and reads it after the call as if the sub had
-changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. It counts as read in
-`(debug, #5)` and other comments that show values.)",
+changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. A parameter that
+`(debug, #5)` or another such comment shows counts as read.)",
         .why = R"(A call saves `#1` to `#30` and restores them when the sub returns. The sub's result is lost: the
 caller gets its own old value, usually 0. There is no message. Nothing is passed by reference: the sub
 gets the values of its arguments.

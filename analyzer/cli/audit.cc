@@ -303,7 +303,7 @@ int audit_show_command(const AuditLine& line) {
     }
     if (format.for_people && !line.check.quiet) {
       const Summary summary = summarize(reports);
-      std::cerr << fmt::format("run {}: {} in {}\n", named.run, counts(summary.errors, summary.warnings, summary.infos), plural(summary.files, "program"));
+      std::cerr << fmt::format("run {}: {} in {} with findings\n", named.run, counts(summary.errors, summary.warnings, summary.infos), plural(summary.files, "program"));
     }
     return kClean;
   });

@@ -12,7 +12,7 @@ bool changed_since(const std::string& revision, std::set<std::string>* files, st
     arguments.insert(arguments.begin(), "git");
     Ran ran = run_program(std::move(arguments), "");
     *out = std::move(ran.out);
-    if (!ran.started) *error = "--since asks `git`, which cannot be started";
+    if (!ran.started) *error = "--since needs `git`, which cannot be started";
     return ran.started && ran.status == 0;
   };
   std::string top;
@@ -21,7 +21,7 @@ bool changed_since(const std::string& revision, std::set<std::string>* files, st
   // The revision is one argument, and cannot be taken for an option.
   if (!git({"rev-parse", "--show-toplevel"}, &top) || !git({"diff", "--name-only", "-z", "--diff-filter=d", "--end-of-options", revision, "--"}, &changed) ||
       !git({"ls-files", "--others", "--exclude-standard", "--full-name", "-z", ":/"}, &fresh)) {
-    if (error->empty()) *error = fmt::format("--since {}: git cannot say what has changed", revision);
+    if (error->empty()) *error = fmt::format("--since {}: git failed; is this a git repository, and does the revision exist?", revision);
     return false;
   }
   if (top.ends_with('\n')) top.pop_back();

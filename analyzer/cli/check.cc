@@ -40,7 +40,7 @@ class Check {
     if (fixes) {
       FixResult result = run_and_fix(files_, wanted_, read_, line_.unsafe);
       result_ = std::move(result.run);
-      for (const std::string& path : result.unfinished) trouble(fmt::format("{} is not changed: its fixes never come to an end", path));
+      for (const std::string& path : result.unfinished) trouble(fmt::format("{} was not changed: each fix leads to another one", path));
       if (line_.diff) return print_diffs(result.fixed);
       if (!write_fixed(result.fixed)) result_ = run_checks(files_, wanted_, read_, library_);
     } else {
@@ -73,7 +73,7 @@ class Check {
     };
     return !wrong(line_.unsafe && !line_.fix && !line_.diff && !line_.fix_only, "--unsafe goes with --fix, --fix-only or --diff") &&
            !wrong(line_.update_baseline && line_.baseline.empty(), "--update-baseline needs --baseline FILE") &&
-           !wrong(line_.add_suppressions && line_.reason.empty(), "--add-suppressions needs --reason TEXT: what the next one who reads the program should know") &&
+           !wrong(line_.add_suppressions && line_.reason.empty(), "--add-suppressions needs --reason TEXT, which is written into each comment") &&
            !wrong(line_.add_suppressions && line_.reason.find('\n') != std::string::npos, "--reason is one line");
   }
 

@@ -33,7 +33,7 @@ int check_files(const std::vector<std::string>& paths) {
       complain(error);
       status = kUsage;
     } else {
-      std::cout << file << " is right\n";
+      std::cout << file << " is valid\n";
     }
   }
   return status;

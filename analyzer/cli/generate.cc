@@ -47,7 +47,7 @@ std::string man_options(const CLI::App& app) {
 constexpr const char* kStatus = R"(.SH EXIT STATUS
 .TP
 0
-nothing at or above \fB\-\-fail\-on\fR
+no finding at or above \fB\-\-fail\-on\fR
 .TP
 1
 findings

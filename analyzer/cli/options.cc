@@ -105,7 +105,7 @@ void add_check(CLI::App& app, CommandLine& line) {
 }
 
 void add_audit(CLI::App& app, AuditLine& line) {
-  CLI::App& audit = *app.add_subcommand("audit", "check a whole server of programs; later runs analyse only what has changed");
+  CLI::App& audit = *app.add_subcommand("audit", "check all programs on a file server; later runs analyse only what has changed");
   CommandLine& check = line.check;
   const auto store = [&](CLI::App& command) { add_file(command, "--store", line.store, "the SQLite file with the results")->capture_default_str(); };
   const auto quiet = [&](CLI::App& command) { command.add_flag("-q,--quiet", check.quiet, "print no summary"); };
@@ -185,7 +185,7 @@ void add_commands(CLI::App& app, Said& said) {
   app.set_help_flag("-h,--help", "show this help");
   app.require_subcommand(1);
   app.footer("`owlint PATH...` is short for `owlint check PATH...`.\n"
-             "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 usage, configuration or unreadable input, 3 internal error.");
+             "Exit status: 0 no finding at or above --fail-on, 1 findings, 2 usage, configuration or unreadable input, 3 internal error.");
   add_check(app, said.check);
   add_audit(app, said.audit);
   add_graph(app, said);

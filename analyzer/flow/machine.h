@@ -158,7 +158,7 @@ class Machine {
   CallTarget target(NameId sub) const { return linked_.target(name(sub)); }
 
   /// Whether the machine's INI turns this Fanuc-style line off.
-  bool refuses_fanuc(const Statement& s) const { return no_fanuc_ && (s.is(Keyword::kBare) || s.kind == LineKind::kM98); }
+  bool refuses_fanuc(const Statement& s) const { return no_fanuc_ && ((s.is(Keyword::kBare) && !s.refused) || s.kind == LineKind::kM98); }
 
   /// Names, those of the program and those that were computed on the way.
   NameId intern(const std::string& text);

@@ -126,7 +126,7 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
       break;
     case HazardKind::kRepeatCount: hazard.detail = std::move(hazard.interpreter); hazard.interpreter.clear(); break;
     case HazardKind::kWarned: warned_.insert(at.record); break;
-    case HazardKind::kLookupCrash: trace_->terminate(at.record, next_key_++); return;
+    case HazardKind::kLookupCrash: trace_->terminate(at.record, next_key_++); break;
     case HazardKind::kCrash: trace_->terminate(at.record, next_key_++); break;
     default: break;
   }
@@ -229,7 +229,9 @@ void Analysis::finish() {
   trace_->finish(result_.executed);
   stuck_.assign(trace_->size(), false);
   idle_loops();
+  // After a message of FEATURE 0x20 that leads round and round, no stop is that of every run.
   const bool hangs = std::ranges::any_of(hazards_, [](const auto& h) { return h.second.kind == HazardKind::kHang; });
+  may_go_round_ = hangs;
   if (!hangs) {  // one mistake, one finding
     endless_loops();
     stuck_loops();
@@ -276,6 +278,7 @@ void Analysis::finish() {
   for (auto& [key, hazard] : hazards_) {
     hazard.reach = trace_->reach(hazard.statement);
     if (hazard.kind == HazardKind::kHang && trace_->ends()) hazard.reach = Reach::kMaybe;
+    if (hazard.kind == HazardKind::kCrash && may_go_round_ && hazard.reach == Reach::kAlways) hazard.reach = Reach::kMaybe;
     result_.hazards.push_back(std::move(hazard));
   }
 }

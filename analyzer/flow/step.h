@@ -58,7 +58,11 @@ struct Machine::Step {
   void stop_error() {
     for (ExprId id = error()->read_from; id < error()->read_to; ++id) {
       const Expr& expr = m.program_.syntax.exprs[id];
-      if (expr.op == Operator::kNumber || (expr.target && expr.op == Operator::kNamed)) continue;
+      if (expr.op == Operator::kNumber) continue;
+      if (expr.target && expr.op == Operator::kNamed) {
+        m.evaluator_.begin_name(expr.name(), state.parameters);
+        continue;
+      }
       const Evaluation e = evaluate(expr.target ? expr.left() : id);
       if (!settle(e)) return;
       long number = 0;

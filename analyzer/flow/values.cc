@@ -70,7 +70,10 @@ void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) const {
     if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
     // Without an INI, a name that some line assigns may be one that Python gives the sub.
     const bool may_be_python = profile_.setup == nullptr && kept_[expr.name()];
-    if (global_name(expr.name()) || may_be_python || remap_gives(syntax_.names.text(expr.name()), sub, profile_)) set_name(p, expr.name(), kUnknown);
+    if (global_name(expr.name()) || may_be_python || remap_gives(syntax_.names.text(expr.name()), sub, profile_)) {
+      // A word that the author asks for may be left out where the code is used.
+      set_name(p, expr.name(), asked_for_[expr.name()] && !global_name(expr.name()) ? kMaybeUnassigned : kUnknown);
+    }
   }
 }
 

@@ -104,6 +104,7 @@ class Evaluator {
   /// skipped, undefined names do not stop; with `zero_when_unassigned` they are 0 then.
   Evaluation evaluate(ExprId id, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const;
 
+  void begin_name(NameId name, Parameters& p) const;
   /// Applies the assignments of a line, in order, after all its values were read.
   /// Returns the stop, if there is one.
   Evaluation assign(const Statement& s, Parameters& parameters, ReadLog* log) const;
@@ -188,7 +189,6 @@ class Evaluator {
   void mark_operand(ExprId id);
   void note_fragile(ExprId id, std::vector<ExprId>& out) const;
   void mark_what_can_fail(ExprId id);
-  void begin_name(NameId name, Parameters& p) const;
   void note_number(long number, Dependence& out) const;
   void note_name(NameId name, Dependence& out) const;
   ValueId read_number(long number, const Parameters& in) const;

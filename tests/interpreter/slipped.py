@@ -53,7 +53,7 @@ ORDINARY, UNKNOWABLE, ENDLESS = "ordinary", "unknowable", "endless"
 COUNTED = (ORDINARY, UNKNOWABLE, ENDLESS)
 
 _OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value|G-code out of range|Multiple \S+ words|Unknown m code|words? with no|Cannot use axis values|Two . codes used")
-_BESIDE = re.compile(r"Multiple \S+ words|Cannot use axis values|Non integer value|P word with no|Unknown g code used")     # of the words beside an M99
+_BESIDE = re.compile(r"Multiple \S+ words|Cannot use axis values|Non integer value|P word with no|Unknown g code used|Two g codes")     # of the words beside an M99
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 # O-words, also where the letter or the label is lost; assignments; calls and returns of the other style.
 _NO_WORDS = re.compile(r"^/?(n[\d.]+)?(#|o|(0|n)?(\d+|<[^>]*>|\[.*?\])?(sub|endsub|call|do\b|while|endwhile|repeat|endrepeat|if|elseif|else|endif|break|continue|return))"
@@ -257,7 +257,7 @@ def is_unknowable(outcome, checked):
     if re.search(r"#\s*[#\[]", outcome.text):
         return True
     # A part of a program that ngcgui makes.
-    in_remap = "REMAP" in everything and outcome.message.startswith("EOF in file")      # files that a remap names are checked for themselves
+    in_remap = "REMAP" in everything and outcome.message.startswith(("EOF in file", "Fanuc 'O"))      # files that a remap names are checked for themselves
     if in_remap or re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "(not_a_subfile)" in everything or "[PYTHON]" in everything:
         return True
     # The value of a name that is not there, when a definition is skipped, is whatever is in memory.
@@ -267,8 +267,8 @@ def is_unknowable(outcome, checked):
     # Of the end of the file it is not said which label was sought.
     where = outcome.text if codes & {"OW512", "OW604"} or re.match(r"(?i)/?o[#\[]", outcome.text) else "".join(re.findall(r"(?i)[oq]\s*[#[].*", everything)) if codes & {EOF, "OW208"} or not outcome.line else ""
     where += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), everything))
-    before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", checked.texts[bundle.MAIN]))[0]
-    own = 30 if re.search(r"(?i)(?<!end)sub\b", checked.texts[bundle.MAIN]) else 0     # the last number that is an argument
+    before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", _COMMENT.sub("", checked.texts[bundle.MAIN])))[0]
+    own = 30 if re.search(r"(?i)o(<[^<>\n]*>|[\d.]+|\[.*?\])\s*sub\b", checked.texts[bundle.MAIN]) else 0     # the last number that is an argument
     return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in re.findall(r"#(\d+)", where) if int(number) > own)
 
 
