@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analyzer/cli/settings.h"
+#include "analyzer/checking/settings.h"
 #include "analyzer/report/report.h"
 #include "api/owlint.h"
 

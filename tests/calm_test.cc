@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 #include "support/damage.h"
 
 using namespace owlint;

@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/cli/replace.h"
+#include "analyzer/checking/replace.h"
 #include "analyzer/findings/fixing.h"
 #include "support/damage.h"
 #include "support/files.h"

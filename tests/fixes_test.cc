@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 #include "support/corpus.h"
 #include "support/files.h"
 #include "support/fixture.h"

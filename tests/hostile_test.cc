@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/report/formats.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 #include "support/files.h"
 #include "support/process.h"
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "analyzer/flow/known_calls.h"
+#include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/report/report.h"
 #include "support/damage.h"
 

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/findings/severity.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 #include "support/corpus.h"
 #include "support/files.h"
 

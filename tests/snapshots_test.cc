@@ -7,9 +7,9 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/report/pages.h"
+#include "support/bundle.h"
 #include "support/files.h"
 #include "support/fixture.h"
-#include "support/bundle.h"
 #include "support/process.h"
 
 using namespace owlint::test;

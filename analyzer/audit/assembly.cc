@@ -8,7 +8,7 @@
 
 #include "analyzer/audit/history.h"
 #include "analyzer/audit/record.h"
-#include "analyzer/cli/groups.h"
+#include "analyzer/checking/groups.h"
 #include "analyzer/report/report.h"
 
 namespace owlint::audit {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analyzer/audit/store.h"
-#include "analyzer/cli/settings.h"
+#include "analyzer/checking/settings.h"
 
 namespace owlint::audit {
 

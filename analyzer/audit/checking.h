@@ -9,8 +9,8 @@
 
 #include "analyzer/audit/facts.h"
 #include "analyzer/audit/store.h"
-#include "analyzer/cli/run.h"
-#include "analyzer/cli/walk.h"
+#include "analyzer/checking/run.h"
+#include "analyzer/checking/walk.h"
 
 namespace owlint::audit {
 

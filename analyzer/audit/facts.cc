@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/audit/hashes.h"
-#include "analyzer/cli/walk.h"
+#include "analyzer/checking/walk.h"
 
 namespace owlint::audit {
 namespace {

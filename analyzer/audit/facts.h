@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analyzer/audit/store.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 namespace owlint::audit {
 

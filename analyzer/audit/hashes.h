@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "analyzer/cli/settings.h"
+#include "analyzer/checking/settings.h"
 
 namespace owlint::audit {
 

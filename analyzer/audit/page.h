@@ -6,7 +6,7 @@
 #include <string>
 
 #include "analyzer/audit/store.h"
-#include "analyzer/cli/settings.h"
+#include "analyzer/checking/settings.h"
 
 namespace owlint::audit {
 

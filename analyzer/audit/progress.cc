@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/cli/terminal.h"
+#include "analyzer/report/terminal.h"
 
 extern char** environ;
 

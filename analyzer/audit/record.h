@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analyzer/cli/run.h"
+#include "analyzer/checking/run.h"
 
 namespace owlint::audit {
 

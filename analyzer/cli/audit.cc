@@ -21,10 +21,10 @@
 #include "analyzer/audit/reading.h"
 #include "analyzer/audit/watch.h"
 #include "analyzer/cli/commands.h"
-#include "analyzer/cli/terminal.h"
 #include "analyzer/report/formats.h"
+#include "analyzer/report/terminal.h"
 #include "analyzer/text/parallel.h"
-#include "rules/stops.h"
+#include "rules/driver/stops.h"
 
 namespace owlint::cli {
 namespace {

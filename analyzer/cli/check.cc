@@ -11,17 +11,17 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/checking/fixing.h"
+#include "analyzer/checking/groups.h"
+#include "analyzer/checking/replace.h"
+#include "analyzer/checking/walk.h"
 #include "analyzer/cli/changed.h"
 #include "analyzer/cli/commands.h"
-#include "analyzer/cli/fixing.h"
-#include "analyzer/cli/groups.h"
-#include "analyzer/cli/replace.h"
-#include "analyzer/cli/terminal.h"
-#include "analyzer/cli/walk.h"
 #include "analyzer/findings/baseline.h"
 #include "analyzer/findings/fixing.h"
 #include "analyzer/findings/suppression.h"
 #include "analyzer/report/formats.h"
+#include "analyzer/report/terminal.h"
 #include "analyzer/text/parallel.h"
 
 namespace owlint::cli {

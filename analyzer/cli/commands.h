@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "analyzer/cli/settings.h"
+#include "analyzer/checking/settings.h"
 
 namespace owlint::cli {
 

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "analyzer/cli/values.h"
-#include "rules/rule.h"
+#include "rules/driver/rule.h"
 
 namespace owlint::cli {
 namespace {

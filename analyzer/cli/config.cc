@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/checking/walk.h"
 #include "analyzer/cli/commands.h"
-#include "analyzer/cli/walk.h"
 
 namespace owlint::cli {
 namespace {

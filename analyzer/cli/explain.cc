@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "analyzer/cli/commands.h"
-#include "analyzer/cli/terminal.h"
 #include "analyzer/report/graph.h"
 #include "analyzer/report/markdown.h"
 #include "analyzer/report/pages.h"
+#include "analyzer/report/terminal.h"
 #include "analyzer/text/printable.h"
 #include "analyzer/text/width.h"
-#include "rules/rule.h"
+#include "rules/driver/rule.h"
 
 namespace owlint::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <iterator>
 
+#include "analyzer/checking/replace.h"
+#include "analyzer/checking/walk.h"
 #include "analyzer/cli/commands.h"
-#include "analyzer/cli/replace.h"
-#include "analyzer/cli/walk.h"
 #include "analyzer/findings/fixing.h"
 #include "analyzer/format/indent.h"
 #include "analyzer/lsp/server.h"

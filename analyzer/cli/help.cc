@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analyzer/cli/terminal.h"
 #include "analyzer/cli/values.h"
+#include "analyzer/report/terminal.h"
 #include "analyzer/text/width.h"
 
 namespace owlint::cli {

@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "analyzer/checking/settings.h"
 #include "analyzer/cli/audit.h"
-#include "analyzer/cli/settings.h"
 
 namespace owlint::cli {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/cli/values.h"
-#include "rules/stops.h"
+#include "rules/driver/stops.h"
 
 namespace owlint::cli {
 namespace {

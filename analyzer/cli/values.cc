@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analyzer/cli/configuration_file.h"
+#include "analyzer/checking/configuration_file.h"
 #include "analyzer/machine/setup.h"
-#include "rules/stops.h"
+#include "rules/driver/stops.h"
 
 namespace owlint::cli {
 

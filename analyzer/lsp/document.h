@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "analyzer/flow/data_flow.h"
+#include "analyzer/flow/summaries/data_flow.h"
 #include "analyzer/lsp/lines.h"
 #include "analyzer/lsp/protocol.h"
 #include "analyzer/program/program.h"

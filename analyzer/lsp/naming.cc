@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "analyzer/flow/parameters.h"
-#include "analyzer/flow/structured.h"
+#include "analyzer/flow/domain/parameters.h"
+#include "analyzer/flow/facts/structured.h"
 #include "analyzer/lsp/ini_uses.h"
 #include "analyzer/machine/predefined.h"
 

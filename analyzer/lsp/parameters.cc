@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "analyzer/flow/parameters.h"
+#include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/text/source.h"
 

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/cli/groups.h"
-#include "analyzer/cli/run.h"
-#include "analyzer/cli/walk.h"
+#include "analyzer/checking/groups.h"
+#include "analyzer/checking/run.h"
+#include "analyzer/checking/walk.h"
 
 namespace owlint::lsp {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/cli/settings.h"
-#include "analyzer/flow/known_calls.h"
+#include "analyzer/checking/settings.h"
+#include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/lsp/document.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 namespace owlint::lsp {
 

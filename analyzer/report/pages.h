@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "rules/rule.h"
+#include "rules/driver/rule.h"
 
 namespace owlint {
 

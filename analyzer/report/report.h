@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analyzer/text/printable.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 namespace owlint {
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analyzer/flow/data_flow.h"
+#include "analyzer/flow/summaries/data_flow.h"
 
 namespace owlint {
 

@@ -7,7 +7,7 @@
 
 #include "analyzer/flow/flow.h"
 #include "analyzer/syntax/bulk.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Any bytes are an ignore file, and any a path: the first line is the path.
 #include <algorithm>
 
-#include "analyzer/cli/ignore.h"
+#include "analyzer/checking/ignore.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 using namespace owlint;
 

@@ -1,7 +1,7 @@
 // Any words after `owlint:`: every code lies inside them.
 #include <cstdlib>
 
-#include "rules/rule.h"
+#include "rules/driver/rule.h"
 
 using namespace owlint;
 

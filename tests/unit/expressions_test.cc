@@ -4,7 +4,7 @@
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 #include "support/files.h"
 
 using namespace owlint;

@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "analyzer/cli/ignore.h"
+#include "analyzer/checking/ignore.h"
 
 using owlint::cli::IgnorePatterns;
 

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/flow/persistent_map.h"
+#include "analyzer/flow/domain/persistent_map.h"
 
 using owlint::flow::PersistentMap;
 

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/flow/ranges.h"
+#include "analyzer/flow/domain/ranges.h"
 #include "analyzer/syntax/arithmetic.h"
 
 using namespace owlint;

@@ -1,8 +1,8 @@
 // owlint.toml: which one counts, what it may say, and what the command line has over it.
 #include <catch2/catch.hpp>
 
-#include "analyzer/cli/settings.h"
-#include "analyzer/cli/walk.h"
+#include "analyzer/checking/settings.h"
+#include "analyzer/checking/walk.h"
 #include "support/files.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/findings/severity.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 using namespace owlint;
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/findings/suppression.h"
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 using namespace owlint;
 

@@ -1,7 +1,7 @@
 // Why no run gets to a line: the reason that the text report gives.
 #include <catch2/catch.hpp>
 
-#include "rules/lint.h"
+#include "rules/driver/lint.h"
 
 using namespace owlint;
 

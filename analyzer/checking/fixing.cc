@@ -1,0 +1,110 @@
+#include "analyzer/checking/fixing.h"
+
+#include <algorithm>
+#include <set>
+
+#include "analyzer/findings/fixing.h"
+
+namespace owlint::cli {
+namespace {
+
+// A fix can make another finding possible; a chain longer than this never ends.
+constexpr int kMaxRounds = 50;
+
+class Fixer {
+ public:
+  Fixer(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe)
+      : files_(files), settings_(settings), read_(read), unsafe_(unsafe) {
+    for (size_t i = 0; i < files.size(); ++i) place_.emplace(file_key(files[i]), i);
+  }
+
+  FixResult run() {
+    FixResult result;
+    std::vector<size_t> all(files_.size());
+    for (size_t i = 0; i < all.size(); ++i) all[i] = i;
+    result.run = check(all);
+    calls_ = result.run.calls;
+    for (const auto& calls : calls_) {
+      for (const std::string& path : calls) called_.insert(file_key(path));
+    }
+    std::set<size_t> changed = fix(result.run);
+    for (int round = 1; !changed.empty() && round < kMaxRounds; ++round) changed = fix(check(with_callers(changed)));
+    for (const size_t i : changed) {
+      result.unfinished.push_back(files_[i]);
+      fixed_.erase(i);
+    }
+    if (!fixed_.empty() || !changed.empty()) result.run = check(all);
+    for (auto& [i, file] : fixed_) result.fixed.push_back(std::move(file));
+    return result;
+  }
+
+ private:
+  RunResult check(const std::vector<size_t>& which) {
+    std::vector<std::string> files;
+    std::vector<const Settings*> settings;
+    for (const size_t i : which) {
+      files.push_back(files_[i]);
+      settings.push_back(settings_[i]);
+    }
+    const Read read = [this](const std::string& path, std::string* error) { return text_of(path, error); };
+    Library library(read);
+    return run_checks(files, settings, read, library, called_);
+  }
+
+  std::shared_ptr<const Source> text_of(const std::string& path, std::string* error) const {
+    const auto known = place_.find(file_key(path));
+    if (known == place_.end()) return read_(path, error);
+    const auto fixed = fixed_.find(known->second);
+    return fixed == fixed_.end() ? read_(path, error) : Source::own(fixed->second.before->path(), fixed->second.text);
+  }
+
+  /// Makes a round of fixes in each file; which ones changed.
+  std::set<size_t> fix(const RunResult& run) {
+    std::set<size_t> changed;
+    for (const FileReport& report : run.reports) {
+      const auto known = place_.find(file_key(report.source->path()));
+      if (known == place_.end() || settings_[known->second] == nullptr) continue;
+      const Round round = round_of_fixes(report.findings, unsafe_);
+      if (round.made == 0) continue;
+      FixedFile& file = fixed_[known->second];
+      if (file.before == nullptr) {
+        file.path = files_[known->second];
+        file.before = report.source;
+      }
+      file.text = apply_edits(report.source->bytes(), round.edits);
+      file.made += round.made;
+      changed.insert(known->second);
+    }
+    return changed;
+  }
+
+  /// The files and the programs that call them: those may have other findings now.
+  std::vector<size_t> with_callers(const std::set<size_t>& changed) const {
+    std::set<size_t> out = changed;
+    for (size_t i = 0; i < calls_.size(); ++i) {
+      const bool calls = std::ranges::any_of(calls_[i], [&](const std::string& path) {
+        const auto known = place_.find(file_key(path));
+        return known != place_.end() && changed.contains(known->second);
+      });
+      if (calls) out.insert(i);
+    }
+    return {out.begin(), out.end()};
+  }
+
+  const std::vector<std::string>& files_;
+  const std::vector<const Settings*>& settings_;
+  const Read& read_;
+  bool unsafe_;
+  std::map<std::string, size_t> place_;            // of a file, by its key
+  std::map<size_t, FixedFile> fixed_;              // by place
+  std::vector<std::vector<std::string>> calls_;    // by place
+  std::set<std::string> called_;                   // keys of files that some program calls
+};
+
+}  // namespace
+
+FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe) {
+  return Fixer(files, settings, read, unsafe).run();
+}
+
+}  // namespace owlint::cli

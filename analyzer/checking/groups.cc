@@ -1,0 +1,154 @@
+#include "analyzer/checking/groups.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace owlint::cli {
+namespace {
+
+constexpr size_t kMaxPlaces = 100;  // that a finding lists; the number in its message is that of all
+
+/// Whether a file, by its key, lies below a folder.
+bool is_below(std::string_view file, std::string_view folder) {
+  return file.starts_with(folder) && (folder.ends_with('/') || file.substr(folder.size()).starts_with('/'));
+}
+
+/// How many characters two paths have in common from the beginning.
+size_t common(std::string_view a, std::string_view b) {
+  const auto differ = std::ranges::mismatch(a, b);
+  return static_cast<size_t>(differ.in1 - a.begin());
+}
+
+struct Group {
+  size_t report;
+  size_t finding;
+  size_t places = 1;
+  std::set<const Source*> files;
+  std::vector<Related> others;
+  std::string found_in;  ///< the folder of the file that may be meant; empty: there is none
+};
+
+class Folder {
+ public:
+  Folder(std::span<FileReport> reports, const Tree& tree) : reports_(reports), folders_(tree.folders) {
+    for (const std::string& path : tree.files) by_name_[path.substr(path.rfind('/') + 1)].push_back(&path);
+  }
+
+  void run() {
+    for (size_t r = 0; r < reports_.size(); ++r) {
+      std::vector<Finding>& findings = reports_[r].findings;
+      if (std::ranges::all_of(findings, [](const Finding& f) { return f.group.empty(); })) continue;
+      std::vector<Finding> kept;
+      for (Finding& f : findings) {
+        if (f.group.empty() || !joins(r, kept.size(), f)) kept.push_back(std::move(f));
+      }
+      findings = std::move(kept);
+    }
+    for (auto& [key, group] : groups_) word(group);
+    fold_by_folder();
+  }
+
+ private:
+  /// The folder of the run that a file lies in, or "".
+  std::string_view folder_of_run(const std::string& file) const {
+    std::string_view longest;
+    for (const std::string& folder : folders_) {
+      if (folder.size() > longest.size() && is_below(file, folder)) longest = folder;
+    }
+    return longest;
+  }
+
+  /// Whether a finding is one more place of a group.
+  bool joins(size_t report, size_t place, Finding& f) {
+    const std::shared_ptr<const Source>& source = reports_[report].source;
+    const auto [entry, first] = groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group}, Group{report, place, 1, {}, {}});
+    Group& group = entry->second;
+    group.files.insert(source.get());
+    if (first) return false;
+    ++group.places;
+    if (group.others.size() < kMaxPlaces) group.others.push_back({f.span, "here as well", source});
+    return true;
+  }
+
+  /// Says of a group's first finding what is known now that all are.
+  void word(Group& group) {
+    FileReport& report = reports_[group.report];
+    Finding& f = report.findings[group.finding];
+    if (group.places > 1) {
+      f.message += group.files.size() == 1 ? fmt::format(" ({} places)", group.places) : fmt::format(" ({} places in {} files)", group.places, group.files.size());
+    }
+    for (Related& other : group.others) {
+      if (other.source == report.source) other.source = nullptr;
+      f.related.push_back(std::move(other));
+    }
+    if (const std::string* file = nearest_file(f.group, report.source->path())) {
+      const std::string folder = file->substr(0, file->rfind('/') + 1);
+      const std::string shown = folder.size() > 1 ? folder.substr(0, folder.size() - 1) : folder.empty() ? "." : folder;
+      group.found_in = shown;
+      f.help = fmt::format("if `{}` is meant, say `--sub-path {}`, or `sub-path = [\"{}\"]` in owlint.toml, or `--ini FILE` with the machine's INI", *file, shown, shown);
+    }
+  }
+
+  /// Names that are all in one folder lack one setting: the first speaks for them.
+  void fold_by_folder() {
+    std::map<std::tuple<std::string, std::string, std::string>, std::vector<std::pair<std::string, Group*>>> missing;  // by folder of the run, code, folder
+    for (auto& [key, group] : groups_) {
+      if (!group.found_in.empty()) missing[{std::get<0>(key), std::get<1>(key), group.found_in}].emplace_back(std::get<2>(key), &group);
+    }
+    std::map<size_t, std::set<size_t>> folded;  // findings, by report
+    for (auto& [key, groups] : missing) {
+      if (groups.size() == 1) continue;
+      std::ranges::sort(groups, {}, [](const auto& named) { return std::pair(named.second->report, named.second->finding); });
+      const Group& first = *groups[0].second;
+      Finding& f = reports_[first.report].findings[first.finding];
+      constexpr size_t kNamed = 3;
+      std::vector<std::string> names;
+      for (size_t i = 1; i < groups.size(); ++i) {
+        const Group& other = *groups[i].second;
+        const Finding& moved = reports_[other.report].findings[other.finding];
+        if (names.size() < kNamed) names.push_back("`" + groups[i].first + "`");
+        if (f.related.size() < kMaxPlaces) f.related.push_back({moved.span, "`" + groups[i].first + "` is called here", other.report == first.report ? nullptr : reports_[other.report].source});
+        folded[other.report].insert(other.finding);
+      }
+      const size_t more = groups.size() - 1 - names.size();
+      f.message += fmt::format("; nor {}{}: all are in `{}`", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "", std::get<2>(key));
+    }
+    for (const auto& [report, places] : folded) {
+      size_t at = 0;
+      std::erase_if(reports_[report].findings, [&](const Finding&) { return places.contains(at++); });
+    }
+  }
+
+  /// The checked file that a call of `name` would find if its folder were searched; of several, the nearest.
+  const std::string* nearest_file(const std::string& name, const std::string& caller) const {
+    const auto found = by_name_.find(name + ".ngc");
+    if (found == by_name_.end()) return nullptr;
+    return *std::ranges::max_element(found->second, {}, [&](const std::string* path) { return common(*path, caller); });
+  }
+
+  std::span<FileReport> reports_;
+  const std::vector<std::string>& folders_;
+  std::map<std::string, std::vector<const std::string*>, std::less<>> by_name_;  // paths, by file name
+  std::map<std::tuple<std::string, std::string, std::string>, Group> groups_;    // by folder, code, group
+};
+
+}  // namespace
+
+std::vector<std::string> folders_of(const std::vector<std::string>& paths) {
+  std::vector<std::string> folders;
+  std::error_code ignored;
+  for (const std::string& path : paths) {
+    const std::string key = file_key(path);
+    folders.push_back(std::filesystem::is_directory(path, ignored) ? key : std::string(folder_of(key)));
+  }
+  return folders;
+}
+
+void fold_groups(std::span<FileReport> reports, const Tree& tree) { Folder(reports, tree).run(); }
+
+}  // namespace owlint::cli

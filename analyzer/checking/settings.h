@@ -1,0 +1,108 @@
+// Settings for one file: the command line overrides the nearest owlint.toml, which overrides the defaults.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "analyzer/checking/configuration_file.h"
+#include "analyzer/checking/walk.h"
+#include "analyzer/machine/profile.h"
+#include "rules/driver/lint.h"
+
+namespace owlint::cli {
+
+/// The command line; unset if not given.
+struct CommandLine {
+  std::vector<std::string> paths;
+  WalkOptions walk;
+  std::optional<std::string> ini, feature, linuxcnc, config;
+  std::vector<std::string> sub_path;  ///< folders in which called files are looked for as well
+  std::vector<std::string> select, extend_select, ignore;
+  std::vector<std::string> severity;  ///< CODE=LEVEL
+  std::optional<std::string> fail_on;  ///< a severity
+  std::string format = "text";
+  std::string output;
+  std::string color = "auto";
+  std::string stdin_filename = "<stdin>";
+  unsigned jobs = 0;  ///< 0: one per core
+  bool isolated = false;
+  bool statistics = false;
+  bool quiet = false;
+  bool fix = false, unsafe = false, diff = false, fix_only = false;
+  std::string baseline, since, reason;  ///< empty if not given
+  bool update_baseline = false, add_suppressions = false;
+  bool absolute = false;  ///< paths in findings are absolute, so that they do not depend on the current folder
+  bool coarse = false;   ///< for tests: analyse every program like a very large one
+  bool find_ini = true;  ///< look for a machine INI above the programs
+};
+
+/// One setting and where it comes from.
+struct Origin {
+  std::string key;
+  std::string value;
+  std::string from;  ///< `owlint.toml:3`, `command line`, `found above the program`
+};
+
+struct Settings {
+  Profile profile;
+  LintOptions options;
+  std::vector<Origin> origins;  ///< in their order; only for `owlint config`
+};
+
+/// Finds and reads configuration files and machine INIs, each once. Not thread-safe.
+class Configuration {
+ public:
+  explicit Configuration(const CommandLine& line) : line_(line) {}
+
+  /// Folders that are known to have no *.ini, by their file_key: they are not read again. Must outlive this.
+  void know_without_ini(const std::unordered_set<std::string>& folders) { without_ini_ = &folders; }
+  /// From now on, settings_for() notes where settings come from.
+  void tell_origins() { tells_origins_ = true; }
+  /// The settings for a file; returns false and a message if a configuration, INI or option is wrong.
+  bool settings_for(const std::string& path, Settings* settings, std::string* error);
+
+  /// The same, shared by all files of a folder if there are no overrides; returns null and a message for an error.
+  std::shared_ptr<const Settings> shared_settings(const std::string& path, std::string* error);
+
+  /// From which severity on findings in a file make owlint fail.
+  Severity fail_on(const std::string& path);
+
+  /// What the configuration that holds in a folder says of files; null if it says nothing.
+  std::shared_ptr<const FilePatterns> patterns_in(const std::string& folder);
+
+  /// Messages for users about the settings that were found. However many INIs there are, they take two notes at most.
+  std::vector<std::string> notes() const;
+
+ private:
+  /// The configuration file that holds for a program; null where there is none, and with a message where it is wrong.
+  std::shared_ptr<const ConfigurationFile> file_for(const std::string& program, std::string* error);
+  std::shared_ptr<const ConfigurationFile> load(const std::string& path, std::string* error);
+  std::string nearest(const std::string& program);
+  bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
+  /// The folders of `--sub-path`, then those of the configuration file.
+  bool find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings, std::string* error) const;
+  std::vector<std::string> machine_inis(const std::string& folder) const;
+  std::string ini_above(const std::string& program);
+  /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
+  std::string shown_path(const std::string& path, const std::string& program) const;
+
+  const CommandLine& line_;
+  const std::unordered_set<std::string>* without_ini_ = nullptr;
+  bool tells_origins_ = false;
+  std::string last_folder_;
+  std::shared_ptr<const Settings> last_shared_;
+  std::map<std::string, std::shared_ptr<const ConfigurationFile>> files_;
+  std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
+  std::map<std::pair<std::string, std::vector<std::string>>, std::shared_ptr<const MachineSetup>> inis_;  // by path and sub-path
+  std::map<std::string, std::string> inis_above_;  // folder -> INI, "" for none
+  std::vector<std::string> used_inis_;  // found above programs
+  std::vector<std::string> undecided_;  // folders with several INIs
+  size_t first_undecided_ = 0;          // how many the first of them has
+  std::vector<std::string> notes_;      // what else there is to say
+};
+
+}  // namespace owlint::cli

@@ -1,0 +1,79 @@
+// The outcomes of calls, kept from one check of a program to the next. An editor checks after every keystroke, and only
+// the sub that is being edited has changed. The key of a call is everything that it depends on: the sub's text, the values
+// of its parameters at the call, and how the rest of the program uses them. If a call is found here, the sub need not be
+// analysed again. Findings are the same with and without this memory (tests/known_calls_test.cc).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "analyzer/flow/interpreter/machine.h"
+
+namespace owlint::flow {
+
+/// A call that returns in only one way, without a stop or a hazard, and has no other effects than these.
+struct CallOutcome {
+  uint8_t executed = kNo;
+  uint8_t returned = kNo;
+  bool joined = false;
+  bool mixed = false;
+  std::vector<bool> lines;  ///< by statement, from the sub's opener on: executed
+  uint64_t steps = 0;       ///< that the analysis took
+};
+
+/// An outcome that an analysis has found, for KnownCalls.
+struct LearnedCall {
+  std::string key;
+  CallOutcome outcome;
+  StatementId opener = 0;
+};
+
+/// The memory for one program. Not thread-safe.
+class KnownCalls {
+ public:
+  /// A new check begins; calls that no check has used for a long time are forgotten.
+  void next_check();
+  const CallOutcome* find(const std::string& key);
+  void learn(LearnedCall call);
+  void clear() { calls_.clear(); }
+  size_t size() const { return calls_.size(); }
+
+ private:
+  struct Known {
+    CallOutcome outcome;
+    uint64_t used = 0;  // the last check that found or learned it
+  };
+  std::unordered_map<std::string, Known> calls_;
+  uint64_t check_ = 0;
+};
+
+/// Makes the keys of calls in one analysis.
+class CallKeys {
+ public:
+  CallKeys(const Linked& linked, const Machine& machine) : linked_(linked), program_(linked.program()), machine_(machine), circumstances_(machine.circumstances()), subs_(program_.regions.size()) {}
+
+  /// The key of a call that enters `entry`, at the sub's first line; none for calls that cannot be kept. `level`: how exactly
+  /// the analysis follows runs.
+  std::optional<std::string> of(const Context& callee, const State& entry, size_t level);
+
+ private:
+  struct Sub {
+    bool looked_at = false;
+    bool fits = false;  ///< calls of it can be kept
+    std::string text;   ///< its text, and how the rest of the program uses its parameters
+    Dependence dependence;
+  };
+  void look_at(RegionId region, Sub& sub) const;
+  bool note_line(StatementId id, Dependence& out) const;
+
+  const Linked& linked_;
+  const Program& program_;
+  const Machine& machine_;
+  uint64_t circumstances_;
+  std::vector<Sub> subs_;  // by region
+};
+
+}  // namespace owlint::flow

@@ -1,0 +1,327 @@
+#include "analyzer/flow/interpreter/evaluator.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
+#include <string_view>
+
+#include "analyzer/machine/remap_names.h"
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+
+Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool)
+    : syntax_(syntax), profile_(profile), values_(values), pool_(pool), relevant_number_(kLastNumber + 1),
+      relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber), kept_(syntax.names.size()), asked_for_(syntax.names.size()),
+      value_name_(syntax.names.find("_value")), value_returned_name_(syntax.names.find("_value_returned")) {
+  kinds_.reserve(syntax.names.size());
+  for (NameId name = 0; name < syntax.names.size(); ++name) kinds_.push_back(name_kind(syntax.names.text(name), profile));
+  find_relevant();
+  find_facts();
+  find_compared();
+  for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
+    if (relevant_number_[n] || read_argument_[n]) arguments_.push_back(n);
+  }
+}
+
+void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
+  if (number < 1 || number > kLastNumber) return;
+  forget_facts(p, static_cast<uint32_t>(number) | (number >= kFirstGlobalNumber ? kGlobalKey : 0));
+  if (!relevant_number_[number]) {
+    // Of an argument that only moves read, all that matters is whether it was passed.
+    if (number >= kFirstGlobalNumber || !read_argument_[number]) return;
+    if (value != kNotPassed) value = kUnknown;
+  }
+  if (coarse_ && value >= kFirstConstant) value = kUnknown;
+  PersistentMap& map = number < kFirstGlobalNumber ? p.locals : p.globals;
+  map.set(pool_, static_cast<uint32_t>(number), value);
+}
+
+void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
+  const bool global = global_name(name);
+  forget_facts(p, key_of_name(name));
+  // A constant that decides nothing is only "assigned".
+  if (value >= kFirstConstant && (coarse_ || !relevant_name_[name])) value = kUnknown;
+  (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
+}
+
+void Evaluator::pass(Parameters& p, std::span<const ValueId> arguments) const {
+  const PersistentMap::Pool::Batch batch(pool_);
+  for (const uint32_t n : arguments_) set_number(p, n, n <= arguments.size() ? arguments[n - 1] : kNotPassed);
+}
+
+PersistentMap Evaluator::share_numbers(PersistentMap names, const PersistentMap& numbers) const {
+  for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) names.set(pool_, n, numbers.get(n));
+  return names;
+}
+
+void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) const {
+  for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
+  // A remap passes named parameters: those that the file reads before any of its lines assigns them. Expressions
+  // are in the order of the lines, so the ones before an assignment's own value come earlier.
+  std::vector<ExprId> assigned(syntax_.names.size(), kNoExpr);
+  for (const Item& item : syntax_.items) {
+    if (item.target_name != kNoName) assigned[item.target_name] = std::min(assigned[item.target_name], item.value);
+  }
+  for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
+    const Expr& expr = syntax_.exprs[id];
+    if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
+    // Without an INI, a name that some line assigns may be one that Python gives the sub.
+    const bool may_be_python = profile_.setup == nullptr && kept_[expr.name()];
+    if (global_name(expr.name()) || may_be_python || remap_gives(syntax_.names.text(expr.name()), sub, profile_)) {
+      // A word that the author asks for may be left out where the code is used.
+      set_name(p, expr.name(), asked_for_[expr.name()] && !global_name(expr.name()) ? kMaybeUnassigned : kUnknown);
+    }
+  }
+}
+
+void Evaluator::forget_numbers(Parameters& p) const {
+  for (const uint32_t number : tracked_numbers_) set_number(p, number, kUnknown);
+  p.local_facts = {};
+  p.global_facts = {};
+}
+
+ValueId Evaluator::read_number(long number, const Parameters& in) const {
+  if (number >= kFirstVolatileNumber) return kUnknown;
+  // What does not matter has not been kept; but where numbers are read by computed ones, all that are assigned matter.
+  const bool never_assigned = computed_reads_ && !computed_targets_;
+  const bool local = number < kFirstGlobalNumber;
+  if (!relevant_number_[number] && !(local && read_argument_[number]) && !never_assigned) return kUnknown;
+  if (local) return in.locals.get(static_cast<uint32_t>(number));
+  const ValueId value = in.globals.get(static_cast<uint32_t>(number));
+  if (distrusts_globals_) return kUnknown;
+  return value == kUnassigned && in.outside ? kUnknown : value;
+}
+
+bool Evaluator::always_there(NameId global) const {
+  return kinds_[global] >= NameKind::kOfMachine || (coarse_ && (kept_[global] || asked_for_[global]));
+}
+
+bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
+  ValueId value = kUnknown;
+  if (!p.named) {
+    const bool local = p.id < kFirstGlobalNumber;
+    value = (local ? in.locals : in.globals).get(p.id);
+    return value != kNotPassed && value < kFirstConstant;
+  }
+  const bool global = global_name(p.id);
+  value = global ? in.globals.get(kGlobalNames + p.id) : in.locals.get(kLocalNames + p.id);
+  return global ? value < kFirstConstant : value == kUnknown;
+}
+
+void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& parameters) const {
+  const auto value = [&](uint32_t key, bool global) {
+    return certain ? kUnknown : values_.join((global ? parameters.globals : parameters.locals).get(key), kUnknown);
+  };
+  if (!p.named) return set_number(parameters, p.id, value(p.id, p.id >= kFirstGlobalNumber));
+  const bool global = global_name(p.id);
+  set_name(parameters, p.id, value((global ? kGlobalNames : kLocalNames) + p.id, global));
+}
+
+Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const {
+  Evaluation out;
+  if (global_name(name)) {
+    const ValueId known = in.globals.get(kGlobalNames + name);
+    const bool result = name == value_name_ || name == value_returned_name_;
+    if (result && coarse_) return out;
+    if (name == value_name_ && known >= kNotReturned && known <= kMaybeNotReturned) {
+      if (log != nullptr) log->no_value = known;
+      if (known != kMaybeNotReturned) out.value = values_.intern(0);
+      return out;
+    }
+    const bool predefined = kinds_[name] == NameKind::kPredefined && !result;
+    if (const auto number = predefined ? ini_number(syntax_.names.text(name), profile_) : std::nullopt) {
+      out.value = values_.intern(*number);
+      return out;
+    }
+    if (!predefined && !distrusts_globals_ && known >= kFirstConstant) {
+      out.value = known;
+      return out;
+    }
+    if (in.outside || always_there(name)) return out;  // a sub from elsewhere may have assigned any
+    out.value = distrusts_globals_ && known >= kFirstConstant ? kUnknown : known;
+  } else {
+    out.value = in.locals.get(kLocalNames + name);
+  }
+  if (out.value >= kFirstConstant || out.value == kUnknown || out.value == kNotPassed) return out;
+  if (defining) {
+    // It does not stop: the value is whatever is in memory, mostly 0 or near 0 (measured).
+    out.value = zero_when_unassigned ? values_.intern(0) : kUnknown;
+    return out;
+  }
+  // A global that the program assigns elsewhere is there from the second run on.
+  const bool from_before = kinds_[name] == NameKind::kSomeReleases || (global_name(name) && (kept_[name] || asked_for_[name]));
+  (out.value == kUnassigned && !from_before ? out.fails : out.may_fail) = StopKind::kNameUndefined;
+  out.name = name;
+  out.value = kUnknown;
+  return out;
+}
+
+Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
+  Evaluation out;
+  if (expr.op == Operator::kExistsNumbered) return out;
+  if (global_name(expr.name())) {
+    const ValueId value = kinds_[expr.name()] == NameKind::kPredefined ? kUnknown : in.globals.get(kGlobalNames + expr.name());
+    if (value == kUnknown || value >= kFirstConstant) out.value = values_.intern(1);
+    return out;
+  }
+  const ValueId value = in.locals.get(kLocalNames + expr.name());
+  if (value == kUnassigned) out.value = values_.intern(0);
+  if (value == kUnknown || value >= kFirstConstant) out.value = values_.intern(1);
+  return out;
+}
+
+// Recursion is bounded by the length of one line.
+Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_unassigned, bool defining,
+                               ReadLog* log) const {
+  const Expr& expr = syntax_.exprs[id];
+  Evaluation out;
+  switch (expr.op) {
+    case Operator::kNumber:
+      out.value = values_.intern(expr.value());
+      return out;
+    case Operator::kNamed:
+      return read_name(expr.name(), in, zero_when_unassigned, defining, log);
+    case Operator::kExistsNamed: case Operator::kExistsNumbered:
+      return exists(expr, in);
+    default:
+      break;
+  }
+  const Evaluation left = evaluate(expr.left(), in, zero_when_unassigned, defining, log);
+  if (left.fails != StopKind::kNone) return left;
+  out.may_fail = left.may_fail;
+  out.name = left.name;
+  out.message = left.message;
+  if (expr.op == Operator::kParameter) {
+    if (!values_.is_constant(left.value)) return out;
+    long number = 0;
+    if (!to_integer(values_.value(left.value), &number)) {
+      out.fails = StopKind::kParameterRange;
+      out.message = "Non integer value for integer";
+    } else if (number < 1 || number > kLastNumber) {
+      out.fails = StopKind::kParameterRange;
+      out.message = "Parameter number out of range";
+    } else {
+      out.value = read_number(number, in);
+      if (out.value == kNotPassed) {
+        if (log != nullptr) log->not_passed |= 1U << number;
+        out.value = values_.intern(0);
+      }
+      if (out.value == kUnassigned && zero_when_unassigned) out.value = values_.intern(0);
+      if (out.value < kFirstConstant) out.value = kUnknown;
+    }
+    return out;
+  }
+  ValueId right_value = left.value;
+  if (expr.right() != kNoExpr) {
+    const Evaluation right = evaluate(expr.right(), in, zero_when_unassigned, defining, log);
+    if (right.fails != StopKind::kNone) return out.may_fail == StopKind::kNone ? right : out;
+    if (out.may_fail == StopKind::kNone) {
+      out.may_fail = right.may_fail;
+      out.name = right.name;
+      out.message = right.message;
+    }
+    right_value = right.value;
+  }
+  if (values_.is_constant(left.value) && values_.is_constant(right_value)) {
+    double result = 0;
+    const char* message = apply(expr.op, values_.value(left.value), values_.value(right_value), &result);
+    if (message != nullptr) {
+      out.fails = StopKind::kValueFails;
+      out.message = message;
+    } else {
+      out.value = values_.intern(result);
+    }
+  } else if (left.value >= kFirstConstant || right_value >= kFirstConstant) {
+    const Range a = values_.range(left.value);
+    const Range b = values_.range(right_value);
+    if (const char* message = always_fails(expr.op, a, b)) {
+      out.fails = StopKind::kValueFails;
+      out.message = message;
+    } else {
+      out.value = values_.intern(apply(expr.op, a, b));
+    }
+  }
+  return out;
+}
+
+/// A name exists as soon as it was read before `=`, for its own value and for the rest of the line: new ones are 0 there, others
+/// what they were before the line (measured).
+void Evaluator::begin_name(NameId name, Parameters& p) const {
+  const bool global = global_name(name);
+  PersistentMap& map = global ? p.globals : p.locals;
+  const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
+  const ValueId before = map.get(key);
+  if (before != kUnassigned && before != kMaybeUnassigned) return;
+  map.set(pool_, key, global || before == kMaybeUnassigned || coarse_ ? kUnknown : values_.intern(0));
+}
+
+Evaluation Evaluator::target(double value, long* number) const {
+  Evaluation out;
+  if (!to_integer(value, number)) {
+    out.fails = StopKind::kParameterRange;
+    out.message = "Non integer value for integer";
+  } else if (*number < 1 || *number > kLastNumber) {
+    out.fails = StopKind::kParameterReadOnly;
+    out.message = "Parameter number out of range";
+  } else if (read_only(*number)) {
+    out.fails = StopKind::kParameterReadOnly;
+    out.message = "Parameter is readonly";
+  }
+  return out;
+}
+
+Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) const {
+  Evaluation may;  // the first thing that stops on some of the merged paths
+  struct Assigned {
+    long number;  // 0: unknown number; -1: a name
+    NameId name;
+    ValueId value;
+  };
+  std::array<std::byte, 8 * sizeof(Assigned)> room;  // for most lines
+  std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+  std::pmr::vector<Assigned> writes(&memory);
+  writes.reserve(s.item_count);
+  Parameters reading = parameters;
+  for (uint32_t i = 0; i < s.item_count; ++i) {
+    const Item& item = syntax_.items[s.first + i];
+    if (item.target_name != kNoName) begin_name(item.target_name, reading);
+    Assigned write{-1, item.target_name, kUnknown};
+    if (item.target != kNoExpr) {
+      const Evaluation index = evaluate(item.target, reading, false, false, log);
+      if (index.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? index : may;
+      write.number = 0;
+      if (values_.is_constant(index.value)) {
+        const Evaluation out = target(values_.value(index.value), &write.number);
+        if (out.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? out : may;
+      }
+    }
+    const Evaluation value = evaluate(item.value, reading, false, false, log);
+    if (value.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? value : may;
+    if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) {
+      may.may_fail = value.may_fail;
+      may.name = value.name;
+      may.message = value.message;
+    }
+    write.value = value.value;
+    const bool assigns = item.target != kNoExpr || item.target_name != kNoName;
+    if (!assigns) continue;
+    if (item.target_name != kNoName && kinds_[item.target_name] == NameKind::kPredefined && may.read_only == kNoName) may.read_only = item.target_name;
+    writes.push_back(write);
+  }
+  if (may.read_only != kNoName) return may;
+  for (const Assigned& write : writes) {
+    if (write.number == 0) {
+      forget_numbers(parameters);
+    } else if (write.number > 0) {
+      set_number(parameters, write.number, write.value);
+    } else {
+      set_name(parameters, write.name, write.value);
+    }
+  }
+  return may;
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,216 @@
+// The abstract O-word state machine. A State is what the interpreter remembers between two lines, with sets of values
+// after paths were merged; `Machine::step` executes one line. The transitions follow the measured table in
+// docs/interpreter.md; if a set has several members, a step has several successors.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "analyzer/flow/facts/structured.h"
+#include "analyzer/flow/flow.h"
+#include "analyzer/flow/interpreter/calm.h"
+#include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/summaries/effects.h"
+#include "analyzer/program/linker.h"
+
+namespace owlint::flow {
+
+using ContextId = uint32_t;
+using FullLabel = uint32_t;  ///< a label with its scope, interned; 0 is none
+inline constexpr FullLabel kNoLabel = 0;
+inline constexpr NameId kGlobalScope = UINT32_MAX - 1;  ///< of `sub`, `endsub`, `call`, `return`, bare `O`, M98
+inline constexpr int kMaxCallDepth = 9;  ///< measured: the tenth nested call is an error
+
+/// Sets of values of the interpreter's flags, one bit per possible value.
+enum FlagSet : uint8_t {
+  kNo = 1,
+  kYes = 2,       // for breaking and continuing: set by the kind of loop that clears it
+  kStale = 4,     // set by the other kind of loop, and not cleared
+};
+
+/// Remaining passes of a running `repeat`.
+enum Count : uint8_t {
+  // up to kLargestExactCount: exactly that many left
+  kManyLeft = 16,  // running, number not tracked
+  kAnyCount = 17,  // running or not
+};
+/// Bolt circles and step-downs have a few passes; where these are counted, the loop is left in one state and not in many.
+inline constexpr int kLargestExactCount = kManyLeft - 1;
+
+struct State {
+  StatementId position = 0;
+  ContextId context = 0;
+  FullLabel skip = kNoLabel;
+  NameId defining = kNoName;
+  bool seek = false;
+  bool looped = false;          ///< arrived by the jump back of a loop
+  bool joined = false;          ///< represents several states whose differences are lost
+  bool mixed = false;           ///< such a state was split again: perhaps no run is in it
+  uint8_t executed = kNo;       ///< "a branch has been taken"
+  uint8_t breaking = kNo;
+  uint8_t continuing = kNo;
+  uint8_t returned = kNo;       ///< level 0: a call has come back since the last definition
+  PersistentMap table;          ///< FullLabel -> definers, see Definers
+  std::vector<std::pair<FullLabel, uint8_t>> counts;  ///< running repeats, sorted
+  Parameters parameters;
+  uint32_t record = UINT32_MAX;  ///< the trace record before this state
+  uint8_t branch = 0;            ///< 1: a condition was true on the step here, 2: false
+
+  uint64_t hash() const;
+};
+
+/// Which first lines a label may belong to, packed into a map value: undefined only (0), one line, or a set.
+class Definers {
+ public:
+  /// If a label has more definers than kMost on merged paths, only the first ones are kept. The message may then name another
+  /// of these lines; whether it stops does not change.
+  class Lines {
+   public:
+    using value_type = StatementId;
+    static constexpr size_t kMost = 4;
+    void push_back(StatementId line) { lines_[size_++] = line; }
+    StatementId front() const { return lines_[0]; }
+    const StatementId* begin() const { return lines_.data(); }
+    const StatementId* end() const { return lines_.data() + size_; }
+    size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    void shorten() { size_ = std::min(size_, kMost); }
+
+   private:
+    std::array<StatementId, 2 * kMost> lines_{};  // room for two sets that are joined
+    size_t size_ = 0;
+  };
+  struct Set {
+    Lines lines;
+    bool undefined = false;
+  };
+  static uint32_t one(StatementId line) { return (line + 1) << 1; }
+  Set get(uint32_t packed) const;
+  uint32_t join(uint32_t a, uint32_t b);
+  uint32_t without_undefined(uint32_t packed);
+
+ private:
+  uint32_t pack(Set set);
+  std::vector<Set> sets_;
+  std::unordered_map<uint64_t, uint32_t> ids_;
+};
+
+/// A call in progress, merged over all calls that begin in the same state.
+struct Context {
+  NameId sub = kNoName;
+  int depth = 0;
+  bool fanuc = false;  ///< made by M98
+  int passed = 0;      ///< number of arguments of the call that made it
+  bool contour = false;  ///< within a G70, G71 or G72: lines are read for the contour, M2, M30 and `(abort, …)` do nothing (measured)
+};
+
+/// What a step reports besides successors.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  virtual void successor(State state) = 0;
+  virtual void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) = 0;
+  virtual void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message, StatementId other = kNoStatement) = 0;
+  virtual void end(const State& at) = 0;                             ///< the program ends
+  virtual void call(const State& at, State entry, Context callee, int repeats) = 0;  ///< repeats: -1 unknown
+  virtual void leave(const State& at) = 0;                           ///< `return`, `endsub`, M99 in a call
+};
+
+class Machine {
+ public:
+  Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool);
+
+  /// Executes or skips the line at `state.position`.
+  void step(State state, const Context& context, Listener& out);
+
+  /// From now on constants are joined, and if `passes_over`, stretches of lines in which nothing can go wrong are one
+  /// step: for very large programs.
+  void set_coarse(bool passes_over);
+  /// Skips such a stretch. If there is none, returns null and does nothing.
+  const CalmStretch* pass_over(State& state, const Context& context);
+  /// The first lines of the subs that a stretch defines, and that it calls.
+  std::span<const StatementId> defined_in(const CalmStretch& stretch) const { return calm_->defined(stretch); }
+  std::span<const StatementId> called_in(const CalmStretch& stretch) const { return calm_->called(stretch); }
+
+  /// The next position at which a skipping state has something to do.
+  StatementId next_stop(const State& state, StatementId from) const;
+
+  /// The table's entry for a label; structured blocks have none.
+  uint32_t entry(const State& state, FullLabel label) const;
+
+  State join(const State& a, const State& b);
+  /// The state after a call: the callee's effects, with the caller's own parameters restored.
+  /// `merged`: the exit stands for the calls of several callers.
+  State resume(const State& caller, const State& exit, const Context& callee, bool merged);
+
+  /// Whether a skipping state is at the line that it skips to.
+  bool is_target(const State& state, const Context& context) const;
+
+  /// Whether a sub that is not found may be in a file, a module or a calling program that owlint does not know.
+  bool may_be_elsewhere(NameId sub) const;
+  /// Where LinuxCNC finds a called sub that the label table does not have.
+  CallTarget target(NameId sub) const { return linked_.target(name(sub)); }
+
+  /// Whether the machine's INI turns this Fanuc-style line off.
+  bool refuses_fanuc(const Statement& s) const { return no_fanuc_ && ((s.is(Keyword::kBare) && !s.refused) || s.kind == LineKind::kM98); }
+
+  /// Names, those of the program and those that were computed on the way.
+  NameId intern(const std::string& text);
+  const std::string& name(NameId id) const;
+  /// Computed names of subs that were called.
+  const std::unordered_set<NameId>& computed_calls() const { return computed_calls_; }
+
+  FullLabel full_label(NameId scope, NameId label);
+  /// A label as the interpreter writes it: `100`, or `100#110` for a block's label in sub 100.
+  std::string full_text(FullLabel label) const;
+  NameId label_of(FullLabel label) const { return labels_[label].second; }
+  Definers& definers() { return definers_; }
+  Version version() const { return profile_.version; }
+  Evaluator& evaluator() { return evaluator_; }
+  const Evaluator& evaluator() const { return evaluator_; }
+  const Structure& structure() const { return structure_; }
+  NameId scope_of(FullLabel label) const { return labels_[label].first; }
+  /// Everything else that a call depends on, besides lines and parameters, as a number.
+  uint64_t circumstances() const {
+    uint64_t out = static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 | static_cast<uint64_t>(evaluator_.distrusts_globals());
+    out = mix(out, evaluator_.machine_values());
+    for (const double number : values_.thresholds().numbers()) out = mix(out, std::bit_cast<uint64_t>(number));
+    return out;
+  }
+
+ private:
+  struct Step;  // one step in progress: machine_step.cc
+  friend struct Step;
+
+  void index();
+
+  const Linked& linked_;
+  const Program& program_;
+  const Profile& profile_;
+  PersistentMap::Pool& pool_;
+  KnownValues values_;
+  Evaluator evaluator_;
+  Definers definers_;
+  bool no_fanuc_;                 // DISABLE_FANUC_STYLE_SUB
+  bool reads_break_;              // only a `do` loop reads the flag that `break` sets
+  Structure structure_;
+  EffectsOfSubs effects_;
+  std::optional<CalmStretches> calm_;  // exists from set_coarse() on
+  std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
+  std::unordered_map<uint64_t, FullLabel> label_ids_;  // by scope and label, but for subs
+  std::vector<FullLabel> sub_labels_;                  // by label
+  // Positions at which a skip may be interrupted, each sorted.
+  std::vector<StatementId> computed_, always_read_, unknown_keywords_, definitions_, percents_, file_ends_;
+  std::vector<bool> returns_value_;  // by label of a sub: some `return` or `endsub` has a value
+  std::vector<std::pair<double, NameId>> numbered_subs_;  // sorted
+  Names computed_names_;  // numbered after the program's own
+  std::unordered_set<NameId> computed_calls_;
+};
+
+}  // namespace owlint::flow

@@ -1,0 +1,245 @@
+// One step of the O-word machine in progress: a line, and the state before it. Used only by the step_*.cc files,
+// which have the transitions, keyword by keyword.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "analyzer/flow/interpreter/machine.h"
+
+namespace owlint::flow {
+
+enum class Truth : uint8_t { kFalse, kTrue, kOpen };  // open: both outcomes are followed
+
+inline constexpr int kUnknownRepeats = -1;  // M98 with an L that is not known
+
+struct Machine::Step {
+  Machine& m;
+  State state;
+  const Context& context;
+  Listener& out;
+  const Statement& s;
+  StatementId here;
+  bool skipping;
+  FullLabel label = kNoLabel;
+  Range label_range;  ///< of a computed label that is not known
+  Fact tested;  ///< the condition of this line, if its outcome can be remembered
+  std::optional<ValueId> returned_value;  ///< the value on this `return` or `endsub`
+  bool decided = false;  ///< the condition has only one outcome here, so going on is not a branch
+  ReadLog reads;
+
+  Step(Machine& machine, State start, const Context& ctx, Listener& listener)
+      : m(machine), state(std::move(start)), context(ctx), out(listener), s(m.program_.at(state.position)),
+        here(state.position), skipping(state.skip != kNoLabel) {}
+
+  const LineError* error() const { return m.program_.syntax.error(s); }
+  bool defining() const { return state.defining != kNoName; }
+  bool called() const { return context.depth > 0; }
+  bool warn_only() const { return m.profile_.warn_only(); }
+
+  // --- leaving the line ---
+
+  /// `branch`: 1 if this outcome needs a true condition, 2 a false one.
+  void go(State next, StatementId position, uint8_t branch = 0) {
+    if (branch != 0 && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
+      m.evaluator_.learn(next.parameters, tested, branch == 1);
+      m.evaluator_.refine(next.parameters, value(0), branch == 1);
+    }
+    next.position = position;
+    next.branch = decided ? 0 : branch;
+    next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
+    out.successor(std::move(next));
+  }
+  void next_line() { go(std::move(state), here + 1); }
+
+  void stop(StopKind kind, std::string message, StatementId other = kNoStatement, std::string detail = {}) {
+    out.stop(state, kind, other, std::move(message), std::move(detail));
+  }
+  void stop_error() {
+    for (ExprId id = error()->read_from; id < error()->read_to; ++id) {
+      const Expr& expr = m.program_.syntax.exprs[id];
+      if (expr.op == Operator::kNumber) continue;
+      if (expr.target && expr.op == Operator::kNamed) {
+        m.evaluator_.begin_name(expr.name(), state.parameters);
+        continue;
+      }
+      const Evaluation e = evaluate(expr.target ? expr.left() : id);
+      if (!settle(e)) return;
+      long number = 0;
+      if (expr.target && m.values_.is_constant(e.value) && !settle(m.evaluator_.target(m.values_.value(e.value), &number))) return;
+    }
+    stop(error()->kind, error()->message);
+  }
+
+  /// One of the eight documented errors: stops, or under FEATURE 0x20 prints a message. True if the run goes on.
+  bool documented(StopKind kind, std::string message, StatementId other = kNoStatement) {
+    if (!warn_only()) {
+      stop(kind, std::move(message), other);
+      return false;
+    }
+    out.hazard(state, HazardKind::kWarned, 0, kind, std::move(message));
+    return true;
+  }
+
+  // --- evaluating ---
+
+  /// False if evaluation stops the interpreter on every merged path.
+  bool settle(const Evaluation& e, bool at_definition = false) {
+    const StopKind kind = e.fails != StopKind::kNone ? e.fails : e.may_fail;
+    if (kind != StopKind::kNone) {
+      std::string message = e.message != nullptr ? e.message : "";
+      std::string detail;
+      if (e.name != kNoName) {
+        detail = m.name(e.name);
+        message = "Named parameter #<" + detail + "> not defined";
+      }
+      if (at_definition) out.hazard(state, HazardKind::kValueAtDefinition, 0, kind, message);
+      const bool merged = e.fails == StopKind::kNone;
+      const bool mixed = state.mixed;
+      // It is not known on which of the merged paths, nor whether one of them gets here.
+      state.mixed = mixed || (kind == StopKind::kNameUndefined && (merged || state.joined));
+      stop(kind, std::move(message), kNoStatement, std::move(detail));
+      state.mixed = mixed;
+      if (merged && kind == StopKind::kNameUndefined) m.evaluator_.assume_there(e.name, state.parameters);
+    }
+    return e.fails == StopKind::kNone;
+  }
+
+  Evaluation evaluate(ExprId id, bool zero_when_unassigned = false) {
+    for (;;) {
+      const Evaluation e = m.evaluator_.evaluate(id, state.parameters, zero_when_unassigned, defining(), &reads);
+      if (e.may_fail != StopKind::kNameUndefined) return e;
+      settle(e);  // and on the other paths the name is there
+    }
+  }
+
+  void report_reads() {
+    for (uint32_t n = 1; n <= 30; ++n) {
+      if ((reads.not_passed >> n & 1) != 0) out.hazard(state, HazardKind::kArgumentNotPassed, n, StopKind::kNone, "");
+    }
+    reads.not_passed = 0;
+    report_value_reads();
+  }
+  void report_value_reads() {
+    if (reads.no_value == kUnassigned) return;
+    // After paths were joined, the outcomes of `#<_value_returned>` are joined too.
+    const bool guarded = reads.no_value == kMaybeNotReturned && m.program_.syntax.names.find("_value_returned") != kNoName;
+    if (!guarded) out.hazard(state, reads.no_value == kCleared ? HazardKind::kValueCleared : HazardKind::kValueNotReturned, 0, StopKind::kNone, "");
+    reads.no_value = kUnassigned;
+  }
+
+  ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first + i]; }
+
+  /// The condition of `if`, `elseif`, `while`; false if it stops.
+  bool condition(Truth* truth, double* number = nullptr) {
+    if (s.value_count == 0) {
+      stop_error();
+      return false;
+    }
+    const Evaluation e = evaluate(value(0));
+    reads.not_passed = 0;  // optional arguments are written like this: the sub tests an argument that was not passed
+    report_value_reads();
+    if (!settle(e)) return false;
+    const bool constant = m.values_.is_constant(e.value);
+    const Range range = m.values_.range(e.value);
+    const bool known = constant || !range.has(0);
+    *truth = !known ? Truth::kOpen : range.has(0) ? Truth::kFalse : Truth::kTrue;
+    if (!known && !s.is(Keyword::kRepeat)) {
+      tested = m.evaluator_.fact(value(0));
+      const int before = Evaluator::known(state.parameters, tested);
+      if (before != 0) *truth = before == 1 ? Truth::kTrue : Truth::kFalse;
+    }
+    decided = *truth != Truth::kOpen;
+    if (number != nullptr && constant) *number = m.values_.value(e.value);
+    return true;
+  }
+
+  // --- the table ---
+
+  /// Follows the members of a set one by one: in a joined state some of them may not fit the rest of the state.
+  /// `own`: this line, which counts the same as "undefined".
+  void take_apart(const Definers::Set& set, StatementId own = kNoStatement) {
+    if (!state.joined) return;
+    size_t outcomes = set.undefined ? 1 : 0;
+    for (const StatementId line : set.lines) outcomes += line == own && set.undefined ? 0 : 1;
+    if (outcomes > 1) state.mixed = true;
+  }
+
+  /// Structured blocks count as entered from their first line on, without an entry in the table.
+  bool structured() const {
+    const BlockId block = m.program_.block_of[here];
+    return block != kNoBlock && m.structure_.structured[block] &&
+           m.structure_.structured_for(m.program_, m.program_.blocks[block].region, called() ? context.sub : kNoName);
+  }
+  uint32_t entry() const {
+    if (!structured()) return state.table.get(label);
+    const StatementId opener = m.program_.blocks[m.program_.block_of[here]].opener;
+    return opener == here ? 0 : Definers::one(opener);
+  }
+  void set_entry(uint32_t packed) {
+    if (!structured()) state.table.set(m.pool_, label, packed);
+  }
+  void define_here() { set_entry(Definers::one(here)); }
+  Keyword kind_of(StatementId line) const { return m.program_.at(line).keyword; }
+  uint32_t line_of(StatementId id) const { return m.program_.at(id).line; }
+  std::string line_text() const {
+    std::string_view text = m.linked_.source_of(here).slice(s.whole());
+    text = text.substr(0, text.find('\0'));  // a line ends there for the interpreter
+    return std::string(text.substr(0, text.find_last_not_of(" \t\r\v\f") + 1));
+  }
+  /// `N: `, the beginning of the interpreter's messages about labels.
+  std::string at_line(const std::string& rest) const { return std::to_string(s.line) + ": " + rest; }
+
+  void set_count(FullLabel of, int count) {
+    auto& counts = state.counts;
+    const auto found = std::ranges::lower_bound(counts, of, {}, &std::pair<FullLabel, uint8_t>::first);
+    const bool present = found != counts.end() && found->first == of;
+    if (count < 0) {
+      if (present) counts.erase(found);
+    } else if (present) {
+      found->second = static_cast<uint8_t>(count);
+    } else {
+      counts.insert(found, {of, static_cast<uint8_t>(count)});
+    }
+  }
+  int count() const {
+    for (const auto& [of, count] : state.counts) {
+      if (of == label) return count;
+    }
+    return -1;
+  }
+
+  // --- keywords ---
+
+  void run();
+  void plain();
+  void m98();
+  void m99();
+  void o_word();
+  bool resolve_label();
+  bool call_any();
+  void act(Truth truth, double number);
+  bool enter_sub();
+  bool is_called_sub() const;
+  bool own_file_has(NameId sub) const;
+  void sub();
+  void bare();
+  void leave_sub();
+  void come_back();
+  void call(int repeats, bool fanuc);
+  void repeat(Truth truth, double number);
+  void count_passes(Truth truth, double number);
+  void while_(Truth truth);
+  void if_(Truth truth);
+  void else_(Truth truth);
+  void endif();
+  void jump();
+  void end_loop();
+  void end_loop_at(StatementId opener);
+
+  /// Splits on "undefined": reports `kind` for that part; true when a defined part remains (then narrowed to it).
+  bool require_defined(StopKind kind);
+  void crash(StopKind kind, std::string message);
+};
+
+}  // namespace owlint::flow

@@ -1,0 +1,298 @@
+// Transitions of loops and branches.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "analyzer/flow/interpreter/step.h"
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+
+// --- loops ---
+
+void Machine::Step::repeat(Truth truth, double number) {
+  const Definers::Set set = m.definers_.get(entry());
+  take_apart(set, here);
+  const State before = state;
+  bool own = set.undefined;
+  for (const StatementId line : set.lines) {
+    if (line == here) {
+      own = true;
+      continue;
+    }
+    state = before;
+    if (!documented(StopKind::kDuplicateLoop, at_line("duplicate O-word label: '" + line_text() + "' - defined in line " + std::to_string(line_of(line))), line)) continue;
+    set_entry(Definers::one(line));
+    state.skip = kNoLabel;
+    if (kind_of(line) == Keyword::kRepeat) {
+      count_passes(truth, number);  // both use the first one's count
+    } else {
+      go(state, here + 1);  // measured: the count that other blocks have never runs out
+    }
+  }
+  if (!own) return;
+  state = before;
+  define_here();
+  state.skip = kNoLabel;
+  count_passes(truth, number);
+}
+
+/// Decides on the next pass of a `repeat` whose entry is in the table.
+void Machine::Step::count_passes(Truth truth, double number) {
+  const int left = count();
+  if (left >= 0 && !state.looped) out.hazard(state, HazardKind::kStaleRepeatCount, 0, StopKind::kNone, "");
+  const auto enter = [&](int remaining) {
+    State in = state;
+    in.skip = kNoLabel;
+    std::swap(state, in);
+    set_count(label, remaining);
+    std::swap(state, in);
+    go(std::move(in), here + 1, 1);
+  };
+  const auto pass_by = [&] {
+    State after = state;
+    std::swap(state, after);
+    set_count(label, -1);
+    state.skip = label;
+    std::swap(state, after);
+    go(std::move(after), here + 1, 2);
+  };
+  const bool fresh = left < 0 || left == kAnyCount;
+  if (fresh && !std::isnan(number)) {
+    double written = 0;
+    const bool literal = literal_value(m.program_.syntax.exprs, value(0), &written);
+    const bool odd = number < 0 || std::fabs(number - std::nearbyint(number)) > kEqualTolerance || (literal && number == 0);
+    if (odd) out.hazard(state, HazardKind::kRepeatCount, 0, StopKind::kNone, fmt::format("{:.6g}", number));
+  }
+  if (fresh) {
+    if (truth == Truth::kOpen) {
+      enter(kManyLeft);
+      pass_by();
+    } else {
+      const double times = std::nearbyint(number);  // measured: 2.5 passes are 2, 3.5 are 4
+      if (times > 0) {
+        enter(times - 1 <= kLargestExactCount ? static_cast<int>(times) - 1 : kManyLeft);
+      } else {
+        pass_by();
+      }
+    }
+  }
+  if (left < 0) return;
+  decided = left <= kLargestExactCount;
+  if (left == kManyLeft || left == kAnyCount) {
+    if (!fresh || truth != Truth::kOpen) {
+      enter(kManyLeft);
+      pass_by();
+    }
+  } else if (left > 0) {
+    enter(left - 1);
+  } else {
+    pass_by();
+  }
+}
+
+void Machine::Step::while_(Truth truth) {
+  const Definers::Set set = m.definers_.get(entry());
+  take_apart(set, here);
+  const State before = state;
+  const auto as = [&](uint32_t packed, StatementId opener) {
+    state = before;
+    set_entry(packed);
+    state.skip = kNoLabel;
+    const bool pre_test = opener == here || kind_of(opener) == Keyword::kWhile;
+    if (pre_test) {
+      if (truth != Truth::kFalse) go(state, here + 1, 1);
+      if (truth != Truth::kTrue) {
+        state.skip = label;
+        go(state, here + 1, 2);
+      }
+      return;
+    }
+    const uint8_t breaking = state.breaking;
+    if (truth != Truth::kFalse && (breaking & kNo) != 0) {
+      State again = state;
+      again.breaking = kNo;
+      go(std::move(again), opener, 1);
+    }
+    if ((breaking & kStale) != 0 && truth != Truth::kFalse) out.hazard(before, HazardKind::kStaleBreak, 0, StopKind::kNone, "");
+    if ((breaking & (kYes | kStale)) != 0) {  // ends whatever the condition
+      State out_of_loop = state;
+      out_of_loop.breaking = kNo;
+      go(std::move(out_of_loop), here + 1);
+    }
+    if (truth != Truth::kTrue && (breaking & kNo) != 0) {
+      state.breaking = kNo;
+      go(state, here + 1, 2);
+    }
+  };
+  if (set.undefined) as(Definers::one(here), here);
+  for (const StatementId line : set.lines) {
+    state = before;
+    if (line != here && kind_of(line) != Keyword::kDo) {
+      if (!documented(StopKind::kDuplicateLoop, at_line("duplicate O-word label: '" + line_text() + "' - defined in line " + std::to_string(line_of(line))), line)) continue;
+    }
+    as(Definers::one(line), line);
+  }
+}
+
+/// `endwhile`, `endrepeat`.
+void Machine::Step::end_loop() {
+  const Keyword opener = opener_of(s.keyword);
+  if (!require_defined(StopKind::kWrongEnd)) return;
+  const State before = state;
+  for (const StatementId line : m.definers_.get(entry()).lines) {
+    state = before;
+    set_entry(Definers::one(line));
+    if (kind_of(line) != opener) {
+      if (!documented(StopKind::kWrongEnd, at_line("no matching label: '" + line_text() + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + ")"), line)) continue;
+    }
+    end_loop_at(line);
+  }
+}
+
+void Machine::Step::end_loop_at(StatementId opener) {
+  if (!skipping) return go(std::move(state), opener);
+  state.skip = kNoLabel;
+  const uint8_t continuing = state.continuing;
+  if ((continuing & kNo) != 0) {
+    State after = state;
+    after.continuing = kNo;
+    go(std::move(after), here + 1);
+  }
+  // Behind a condition that is false, the loop only asks once more.
+  const bool by_break = (state.breaking & (kYes | kStale)) != 0;
+  if ((continuing & kStale) != 0 && (s.is(Keyword::kEndrepeat) || by_break)) out.hazard(state, HazardKind::kStaleContinue, 0, StopKind::kNone, "");
+  if ((continuing & (kYes | kStale)) != 0) {
+    state.continuing = kNo;
+    go(std::move(state), opener);
+  }
+}
+
+/// `break`, `continue`.
+void Machine::Step::jump() {
+  if (!require_defined(StopKind::kNotALoop)) return;
+  const State before = state;
+  const bool is_break = s.keyword == Keyword::kBreak;
+  for (const StatementId line : m.definers_.get(entry()).lines) {
+    state = before;
+    set_entry(Definers::one(line));
+    const Keyword kind = kind_of(line);
+    if (kind != Keyword::kWhile && kind != Keyword::kDo) {
+      if (!documented(StopKind::kNotALoop, at_line("no matching while/do label: '" + line_text() + "' (found '" + std::string(spelling(kind)) + "' in line " + std::to_string(line_of(line)) + ")"), line)) continue;
+    }
+    if (is_break) {
+      if (skipping && kind == Keyword::kDo && (state.continuing & (kYes | kStale)) != 0) {
+        out.hazard(state, HazardKind::kContinueMeetsBreak, 0, StopKind::kNone, "");
+      }
+      // The `while` that closes a `do` clears the flag; `endwhile` leaves it set.
+      if (m.reads_break_) state.breaking = kind == Keyword::kDo ? kYes : kStale;
+    } else if (!skipping) {
+      state.continuing = kind == Keyword::kDo ? kStale : kYes;
+    }
+    state.skip = label;
+    go(state, here + 1);
+  }
+}
+
+// --- if ---
+
+void Machine::Step::if_(Truth truth) {
+  const Definers::Set set = m.definers_.get(entry());
+  take_apart(set, here);
+  const State before = state;
+  const auto as = [&](StatementId opener) {
+    state = before;
+    set_entry(Definers::one(opener));
+    if (opener == here) set_count(label, -1);  // it makes its own entry again each time, and leaves the entries of others
+    if (truth != Truth::kFalse) {
+      State in = state;
+      in.executed = kYes;
+      in.skip = kNoLabel;
+      go(std::move(in), here + 1, 1);
+    }
+    if (truth != Truth::kTrue) {
+      state.executed = kNo;
+      state.skip = label;
+      go(state, here + 1, 2);
+    }
+  };
+  const bool own = set.undefined || std::ranges::find(set.lines, here) != set.lines.end();
+  if (own) as(here);
+  for (const StatementId line : set.lines) {
+    if (line == here) continue;
+    state = before;
+    if (documented(StopKind::kDuplicateIf, at_line("duplicate O-word label - already defined in line " + std::to_string(line_of(line)) + ": '" + line_text() + "'"), line)) {
+      as(line);
+    }
+  }
+}
+
+void Machine::Step::else_(Truth truth) {
+  if (!require_defined(StopKind::kNotAnIf)) return;
+  const State before = state;
+  for (const StatementId line : m.definers_.get(entry()).lines) {
+    state = before;
+    set_entry(Definers::one(line));
+    if (kind_of(line) != Keyword::kIf) {
+      if (!documented(StopKind::kNotAnIf, at_line("no matching 'if' label: '" + line_text() + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + ")"), line)) continue;
+    }
+    const uint8_t executed = state.executed;
+    if ((executed & kYes) != 0) {
+      State past = state;
+      past.executed = kYes;
+      past.skip = label;
+      go(std::move(past), here + 1);
+    }
+    if ((executed & kNo) == 0) continue;
+    state.executed = kNo;
+    if (s.keyword == Keyword::kElse) {
+      if (skipping) {
+        state.executed = kYes;
+        state.skip = kNoLabel;
+      }
+      go(state, here + 1);
+      continue;
+    }
+    if (truth != Truth::kTrue) go(state, here + 1, 2);
+    if (truth != Truth::kFalse) {
+      state.executed = kYes;
+      state.skip = kNoLabel;
+      go(state, here + 1, 1);
+    }
+  }
+}
+
+void Machine::Step::endif() {
+  if (!require_defined(StopKind::kNotAnIf)) return;
+  const State before = state;
+  for (const StatementId line : m.definers_.get(entry()).lines) {
+    state = before;
+    set_entry(Definers::one(line));
+    if (kind_of(line) != Keyword::kIf) {
+      if (!documented(StopKind::kNotAnIf, at_line("no matching label: '" + m.full_text(label) + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + "): '" + line_text() + "'"), line)) continue;
+    }
+    state.skip = kNoLabel;
+    state.executed = kYes;
+    go(state, here + 1);
+  }
+}
+
+bool Machine::Step::require_defined(StopKind) {
+  const Definers::Set set = m.definers_.get(entry());
+  take_apart(set);
+  if (set.undefined) {
+    const std::string message = at_line("undefined O-word label: '" + line_text() + "'");
+    if (documented(StopKind::kLabelUndefined, message)) crash(StopKind::kLabelUndefined, message);
+  }
+  if (set.lines.empty()) return false;
+  set_entry(m.definers_.without_undefined(entry()));
+  return true;
+}
+
+/// Under FEATURE 0x20 the interpreter goes on with a label that it does not have, and crashes.
+void Machine::Step::crash(StopKind kind, std::string message) {
+  out.hazard(state, HazardKind::kCrash, 0, kind, std::move(message));
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,245 @@
+// What the interpreter does with one line in a given state: reading it, its label, its values; then its keyword acts.
+#include <algorithm>
+#include <cmath>
+
+#include "analyzer/flow/interpreter/step.h"
+#include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/line_parser.h"
+
+namespace owlint::flow {
+
+void Machine::step(State state, const Context& context, Listener& out) {
+  Step step(*this, std::move(state), context, out);
+  step.run();
+}
+
+void Machine::Step::run() {
+  const LineError* e = error();
+  const bool anywhere = e != nullptr && ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
+  if (anywhere) return stop_error();
+  // Measured: `O…` and M98 stop where they are read, also where lines are skipped; M99 only where it would return.
+  if (m.refuses_fanuc(s) || (m.no_fanuc_ && s.kind == LineKind::kM99 && called() && !skipping)) {
+    return stop(StopKind::kFanucDisabled, s.kind == LineKind::kOWord ? "DISABLE_FANUC_STYLE_SUB disabled in INI file, but found bare O-word"
+                                          : s.kind == LineKind::kM98 ? "DISABLE_FANUC_STYLE_SUB set in INI file, but found m98"
+                                                                     : "DISABLE_FANUC_STYLE_SUB set in INI file, but found m99");
+  }
+  if (s.kind == LineKind::kOWord) return o_word();
+  plain();
+}
+
+void Machine::Step::plain() {
+  if (s.kind == LineKind::kPercent && m.program_.syntax.percent) {
+    if (here == 0) return next_line();
+    if (skipping) return stop(StopKind::kFileEnd, "Failed to find sub 'O" + m.full_text(state.skip) + "' before EOF");
+    return out.end(state);
+  }
+  if (s.kind == LineKind::kM98) return m98();
+  if (skipping) return next_line();
+  if (s.kind == LineKind::kAbort) return context.contour ? next_line() : out.end(state);
+  if (s.kind == LineKind::kPercent) return stop(StopKind::kBadCharacter, "Bad character '%' used");
+  if (s.kind == LineKind::kM99 && called()) return m99();
+  Parameters after = state.parameters;
+  Evaluation e = m.evaluator_.assign(s, after, &reads);
+  while (e.may_fail == StopKind::kNameUndefined) {
+    settle(e);  // and on the other paths the name is there
+    after = state.parameters;
+    e = m.evaluator_.assign(s, after, &reads);
+  }
+  report_reads();
+  if (!settle(e)) return;
+  state.parameters = std::move(after);
+  if (error() != nullptr) return stop_error();
+  if (e.read_only != kNoName) {
+    const std::string& name = m.name(e.read_only);
+    return stop(StopKind::kNameReadOnly, "Cannot assign to read-only parameter #<" + name + ">", kNoStatement, name);
+  }
+  if (s.kind == LineKind::kM99Behind && called() && !context.contour) return stop(StopKind::kM99Behind, "Bug:  Reached convert_stop() from M99 as subprogram return");
+  if (s.has_m99()) {
+    const StatementId opener = m.program_.regions[m.program_.region_of[here]].opener;
+    if (opener != kNoStatement && m.program_.at(opener).is(Keyword::kBare)) out.hazard(state, HazardKind::kRunsIntoSub, 0, StopKind::kNone, "", opener);
+    return out.end(state);  // of a run of the main program; the machine itself starts it again
+  }
+  if (s.kind == LineKind::kProgramEnd && !context.contour) return out.end(state);
+  if (s.kind == LineKind::kContour && m.profile_.version >= Version::k2_9) {
+    if (!resolve_label()) return;
+    if (label != kNoLabel) return call(1, false);
+    Evaluator::call_outside(state.parameters);
+  }
+  next_line();
+}
+
+/// Measured: M98 is read with all its values wherever it stands, and stops there; where lines are skipped it only does
+/// not call.
+void Machine::Step::m98() {
+  const auto computable = [&](const Evaluation& found, ExprId id) {
+    Evaluation e = found;
+    report_reads();
+    if (skipping && e.fails == StopKind::kNone && e.may_fail == StopKind::kNone) {
+      // A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
+      const Evaluation fresh = evaluate(id, true);
+      e.may_fail = fresh.fails;
+      e.message = fresh.message;
+    }
+    return settle(e);
+  };
+  int repeats = 1;
+  for (uint32_t i = 0; i < s.value_count; ++i) {
+    const Evaluation e = evaluate(value(i));
+    if (!computable(e, value(i))) return;
+    if (i > 0 || !s.repeats) continue;
+    repeats = kUnknownRepeats;
+    if (!m.values_.is_constant(e.value)) continue;
+    long times = 0;
+    if (!to_integer(m.values_.value(e.value), &times)) return stop(StopKind::kM98Words, "Non integer value for integer");
+    if (times < 0) return stop(StopKind::kM98Words, "Negative l word used");
+    repeats = static_cast<int>(std::min(times, 1'000'000L));
+  }
+  if (!resolve_label()) return;
+  if (skipping || label == kNoLabel) return next_line();
+  call(repeats, true);
+}
+
+/// M99 as the first word, in a sub.
+void Machine::Step::m99() {
+  if (s.rest_to > s.rest_from) return stop(StopKind::kM99Rest, "Unexpected character after O-word");
+  if (!context.fanuc) {
+    return stop(StopKind::kStyleNeedsEndsub, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
+  }
+  m.evaluator_.come_back(state.parameters, nullptr, true);
+  out.leave(state);
+}
+
+/// Finds the full label. False when evaluating it stops; `label` stays none when it cannot be known.
+bool Machine::Step::resolve_label() {
+  NameId name = s.label;
+  if (s.label_expr != kNoExpr) {
+    const Evaluation e = evaluate(s.label_expr);
+    report_reads();
+    if (!settle(e)) return false;
+    if (!m.values_.is_constant(e.value)) {
+      label_range = m.values_.range(e.value);
+      return true;
+    }
+    std::string text;
+    if (!label_of_number(m.values_.value(e.value), &text)) {
+      stop(StopKind::kLabelNotInteger, "Non integer value for integer");
+      return false;
+    }
+    name = m.intern(text);
+    if (s.calls()) m.computed_calls_.insert(name);
+  }
+  const bool global = s.kind != LineKind::kOWord || global_label(s.keyword);
+  const NameId scope = global ? kGlobalScope : called() ? context.sub : state.defining;
+  label = m.full_label(scope, name);
+  return true;
+}
+
+void Machine::Step::o_word() {
+  if (s.refused) {  // only read as an O-word by us, to understand the rest
+    if (skipping) return next_line();
+    return stop_error();
+  }
+  if (error() != nullptr && error()->kind == StopKind::kLabelExpression) return stop_error();
+  if (!resolve_label()) return;
+  const Keyword k = s.keyword;
+  if (k == Keyword::kUnknown) {
+    if (defining()) return next_line();
+    return stop_error();
+  }
+  if ((k == Keyword::kSub || k == Keyword::kBare) && defining()) {
+    return stop(StopKind::kSubNested, "Nested subroutine definition");
+  }
+  if (label == kNoLabel) {
+    // The label is computed from something unknown: no claim, on either side. A call comes back, having done
+    // whatever it likes to the global parameters.
+    if (k == Keyword::kCall && !skipping && !defining() && !call_any()) return;
+    return next_line();
+  }
+  Truth truth = Truth::kOpen;
+  double number = NAN;
+  const bool target = state.skip == label;
+  if (k == Keyword::kEndsub || k == Keyword::kReturn) {
+    if (!skipping || target) {
+      if (s.value_count > 0) {
+        Evaluation e = evaluate(value(0));
+        report_reads();
+        if (e.fails == StopKind::kNone && e.may_fail == StopKind::kNone) {
+          // A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
+          const Evaluation fresh = evaluate(value(0), true);
+          e.may_fail = fresh.fails;
+          e.message = fresh.message;
+        }
+        if (!settle(e, defining())) return;
+        returned_value = e.value;
+      } else if (s.has_bracket) {
+        return stop_error();
+      }
+    }
+  } else if (defining()) {
+    return next_line();
+  } else if (k == Keyword::kCall) {
+    if (skipping) return next_line();
+  } else if (k == Keyword::kIf || k == Keyword::kElseif || k == Keyword::kWhile || k == Keyword::kRepeat) {
+    if ((!skipping || target) && !condition(&truth, &number)) return;
+  }
+  if (!skipping && error() != nullptr && error()->kind == StopKind::kTrailingText) return stop_error();
+  if (skipping && !target) return next_line();
+  if (state.seek && k != Keyword::kSub && k != Keyword::kBare) return next_line();
+  act(truth, number);
+}
+
+/// A call whose label is computed from something that is not known: any sub with a number in question may run, and what it does
+/// with the arguments is not proven; or another one, of which nothing is known. False where the arguments stop every run.
+bool Machine::Step::call_any() {
+  constexpr ptrdiff_t kMostCandidates = 16;  // more say too little about each
+  constexpr int kDeepest = 4;             // of calls within such calls
+  for (uint32_t i = 0; i < s.value_count; ++i) {
+    const Evaluation e = evaluate(value(i));
+    report_reads();
+    if (!settle(e)) return false;
+  }
+  if (error() != nullptr) {
+    stop_error();
+    return false;
+  }
+  const auto first = std::ranges::lower_bound(m.numbered_subs_, label_range.low, {}, [](const auto& sub) { return sub.first; });
+  const auto last = std::ranges::upper_bound(m.numbered_subs_, label_range.high, {}, [](const auto& sub) { return sub.first; });
+  if (last - first <= kMostCandidates && context.depth < kDeepest) {
+    for (const auto& [number, name] : std::ranges::subrange(first, last)) {
+      if (name == context.sub || !label_range.has(number)) continue;
+      Step one(m, state, context, out);
+      one.state.mixed = true;
+      one.label = m.full_label(kGlobalScope, name);
+      one.call(1, false);
+    }
+  }
+  Evaluator::call_outside(state.parameters);
+  return true;
+}
+
+void Machine::Step::act(Truth truth, double number) {
+  switch (s.keyword) {
+    case Keyword::kSub: return sub();
+    case Keyword::kBare: return bare();
+    case Keyword::kEndsub: case Keyword::kReturn: return leave_sub();
+    case Keyword::kCall: return call(1, false);
+    case Keyword::kDo:
+      state.skip = kNoLabel;
+      if (entry() == 0) {
+        define_here();
+      } else if (m.definers_.get(entry()).undefined) {
+        set_entry(m.definers_.without_undefined(m.definers_.join(entry(), Definers::one(here))));
+      }
+      return next_line();
+    case Keyword::kRepeat: return repeat(truth, number);
+    case Keyword::kWhile: return while_(truth);
+    case Keyword::kIf: return if_(truth);
+    case Keyword::kElseif: case Keyword::kElse: return else_(truth);
+    case Keyword::kEndif: return endif();
+    case Keyword::kBreak: case Keyword::kContinue: return jump();
+    case Keyword::kEndwhile: case Keyword::kEndrepeat: return end_loop();
+    case Keyword::kUnknown: return next_line();
+  }
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,189 @@
+// Transitions of `sub`, bare `O`, `endsub`, `return`, `call` and M98.
+#include "analyzer/flow/interpreter/step.h"
+
+namespace owlint::flow {
+
+/// Enters the sub's label in the table; false when it is there on every path.
+bool Machine::Step::enter_sub() {
+  const Definers::Set set = m.definers_.get(entry());
+  take_apart(set);
+  const std::string where = "File:" + m.linked_.source_of(here).path() + " line:" + std::to_string(s.line);
+  const std::string& name = m.name(s.label_expr == kNoExpr ? s.label : m.label_of(label));
+  for (const StatementId line : set.lines) {
+    if (line == here) {
+      stop(StopKind::kSubIllegalLocation, where + " sub: o|" + name + "| found in illegal location", line);
+    } else {
+      stop(StopKind::kSubRedefined, where + " redefining sub: o|" + name + "| already defined in file:" + m.linked_.source_of(line).path(), line);
+    }
+  }
+  if (!set.undefined) return false;
+  define_here();
+  return true;
+}
+
+/// Whether the line's label is that of the sub that is being called.
+bool Machine::Step::is_called_sub() const { return m.name(m.label_of(label)) == called_label(m.name(context.sub), m.profile_.version); }
+
+/// Whether the file of this line defines a sub itself.
+bool Machine::Step::own_file_has(NameId sub) const {
+  if (sub >= m.program_.by_label.size()) return false;
+  const uint32_t file = m.linked_.file_of(here);
+  return std::ranges::any_of(m.program_.by_label[sub], [&](StatementId id) { return m.program_.at(id).opens_sub() && m.linked_.file_of(id) == file; });
+}
+
+void Machine::Step::sub() {
+  if (called() && context.fanuc) {
+    return stop(StopKind::kStyleNeedsCall, "'O.... sub' subroutine must be called with 'O.... call'");
+  }
+  if (skipping) {
+    if (!enter_sub()) return;
+    state.skip = kNoLabel;
+    state.seek = false;
+  }
+  if (called()) {
+    if (m.profile_.version >= Version::k2_10 && m.label_of(label) != context.sub) {
+      return stop(StopKind::kSubNestedInCall, "Nested subroutine definition: 'O" + m.name(m.label_of(label)) +
+                                                  " sub' found inside called subroutine 'O" + m.name(context.sub) + "'");
+    }
+    if (!is_called_sub()) out.hazard(state, HazardKind::kSubInCall, 0, StopKind::kNone, "");
+    return next_line();
+  }
+  if (!enter_sub()) return;
+  state.skip = label;
+  state.defining = m.label_of(label);
+  next_line();
+}
+
+void Machine::Step::bare() {
+  if (called() && !context.fanuc) return stop(StopKind::kStyleNeedsM98, "Fanuc 'O....' subroutine must be called with 'M98'");
+  if (skipping) {
+    if (!enter_sub()) return;
+    state.skip = kNoLabel;
+    state.seek = false;
+  }
+  next_line();
+}
+
+void Machine::Step::come_back() {
+  const bool never = s.label >= m.returns_value_.size() || !m.returns_value_[s.label];
+  m.evaluator_.come_back(state.parameters, returned_value ? &*returned_value : nullptr, never);
+}
+
+void Machine::Step::leave_sub() {
+  const bool endsub = s.keyword == Keyword::kEndsub;
+  if (called()) {
+    if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
+    if (endsub) {
+      state.skip = kNoLabel;
+      if (!is_called_sub()) out.hazard(state, HazardKind::kForeignEnd, 0, StopKind::kNone, "");
+    }
+    come_back();
+    return out.leave(state);
+  }
+  if (defining()) {
+    come_back();  // measured: skipping the definition is enough
+    if (endsub) {
+      state.skip = kNoLabel;
+      state.defining = kNoName;
+      state.returned = kNo;
+    }
+    return next_line();
+  }
+  const uint8_t returned = state.returned;
+  if ((returned & kNo) != 0) {
+    state.returned = kNo;
+    if (documented(StopKind::kReturnOutside, at_line("not in a subroutine definition: '" + line_text() + "'"))) {
+      // Measured: `endsub` is still an error, `return` goes on.
+      if (endsub) {
+        stop(StopKind::kNotInDefinition, "Not in subroutine definition");
+      } else {
+        go(state, here + 1);
+      }
+    }
+  }
+  if ((returned & kYes) != 0) {
+    state.returned = kYes;
+    if (endsub) return stop(StopKind::kNotInDefinition, "Not in subroutine definition");
+    go(std::move(state), here + 1);
+  }
+}
+
+void Machine::Step::call(int repeats, bool fanuc) {
+  std::vector<ValueId> arguments;
+  arguments.reserve(s.value_count);
+  if (!fanuc) {
+    for (uint32_t i = 0; i < s.value_count; ++i) {  // none on a line of words
+      const Evaluation e = evaluate(value(i));
+      report_reads();
+      if (!settle(e)) return;
+      arguments.push_back(e.value);
+    }
+    if (error() != nullptr) return stop_error();
+  }
+  if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
+
+  // Where no chain is too deep, calls at all depths are alike.
+  const int depth = m.structure_.shallow_calls ? 1 : context.depth + 1;
+  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size()), context.contour || s.kind == LineKind::kContour};
+  State enter = state;
+  enter.looped = false;
+  enter.branch = 0;
+  enter.parameters.local_facts = {};
+  if (fanuc) {
+    enter.parameters.locals = m.evaluator_.share_numbers({}, state.parameters.locals);
+  } else {
+    enter.parameters.locals = {};
+    m.evaluator_.pass(enter.parameters, arguments);
+    const NameId count = m.program_.syntax.names.find("n_args");
+    if (count != kNoName && m.profile_.setup != nullptr && m.profile_.setup->counts_arguments) {
+      m.evaluator_.set_name(enter.parameters, count, m.values_.intern(static_cast<double>(arguments.size())));
+    }
+  }
+  if (repeats == 0 || repeats == kUnknownRepeats) {
+    // Measured: with L0 the call is made and simply goes on with the next line, inside; M99 comes back to that line.
+    State inside = enter;
+    inside.position = here + 1;
+    out.call(state, std::move(inside), callee, 1);
+    if (repeats == 0) return;
+  }
+  // A name with a path means its last part in the label table, but is the called sub's name for its own labels.
+  const NameId plain = m.intern(std::string(called_label(m.name(callee.sub), m.profile_.version)));
+  const FullLabel defined = plain == callee.sub ? label : m.full_label(kGlobalScope, plain);
+  const Definers::Set set = m.definers_.get(state.table.get(defined));
+  take_apart(set);
+  enter.mixed = state.mixed;
+  for (const StatementId line : set.lines) {
+    if (m.linked_.file_of(line) != m.linked_.file_of(here) && own_file_has(plain)) out.hazard(state, HazardKind::kOtherHelper, 0, StopKind::kNone, "", line);
+    State known = enter;
+    known.table.set(m.pool_, defined, Definers::one(line));
+    known.position = line;  // the definition's line is read again (measured: text after it stops there)
+    out.call(state, std::move(known), callee, repeats);
+  }
+  if (!set.undefined) return;
+  enter.table.set(m.pool_, defined, 0);
+  enter.skip = defined;
+  enter.seek = true;
+  const CallTarget target = m.target(callee.sub);
+  if (target.file != CallTarget::kNotFound) {
+    enter.position = m.linked_.files()[target.file].first;
+    return out.call(state, std::move(enter), callee, repeats);
+  }
+  if (m.profile_.version >= Version::k2_9 && breaks_expansion(m.name(callee.sub))) {
+    return out.hazard(state, HazardKind::kLookupCrash, 0, StopKind::kNone, "");
+  }
+  if (m.may_be_elsewhere(callee.sub)) {
+    // It stops, or something that owlint does not know has the sub, and it comes back.
+    State back = state;
+    Evaluator::call_outside(back.parameters);
+    back.returned = kYes;
+    go(std::move(back), here + 1);
+    if (m.profile_.may_be_python()) return;
+  }
+  if (m.profile_.version >= Version::k2_10 && called() && m.linked_.file_of(here) != 0) {
+    return stop(StopKind::kSubNotFound, "Subroutine 'O" + m.name(callee.sub) + "' not found -- not in offset table and no file found", kNoStatement, m.name(callee.sub));
+  }
+  enter.position = here + 1;
+  out.call(state, std::move(enter), callee, repeats);
+}
+
+}  // namespace owlint::flow

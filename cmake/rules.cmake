@@ -1,0 +1,17 @@
+# The list of all rules, from the names of their files: rules/ow1xx_abort_list/ow104_if_label_reused.cc defines kOw104.
+# Sorted by code, which is the order of every table that is made from the catalogue.
+file(GLOB RULE_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rules/ow*/ow*.cc)
+set(RULE_CODES "")
+foreach(RULE_FILE IN LISTS RULE_FILES)
+  get_filename_component(RULE_NAME ${RULE_FILE} NAME_WE)
+  if(NOT RULE_NAME MATCHES "^ow([0-9][0-9][0-9])_[a-z0-9_]+$")
+    message(FATAL_ERROR "${RULE_FILE}: a rule's file is named owNNN_its_name.cc")
+  endif()
+  list(APPEND RULE_CODES ${CMAKE_MATCH_1})
+endforeach()
+list(SORT RULE_CODES)
+set(RULE_LIST "// Made by cmake/rules.cmake.\n")
+foreach(RULE_CODE IN LISTS RULE_CODES)
+  string(APPEND RULE_LIST "OWLINT_RULE(kOw${RULE_CODE})\n")
+endforeach()
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/rules/rules.inc CONTENT "${RULE_LIST}")

@@ -1,0 +1,138 @@
+#include "rules/driver/folding.h"
+
+#include <algorithm>
+#include <map>
+
+namespace owlint::rules {
+namespace {
+
+constexpr size_t kNone = SIZE_MAX;
+
+/// A finding about one line of a block: the opener, a part, the end, a jump.
+struct Part {
+  size_t finding = kNone;
+  StatementId statement = kNoStatement;
+};
+
+class Folding {
+ public:
+  Folding(const Program& program, std::vector<Finding>& findings) : p_(program), findings_(findings), into_(findings.size(), kNone) {
+    for (size_t i = 0; i < findings.size(); ++i) {
+      const StatementId id = block_line(findings[i]);
+      if (id != kNoStatement) parts_.push_back({i, id});
+    }
+  }
+
+  void run() {
+    std::ranges::sort(parts_, {}, &Part::statement);
+    for (const Part& part : parts_) choose(part);
+    for (const Part& part : parts_) fold_unclosed(part);
+    for (const Part& part : parts_) fold_unreached(part);
+    fold_into_wrong_body();
+    move_folded();
+  }
+
+ private:
+  using Label = std::pair<RegionId, NameId>;
+  Label label_of(StatementId id) const { return {p_.region_of[id], p_.at(id).label}; }
+  const Finding& finding(const Part& part) const { return findings_[part.finding]; }
+  static bool unreached(const Finding& f) { return !f.stops && !f.never_ends && f.reach == Reach::kNever; }
+
+  /// The line of a block that a finding is about; none for other findings.
+  StatementId block_line(const Finding& f) const {
+    const Group group = find_rule(f.code)->group;
+    if (f.source != nullptr || (group != Group::kAbortList && group != Group::kBlocks)) return kNoStatement;
+    const auto& statements = p_.syntax.statements;
+    const auto after = std::ranges::upper_bound(statements, f.span.begin, {}, &Statement::offset);
+    if (after == statements.begin()) return kNoStatement;
+    const Statement& s = *(after - 1);
+    const bool of_block = s.kind == LineKind::kOWord && !global_label(s.keyword) && s.label != kNoName;
+    return of_block && f.span.begin < s.end() ? static_cast<StatementId>(after - 1 - statements.begin()) : kNoStatement;
+  }
+
+  /// The block of which the line is the end, but for a wrong label.
+  const Block* mistaken(StatementId id) const {
+    const BlockId block = p_.block_of[id];
+    return block != kNoBlock && p_.blocks[block].mistaken_end == id ? &p_.blocks[block] : nullptr;
+  }
+
+  /// The first stop at a label speaks for it, else the first finding.
+  void choose(const Part& part) {
+    const auto [known, added] = speaks_.emplace(label_of(part.statement), part);
+    if (!added && !finding(known->second).stops && finding(part).stops) known->second = part;
+    if (p_.block_of[part.statement] != kNoBlock && p_.blocks[p_.block_of[part.statement]].opener == part.statement) openers_.emplace(part.statement, part.finding);
+  }
+
+  /// A block that is not closed, and lines with the label that its end has by mistake: the first of these lines speaks for both if
+  /// the interpreter stops there, else the block does.
+  void fold_unclosed(const Part& part) {
+    const Block* block = mistaken(part.statement);
+    const auto opener = block == nullptr ? openers_.end() : openers_.find(block->opener);
+    if (opener == openers_.end()) return;
+    Part& speaker = speaks_.at(label_of(part.statement));
+    if (speaker.finding == opener->second) return;
+    if (finding(speaker).stops && speaker.statement > block->opener) {
+      fold(opener->second, speaker.finding);
+    } else if (unreached(finding(speaker)) && fold(speaker.finding, opener->second)) {
+      speaker = {opener->second, block->opener};
+    }
+  }
+
+  void fold_unreached(const Part& part) {
+    const Part& speaker = speaks_.at(label_of(part.statement));
+    if (unreached(finding(part))) fold(part.finding, speaker.finding);
+  }
+
+  /// The finding that is left of those that `i` is folded into; the ways there get shorter.
+  size_t speaker_for(size_t i) {
+    for (; into_[i] != kNone; i = into_[i]) {
+      if (into_[into_[i]] != kNone) into_[i] = into_[into_[i]];
+    }
+    return i;
+  }
+
+  /// Folds a finding into another one, once, and never in a circle: of blocks that end each other by mistake, one is left.
+  bool fold(size_t from, size_t into) {
+    const size_t to = speaker_for(into);
+    if (into_[from] != kNone || to == from) return false;
+    into_[from] = to;
+    return true;
+  }
+
+  /// Where another sub's lines run than those that are written, labels that do not fit are no mistakes of their own.
+  void fold_into_wrong_body() {
+    const auto wrong_body = std::ranges::find_if(findings_, &Finding::runs_other);
+    if (wrong_body == findings_.end()) return;
+    for (const Part& part : parts_) {
+      const bool follows = finding(part).unproven && find_rule(finding(part).code)->group == Group::kAbortList;
+      if (follows && into_[part.finding] == kNone) into_[part.finding] = static_cast<size_t>(wrong_body - findings_.begin());
+    }
+  }
+
+  void move_folded() {
+    for (size_t i = 0; i < findings_.size(); ++i) {
+      if (into_[i] == kNone) continue;
+      const size_t to = speaker_for(i);
+      const Finding& f = findings_[i];
+      findings_[to].consequences.push_back({f.code, f.span, f.interpreter});
+      std::ranges::copy(f.consequences, std::back_inserter(findings_[to].consequences));
+    }
+    size_t at = 0;
+    std::erase_if(findings_, [&](const Finding&) { return into_[at++] != kNone; });
+  }
+
+  const Program& p_;
+  std::vector<Finding>& findings_;
+  std::vector<Part> parts_;
+  std::map<Label, Part> speaks_;
+  std::map<StatementId, size_t> openers_;
+  std::vector<size_t> into_;  ///< by finding: the one that speaks for it
+};
+
+}  // namespace
+
+void fold_consequences(const Program& program, std::vector<Finding>& findings) {
+  if (findings.size() > 1) Folding(program, findings).run();
+}
+
+}  // namespace owlint::rules

@@ -1,0 +1,12 @@
+// One mistake, one finding: what a mistake in a block's labels leads to further down is no finding of its own.
+#pragma once
+
+#include "rules/driver/rule.h"
+
+namespace owlint::rules {
+
+/// Moves findings about parts of blocks into the consequences of the finding that speaks of their mistake: those that no run
+/// reaches and that have the label of another finding, and a block that is not closed because its end has a wrong label.
+void fold_consequences(const Program& program, std::vector<Finding>& findings);
+
+}  // namespace owlint::rules

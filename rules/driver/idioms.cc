@@ -1,0 +1,58 @@
+#include "rules/driver/idioms.h"
+
+#include <algorithm>
+
+#include "analyzer/syntax/known_line.h"
+
+namespace owlint::rules {
+namespace {
+
+// The first one that fits is taken.
+constexpr Idiom kIdioms[] = {
+    has_look_alike, jumps, loops_as_fanuc, says_then, has_two_brackets, has_comment_inside, brackets_behind_keyword, rounds_brackets,
+    passes_without_brackets, calls_without_keyword, calls_by_name, lacks_letter, lacks_label,
+    has_comma, calls_in_value, computes_without_brackets, assigns_otherwise, lacks_value, names_without_brackets, names_half_bracketed,
+    names_without_number_sign, has_other_operator, has_other_function, has_odd_sign, is_other_word,
+};
+
+}  // namespace
+
+RefusedLine::RefusedLine(const Input& input, StatementId statement_id)
+    : program(input.program), in(input), statement(program.at(statement_id)), id(statement_id), error(*program.syntax.error(statement)) {
+  text.assign(program.source->slice(statement.whole()), statement.offset);
+  while (at < text.size() && text.offset(at) < error.span.begin) ++at;
+  end = std::min(text.text().find_first_of("(;", at), text.size());
+}
+
+std::string RefusedLine::written(size_t from, size_t to) const { return std::string(program.source->slice(text.span(from, to))); }
+
+void RefusedLine::propose(Finding& f, std::string title, std::vector<Edit> edits, bool surely_meant) const {
+  std::ranges::stable_sort(edits, {}, [](const Edit& e) { return e.span.begin; });
+  std::string line;
+  uint64_t done = statement.offset;
+  for (const Edit& edit : edits) {
+    line.append(program.source->slice({done, edit.span.begin})).append(edit.text);
+    done = edit.span.end;
+  }
+  line.append(program.source->slice({done, statement.end()}));
+  if (statement.block_delete) line.erase(0, line.find('/') + 1);
+  f.fixes = {{std::move(title), surely_meant && surely_runs(line), std::move(edits), true}};
+}
+
+void explain_idiom(const Input& in, StatementId statement, Finding& finding) {
+  const LineError* error = in.program.syntax.error(in.program.at(statement));
+  // Longer lines are not looked into, nor is what a NUL or a carriage return makes of a line.
+  const Statement& s = in.program.at(statement);
+  if (error == nullptr || error->kind == StopKind::kLineTooLong || s.nul || s.inner_cr || s.length > kLineLimit) return;
+  const RefusedLine line(in, statement);
+  Finding explained;
+  for (const Idiom idiom : kIdioms) {
+    if (!idiom(line, explained)) continue;
+    finding.message = std::move(explained.message);
+    finding.help = std::move(explained.help);
+    finding.fixes = std::move(explained.fixes);
+    return;
+  }
+}
+
+}  // namespace owlint::rules

@@ -1,0 +1,70 @@
+// What people write who know another controller, BASIC or C. The one place for such words: asked about every error of
+// reading, whichever rule reports it. What was meant goes into message and help, and a fix only where it is clear.
+#pragma once
+
+#include "analyzer/syntax/line_text.h"
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+
+/// Puts the idiom in which a refused line is written, if it is a known one, into the finding about it: its words instead
+/// of the rule's, and its fix, or none.
+void explain_idiom(const Input& in, StatementId statement, Finding& finding);
+
+/// A refused line and the place of its error, as the functions below see it. Text is in small letters and without blanks.
+struct RefusedLine {
+  const Program& program;
+  const Input& in;
+  const Statement& statement;
+  StatementId id;
+  const LineError& error;
+  LineText text;
+  size_t at = 0;   ///< where the error begins in `text`
+  size_t end = 0;  ///< where the comment at the line's end begins, or the line's end
+
+  RefusedLine(const Input& input, StatementId statement_id);
+
+  StopKind kind() const { return error.kind; }
+  /// From the error on.
+  std::string_view rest() const { return text.text().substr(at, end > at ? end - at : 0); }
+  std::string_view before() const { return text.text().substr(0, at); }
+  /// As it is written in the file.
+  std::string written(size_t from, size_t to) const;
+  Edit put(size_t from, size_t to, std::string new_text) const { return {text.span(from, to), std::move(new_text)}; }
+  /// Proposes edits of the line. Safe where that is surely meant, the new line surely runs, and all runs stop at the old one.
+  void propose(Finding& f, std::string title, std::vector<Edit> edits, bool surely_meant) const;
+};
+
+/// One idiom: whether the line is written so, and if, words and fix for the finding.
+using Idiom = bool (*)(const RefusedLine& line, Finding& finding);
+
+// On a line as a whole (idioms_lines.cc).
+bool jumps(const RefusedLine& line, Finding& f);
+bool loops_as_fanuc(const RefusedLine& line, Finding& f);
+bool says_then(const RefusedLine& line, Finding& f);
+bool has_two_brackets(const RefusedLine& line, Finding& f);
+bool has_comment_inside(const RefusedLine& line, Finding& f);
+bool brackets_behind_keyword(const RefusedLine& line, Finding& f);
+bool rounds_brackets(const RefusedLine& line, Finding& f);
+bool passes_without_brackets(const RefusedLine& line, Finding& f);
+bool calls_without_keyword(const RefusedLine& line, Finding& f);
+bool lacks_letter(const RefusedLine& line, Finding& f);
+bool lacks_label(const RefusedLine& line, Finding& f);
+bool has_odd_sign(const RefusedLine& line, Finding& f);
+bool is_other_word(const RefusedLine& line, Finding& f);
+bool calls_by_name(const RefusedLine& line, Finding& f);
+
+// In a character or a value (idioms_values.cc).
+bool has_look_alike(const RefusedLine& line, Finding& f);
+bool has_comma(const RefusedLine& line, Finding& f);
+bool computes_without_brackets(const RefusedLine& line, Finding& f);
+bool names_without_brackets(const RefusedLine& line, Finding& f);
+bool names_half_bracketed(const RefusedLine& line, Finding& f);
+bool names_without_number_sign(const RefusedLine& line, Finding& f);
+bool lacks_value(const RefusedLine& line, Finding& f);
+bool calls_in_value(const RefusedLine& line, Finding& f);
+bool assigns_otherwise(const RefusedLine& line, Finding& f);
+bool has_other_operator(const RefusedLine& line, Finding& f);
+bool has_other_function(const RefusedLine& line, Finding& f);
+
+}  // namespace owlint::rules

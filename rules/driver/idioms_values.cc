@@ -1,0 +1,305 @@
+// Idioms in values: commas, calculations without brackets, names half written, operators and functions of other languages.
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "analyzer/syntax/look_alike.h"
+#include "rules/driver/idioms.h"
+
+namespace owlint::rules {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
+bool is_name_char(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+/// Where the name that begins at `from` ends.
+size_t name_end(const RefusedLine& line, size_t from) {
+  while (from < line.end && is_name_char(line.text[from])) ++from;
+  return from;
+}
+
+/// The name that begins at `from`, in the program's own letters.
+std::string name_at(const RefusedLine& line, size_t from) { return line.written(from, name_end(line, from)); }
+
+bool has_name(const RefusedLine& line, std::string_view name) { return line.program.syntax.names.find(name) != kNoName; }
+
+/// The start of the value before the error: after the last `=`, or after the last word's letter.
+size_t value_start(const RefusedLine& line) {
+  const std::string_view before = line.before();
+  const size_t equal = before.rfind('=');
+  const size_t start = equal == std::string_view::npos ? 0 : equal + 1;
+  size_t depth = 0;
+  for (size_t i = line.at; i-- > start;) {
+    const char c = before[i];
+    if (c == ']' || c == '>') ++depth;
+    if ((c == '[' || c == '<') && depth > 0) --depth;
+    if (depth > 0 || !is_letter(c)) continue;
+    const bool alone = i == 0 || !is_letter(before[i - 1]);  // else it is a function's last one
+    if (alone) return i + 1;
+    while (i > start && is_letter(before[i - 1])) --i;
+  }
+  return start;
+}
+
+struct Other {
+  std::string_view text;
+  std::string_view instead;
+};
+
+// Longer ones first.
+constexpr std::array<Other, 17> kOperators = {{
+    {"==", "EQ"}, {"=<", "LE"}, {"=>", "GE"}, {"=", "EQ"}, {"!=", "NE"}, {"<>", "NE"}, {"><", "NE"}, {"<=", "LE"}, {"<", "LT"},
+    {">=", "GE"}, {">", "GT"}, {"&&", "AND"}, {"&", "AND"}, {"||", "OR"}, {"|", "OR"}, {"%", "MOD"}, {"^", "**"},
+}};
+
+constexpr std::array<Other, 21> kFunctions = {{
+    {"not", "use the opposite comparison: `LE` for not `GT`, `EQ 0` for not true"},
+    {"sqr", "write `SQRT[...]`"},
+    {"pow", "write `[a ** b]`"},
+    {"int", "write `FIX[...]`, which rounds down, or `ROUND[...]`"},
+    {"trunc", "write `FIX[...]`, which rounds down"},
+    {"floor", "write `FIX[...]`"},
+    {"ceil", "write `FUP[...]`"},
+    {"log", "write `LN[...]`, the natural logarithm"},
+    {"min", "compare with an `if`"},
+    {"max", "compare with an `if`"},
+    {"mod", "write `[a MOD b]`"},
+    {"pi", "write `3.14159265`"},
+    {"true", "write `1`"},
+    {"false", "write `0`"},
+    {"arctan", "write `ATAN[y]/[x]`"},
+    {"arcsin", "write `ASIN[...]`"},
+    {"arccos", "write `ACOS[...]`"},
+    {"atn", "write `ATAN[y]/[x]`"},
+    {"rnd", "LinuxCNC has no random numbers"},
+    {"rand", "LinuxCNC has no random numbers"},
+    {"random", "LinuxCNC has no random numbers"},
+}};
+
+}  // namespace
+
+/// `X−5` with the minus sign of a web page.
+bool has_look_alike(const RefusedLine& line, Finding& f) {
+  const Source& source = *line.program.source;
+  // The error begins with it, or it is within the word that is not known.
+  const std::string_view text = source.slice({line.error.span.begin, line.statement.end()});
+  const uint64_t length = line.error.span.end - line.error.span.begin;
+  const auto foreign = std::ranges::find_if(text, is_foreign);
+  if (foreign == text.end() || static_cast<uint64_t>(foreign - text.begin()) > length) return false;
+  const std::string_view from(foreign, text.end());
+  const auto same = look_alike(character_at(from).code);
+  if (!same) return false;
+  f.message = look_alike_text(from);
+  f.help = same->plain.empty() ? "remove it" : same->plain == " " ? "type an ordinary space" : "type `" + same->plain + "`";
+  // All of them on the line at once, but for its comments and names.
+  std::vector<Edit> edits;
+  for (size_t i = 0; i < line.text.size();) {
+    const char c = line.text[i];
+    if (c == ';') break;
+    if (c == '(' || c == '<') {
+      const size_t close = line.text.text().find(c == '(' ? ')' : '>', i);
+      i = close == std::string_view::npos ? line.text.size() : close;
+      continue;
+    }
+    const uint64_t at = line.text.offset(i);
+    const Character character = character_at(source.slice({at, line.statement.end()}));
+    const auto plain = is_foreign(c) ? look_alike(character.code) : std::nullopt;
+    if (plain) edits.push_back({{at, at + character.length}, plain->plain});
+    i += character.length;
+  }
+  if (!edits.empty()) line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), true);
+  return true;
+}
+
+/// `1,5`, and `call [1, 2]`.
+bool has_comma(const RefusedLine& line, Finding& f) {
+  if ((line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kExpression) || !line.rest().starts_with(",")) return false;
+  const bool digits = line.at > 0 && is_digit(line.text[line.at - 1]) && is_digit(line.text[line.at + 1]);
+  const bool together = digits && line.text.offset(line.at + 1) == line.text.offset(line.at) + 1;
+  if (line.statement.is(Keyword::kCall) && line.kind() == StopKind::kExpression) {
+    f.message = "there is a comma between the arguments";
+    f.help = "write each argument in its own brackets: `[1] [2]`";
+    if (together) f.help += "; write a decimal point as `.`";
+    line.propose(f, "write each argument in its own brackets", {line.put(line.at, line.at + 1, "] [")}, false);
+    return true;
+  }
+  if (!digits) return false;
+  size_t from = line.at;
+  while (from > 0 && (is_digit(line.text[from - 1]) || line.text[from - 1] == '.')) --from;
+  size_t to = line.at + 1;
+  while (is_digit(line.text[to])) ++to;
+  const std::string number = line.written(from, line.at) + "." + line.written(line.at + 1, to);
+  f.message = "`" + line.written(from, to) + "` has a comma instead of a decimal point";
+  f.help = "write `" + number + "`";
+  line.propose(f, f.help, {line.put(line.at, line.at + 1, ".")}, false);
+  return true;
+}
+
+/// `#1 = #1 + 1`, `X#1+5`.
+bool computes_without_brackets(const RefusedLine& line, Finding& f) {
+  constexpr std::string_view kWords[] = {"mod", "and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le"};
+  if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kWordBefore && line.kind() != StopKind::kExpression) return false;
+  if (line.at == 0 || (line.statement.kind == LineKind::kOWord && !line.statement.refused)) return false;
+  const std::string_view rest = line.rest();
+  const char before = line.text[line.at - 1];
+  const bool behind_value = is_digit(before) || before == '.' || before == '>' || before == ']';
+  const bool sign = rest.size() > 1 && std::string_view("+-*/").find(rest[0]) != std::string_view::npos;
+  const bool word = std::ranges::any_of(kWords, [&](std::string_view w) { return rest.starts_with(w) && rest.size() > w.size() && !is_letter(rest[w.size()]); });
+  if (!behind_value || (!sign && !word)) return false;
+  const size_t start = value_start(line);
+  if (start >= line.at) return false;
+  const bool assigns = start > 0 && line.text[start - 1] == '=';
+  const std::string all = line.written(start, line.end);
+  f.message = "a calculation must be in brackets";
+  f.help = "write `[" + all + "]`";
+  line.propose(f, "write brackets around the calculation", {line.put(start, start, "["), line.put(line.end, line.end, "]")}, assigns);
+  const Span behind = line.text.span(start, line.end);
+  f.fixes[0].edits[1].span = {behind.end, behind.end};
+  return true;
+}
+
+/// `#depth = 5`, and `#depth> = 5`.
+bool names_without_brackets(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression || line.at == 0 || line.text[line.at - 1] != '#' || !is_letter(line.text[line.at])) return false;
+  const std::string name = name_at(line, line.at);
+  const size_t to = name_end(line, line.at);
+  const bool closed = line.text[to] == '>';
+  const bool assigns = line.text[closed ? to + 1 : to] == '=';
+  if (line.statement.kind == LineKind::kWords && line.at == 1 && !assigns && !closed) {
+    f.message = "`#` does not begin a comment";
+    f.help = "begin a comment with `;`; a parameter is `#1` or `#<name>`";
+    return true;
+  }
+  f.message = closed ? "the name `" + name + ">` has no `<`" : "write the name of a parameter in `< >`";
+  f.help = "write `#<" + name + ">`";
+  line.propose(f, f.help, {line.put(line.at, closed ? to + 1 : to, "<" + name + ">")}, assigns || closed);
+  return true;
+}
+
+/// `#<depth = 5`.
+bool names_half_bracketed(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression || !line.error.message.starts_with("Named parameter not terminated")) return false;
+  const std::string name = name_at(line, line.at + 1);
+  f.message = "the name `<" + name + "` has no `>`";
+  f.help = name.empty() ? "write `#<name>`" : "write `#<" + name + ">`";
+  if (name.empty()) return true;
+  const size_t to = name_end(line, line.at + 1);
+  line.propose(f, f.help, {line.put(line.at, to, "<" + name + ">")}, line.text[to] == '=');
+  return true;
+}
+
+/// `<depth> = 5`, `[<depth> + 1]`, `X<depth>`.
+bool names_without_number_sign(const RefusedLine& line, Finding& f) {
+  const bool word = line.kind() == StopKind::kWordUnreadable && line.text[line.at + 1] == '<';
+  const size_t open = word ? line.at + 1 : line.at;
+  if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kExpression && !word) return false;
+  if (open >= line.text.size() || line.text[open] != '<' || (open > 0 && line.text[open - 1] == '#')) return false;
+  if (line.kind() == StopKind::kExpression && line.error.message.starts_with("Unknown operation")) return false;
+  const std::string name = name_at(line, open + 1);
+  if (name.empty() || line.text[name_end(line, open + 1)] != '>') return false;
+  f.message = "the `#` is missing before `<" + name + ">`";
+  f.help = "write `#<" + name + ">`";
+  line.propose(f, f.help, {line.put(open, open, "#")}, true);
+  return true;
+}
+
+/// `#1 =`.
+bool lacks_value(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression || line.statement.kind == LineKind::kOWord) return false;
+  const std::string_view text = line.text.text();
+  const size_t equal = text.find('=', line.at == 0 ? 0 : line.at - 1);
+  const size_t behind = equal == std::string_view::npos ? equal : equal + 1;
+  const bool nothing = behind != std::string_view::npos && (behind >= text.size() || text[behind] == '(' || text[behind] == ';');
+  if (!nothing || behind < line.at || text.find('[', line.at) < equal) return false;
+  f.message = "there is no value after `=`";
+  f.help = "write the value: `" + line.written(text.rfind('#', equal), behind) + " 0`";
+  return true;
+}
+
+/// `#1 = o<f> call`.
+bool calls_in_value(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression && line.kind() != StopKind::kWordUnreadable) return false;
+  size_t from = line.at;
+  if (line.kind() == StopKind::kWordUnreadable) ++from;
+  const std::string_view text = line.text.text();
+  if (from >= line.end || text[from] != 'o' || (text[from + 1] != '<' && !is_digit(text[from + 1]))) return false;
+  const std::string call = line.written(from, line.end);
+  f.message = "a call in place of a value";
+  f.help = "call the sub on a line of its own: `" + call + "`; its result is then in `#<_value>`";
+  const bool assigns = from > 0 && text[from - 1] == '=' && text[0] == '#' && line.end == text.size();
+  if (!assigns || text.substr(from, line.end - from).find("call") == std::string_view::npos) return true;
+  const std::string begin = indent_of(*line.program.source, line.statement);
+  const std::string target = line.written(0, from);
+  line.propose(f, "call first, then read `#<_value>`",
+               {line.put(0, line.end, call + line_end(*line.program.source, line.statement) + begin + target + " #<_value>")}, false);
+  return true;
+}
+
+/// `#1 := 5`, `#1 == 5`.
+bool assigns_otherwise(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression || line.statement.kind == LineKind::kOWord) return false;
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const size_t colon = line.error.message.starts_with("Equal sign missing") ? text.find(":=", line.at) : std::string_view::npos;
+  const bool twice = line.rest().starts_with("=") && line.before().ends_with("=");
+  if (colon == std::string_view::npos && !twice) return false;
+  f.message = colon == std::string_view::npos ? "`==` assigns nothing" : "`:=` assigns nothing";
+  f.help = "write `=`";
+  line.propose(f, f.help, {colon == std::string_view::npos ? line.put(line.at, line.at + 1, "") : line.put(colon, colon + 1, "")}, true);
+  return true;
+}
+
+/// `==`, `>`, `&&` and the like.
+bool has_other_operator(const RefusedLine& line, Finding& f) {
+  const bool bracket = line.kind() == StopKind::kBracketMissing;
+  const bool expected = line.kind() == StopKind::kExpression && line.error.message.starts_with("Unknown operation");
+  if (!expected || bracket) return false;
+  const std::string_view rest = line.rest();
+  if (line.text[line.at] == '(') {
+    f.message = "a comment inside brackets";
+    f.help = "write it after the closing bracket";
+    return true;
+  }
+  const auto* other = std::ranges::find_if(kOperators, [&](const Other& o) { return rest.starts_with(o.text); });
+  if (other == kOperators.end()) return false;
+  f.message = "`" + std::string(other->text) + "` is not a LinuxCNC operator";
+  f.help = "write `" + std::string(other->instead) + "`";
+  // A letter beside it would become part of it.
+  line.propose(f, f.help, {line.put(line.at, line.at + other->text.size(), " " + std::string(other->instead) + " ")}, false);
+  return true;
+}
+
+/// `NOT`, `SQR[2]`, `[depth + 1]`.
+bool has_other_function(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression || line.at >= line.text.size()) return false;
+  if (line.text[line.at] == '!') {
+    f.message = "LinuxCNC has no `!`";
+    f.help = kFunctions[0].instead;
+    return true;
+  }
+  if (!line.error.message.starts_with("Unknown word") || !is_letter(line.text[line.at])) return false;
+  std::string_view lowered = line.text.text().substr(line.at, name_end(line, line.at) - line.at);
+  const auto* other = std::ranges::find_if(kFunctions, [&](const Other& o) { return lowered == o.text || (o.text == "not" && lowered.starts_with("not")); });
+  if (other != kFunctions.end()) {
+    f.message = "LinuxCNC has no `" + line.written(line.at, line.at + other->text.size()) + "`";
+    f.help = other->instead;
+    return true;
+  }
+  if (line.text[line.at + lowered.size()] == '[') return false;
+  // An operator may follow without a blank, as blanks are gone: `depthgt3`.
+  while (!lowered.empty() && !has_name(line, lowered)) lowered.remove_suffix(1);
+  if (lowered.empty()) {
+    const std::string_view text = line.program.source->slice(line.text.span(line.at, line.end));
+    const std::string word(text.substr(0, static_cast<size_t>(std::ranges::find_if(text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_'; }) - text.begin())));
+    f.message = "`" + word + "` is not a function";
+    f.help = "write `#<" + word + ">`, if it is a parameter; functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN";
+    return true;
+  }
+  const std::string name = line.written(line.at, line.at + lowered.size());
+  f.message = "the name of a parameter is written `#<" + name + ">`";
+  f.help = "write `#<" + name + ">`";
+  line.propose(f, f.help, {line.put(line.at, line.at + lowered.size(), "#<" + name + ">")}, false);
+  return true;
+}
+
+}  // namespace owlint::rules

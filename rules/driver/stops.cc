@@ -1,0 +1,397 @@
+#include "rules/driver/stops.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analyzer/syntax/known_line.h"
+#include "analyzer/syntax/look_alike.h"
+
+namespace owlint {
+
+Index::Index(const Program& program, const FlowResult& flow) : nature(nature_of(program.source->bytes())), at(program.size()) {
+  std::vector<bool> stopped(program.size());
+  for (const FlowStop& stop : flow.stops) {
+    if (stop.statement == kNoStatement) continue;
+    const Statement& s = program.at(stop.statement);
+    if (stop.kind != StopKind::kFileEnd || !(opens_block(s.keyword) || s.opens_sub())) stopped[stop.statement] = true;
+  }
+  for (const Hazard& hazard : flow.hazards) {
+    if (hazard.kind == HazardKind::kCrash) stopped[hazard.statement] = true;
+  }
+  at = stopped;
+  for (const Hazard& hazard : flow.hazards) {
+    if (hazard.kind != HazardKind::kWarned) continue;
+    at[hazard.statement] = true;
+    warned_by_code[rules::code_of(hazard.warned, program.at(hazard.statement))].push_back(&hazard);
+  }
+  for (const FlowStop& stop : flow.stops) {
+    if (stop.kind == StopKind::kFileEnd && stop.statement != kNoStatement) {
+      // A block whose end has a wrong label: the stop at that end and the end of the file, which a run meets
+      // when it skips the block, are one mistake.
+      const BlockId block = program.block_of[stop.statement];
+      StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
+      // Or one that LinuxCNC cannot read.
+      if (block != kNoBlock && program.blocks[block].end != kNoStatement && program.at(program.blocks[block].end).refused) mistaken = program.blocks[block].end;
+      if (mistaken != kNoStatement && stopped[mistaken]) {
+        consequences.emplace(mistaken, &stop);
+        continue;
+      }
+    }
+    by_code[rules::code_of(stop, program)].push_back(&stop);
+  }
+  for (StatementId id = 0; id < program.size(); ++id) add_line(program, id);
+  for (NameId id = 0; id < program.syntax.names.size(); ++id) {
+    if (std::ranges::any_of(program.syntax.names.text(id), is_foreign)) foreign_names.push_back(id);
+  }
+  find_shared_labels(program);
+}
+
+void Index::add_line(const Program& program, StatementId id) {
+  const Statement& s = program.at(id);
+  if (s.error != UINT32_MAX) {
+    FlowStop unmet;
+    unmet.statement = id;
+    unmet.kind = program.syntax.errors[s.error].kind;
+    if (!at[id]) unmet_by_code[rules::code_of(unmet, program)].push_back(id);
+    if ((s.is(Keyword::kUnknown) || s.is(Keyword::kBare)) && s.label != kNoName) unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
+    if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
+  }
+  if (s.name_open || s.nul || s.inner_cr) {
+    if (odd_lines.empty() || odd_lines.back() != id) odd_lines.push_back(id);
+  }
+  if (s.is(Keyword::kBare)) program_numbers.push_back(id);
+  if (s.kind == LineKind::kProgramEnd || s.has_m99() || s.kind == LineKind::kPercent) ends.push_back(id);
+  if (s.has_items() && s.item_count > 1) several_items.push_back(id);
+  if (s.kind != LineKind::kOWord) return;
+  if ((s.keyword == Keyword::kIf || s.keyword == Keyword::kElseif || s.keyword == Keyword::kWhile) && s.value_count > 0) tests.push_back(id);
+  if (s.keyword == Keyword::kSub || s.keyword == Keyword::kEndsub || s.keyword == Keyword::kReturn) {
+    sub_lines.push_back(id);
+  } else if (!global_label(s.keyword) && s.label != kNoName) {
+    const BlockId block = program.block_of[id];
+    if (block == kNoBlock || program.blocks[block].mistaken_end == id) stray_parts.push_back(id);
+  }
+}
+
+void Index::find_shared_labels(const Program& program) {
+  // Blocks are region by region: what was noted for an earlier region is out of date.
+  std::vector<BlockId> first(program.syntax.names.size(), kNoBlock);
+  for (BlockId id = 0; id < program.blocks.size(); ++id) {
+    const Block& block = program.blocks[id];
+    BlockId& known = first[block.label];
+    if (known == kNoBlock || program.blocks[known].region != block.region) {
+      known = id;
+    } else {
+      shared_labels.emplace_back(program.blocks[known].opener, block.opener);
+    }
+  }
+}
+
+}  // namespace owlint
+
+namespace owlint::rules {
+
+namespace {
+
+/// Whether an error of reading is about a character that is not ASCII, such as a no-break space.
+bool is_about_foreign(const Program& program, const Statement& s, StopKind kind) {
+  const LineError* error = program.syntax.error(s);
+  if (error == nullptr || error->kind != kind) return false;
+  const std::string_view text = program.source->slice(error->span);
+  return !text.empty() && is_foreign(text[0]);
+}
+
+}  // namespace
+
+std::string_view code_of(StopKind kind, const Statement& s) {
+  switch (kind) {
+    case StopKind::kLineTooLong: return "OW309";
+    case StopKind::kCommentNested: case StopKind::kCommentUnclosed: return "OW308";
+    case StopKind::kLabelMissing: case StopKind::kLabelWord: case StopKind::kLabelNotInteger:
+    case StopKind::kLabelExpression: case StopKind::kM98Number: case StopKind::kLabelForgotten:
+    case StopKind::kLetterForgotten: return "OW306";
+    case StopKind::kWordUnreadable: return "OW318";
+    case StopKind::kM98NoTarget: return "OW208";
+    case StopKind::kM98Words: case StopKind::kM98Behind: case StopKind::kM99Jump: case StopKind::kM99Behind:
+    case StopKind::kM99Rest: return "OW217";
+    case StopKind::kKeywordUnknown: return "OW301";
+    case StopKind::kBracketMissing: return "OW302";
+    case StopKind::kLineNumber: case StopKind::kExpression: case StopKind::kParameterRange: case StopKind::kValueFails:
+      return "OW303";
+    case StopKind::kTrailingText: return "OW304";
+    case StopKind::kTooManyArguments: return "OW209";
+    case StopKind::kWordBefore: return "OW305";
+    case StopKind::kZeroForO: return "OW307";
+    case StopKind::kBlockDelete: return "OW313";
+    case StopKind::kBadCharacter: return s.kind == LineKind::kPercent ? "OW315" : "OW314";
+    case StopKind::kSubNested: case StopKind::kSubNestedInCall: return "OW202";
+    case StopKind::kReturnOutside: case StopKind::kNotInDefinition: return "OW101";
+    case StopKind::kLabelUndefined:
+      switch (s.keyword) {
+        case Keyword::kElse: case Keyword::kElseif: return "OW105";
+        case Keyword::kBreak: case Keyword::kContinue: return "OW107";
+        case Keyword::kEndwhile: case Keyword::kEndrepeat: return "OW108";
+        default: return "OW106";
+      }
+    case StopKind::kNotAnIf: return "OW106";
+    case StopKind::kNotALoop: return "OW107";
+    case StopKind::kWrongEnd: return "OW108";
+    case StopKind::kDuplicateIf: return "OW104";
+    case StopKind::kDuplicateLoop: return s.keyword == Keyword::kRepeat ? "OW102" : "OW103";
+    case StopKind::kSubIllegalLocation: return "OW207";
+    case StopKind::kSubRedefined: return "OW201";
+    case StopKind::kCallTooDeep: return "OW210";
+    case StopKind::kSubNotFound: return "OW208";
+    case StopKind::kFileLacksSub: return "OW401";
+    case StopKind::kFileNameCase: return "OW402";
+    case StopKind::kHelperRefused: return "OW403";
+    case StopKind::kSubBeforeEntry: return "OW404";
+    case StopKind::kFilePercent: return "OW409";
+    case StopKind::kFileEnd: return "OW315";
+    case StopKind::kStyleNeedsM98: case StopKind::kStyleNeedsCall: case StopKind::kStyleNeedsM99:
+    case StopKind::kStyleNeedsEndsub: case StopKind::kFanucDisabled: return "OW211";
+    case StopKind::kNameUndefined: return "OW603";
+    case StopKind::kNameReadOnly: case StopKind::kParameterReadOnly: return "OW604";
+    case StopKind::kNone: break;
+  }
+  return "OW303";
+}
+
+std::string_view code_of(const FlowStop& stop, const Program& program) {
+  if (stop.statement == kNoStatement) return "OW315";
+  const Statement& s = program.at(stop.statement);
+  if (stop.kind == StopKind::kFileEnd) {
+    // Skipped to the end of the file: by a block that is not closed, or by a jump out of a loop that is over.
+    if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) return "OW107";
+    if (s.is(Keyword::kElse) || s.is(Keyword::kElseif)) return "OW106";
+    return s.opens_sub() ? "OW204" : "OW205";
+  }
+  if (stop.kind == StopKind::kSubIllegalLocation) {
+    const Region& region = program.regions[program.region_of[stop.statement]];
+    return region.opener == stop.statement && region.enclosing != kNoBlock ? "OW203" : "OW207";
+  }
+  const bool value = s.is(Keyword::kReturn) || s.is(Keyword::kEndsub);
+  if ((stop.kind == StopKind::kValueFails || stop.kind == StopKind::kParameterRange) && value) return "OW512";
+  // Carriage returns alone as line ends put a whole file on one line: that is the mistake, whatever it leads to.
+  if (s.inner_cr && stop.kind < StopKind::kSubNested) return "OW314";
+  if (stop.kind == StopKind::kTrailingText && program.source->slice(s.rest_span()).starts_with("]")) return "OW303";
+  if (is_about_foreign(program, s, stop.kind)) return "OW314";
+  return code_of(stop.kind, s);
+}
+
+void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {
+  if (statement == kNoStatement) return;
+  const Statement& s = program.at(statement);
+  const Span span = s.kind == LineKind::kOWord || s.calls() ? s.head_span() : s.whole();
+  finding.related.push_back({span, std::move(message), nullptr});
+}
+
+void relate(const Input& in, Finding& finding, const Elsewhere& place, std::string message) {
+  if (place.program == nullptr) return;
+  relate(finding, *place.program, place.statement, std::move(message));
+  if (place.program != &in.program) finding.related.back().source = place.program->source;
+}
+
+Elsewhere place_of(const Input& in, StatementId here, const Elsewhere& elsewhere) {
+  if (here == kNoStatement) return elsewhere;
+  return {&in.program, here};
+}
+
+std::string line_words(const Input& in, const Elsewhere& place) {
+  std::string words = "line " + std::to_string(place.program->at(place.statement).line);
+  if (place.program != &in.program) words += " of " + file_name(*place.program->source);
+  return words;
+}
+
+std::string line_end(const Source& source, const Statement& statement) {
+  return source.slice(statement.whole()).ends_with('\r') ? "\r\n" : "\n";
+}
+
+std::string indent_of(const Source& source, const Statement& statement) {
+  const std::string_view line = source.slice(statement.whole());
+  return std::string(line.substr(0, std::min(line.find_first_not_of(" \t"), line.size())));
+}
+
+Fix split_line(const Program& program, const Statement& statement, uint64_t at, std::string title) {
+  const Source& source = *program.source;
+  std::string_view before = source.slice({statement.offset, at});
+  const uint64_t blanks = statement.offset + before.find_last_not_of(" \t") + 1;
+  if (statement.block_delete) before.remove_prefix(before.find('/') + 1);
+  const bool good = surely_runs(before) && surely_runs(source.slice({at, statement.end()}));
+  const std::string begin = line_end(source, statement) + indent_of(source, statement) + (statement.block_delete ? "/" : "");
+  return {std::move(title), good, {{{blanks, at}, begin}}, true};
+}
+
+StatementId outermost(const Program& program, StatementId statement) {
+  const RegionId region = program.region_of[statement];
+  if (region != kMainRegion) {
+    const Region& sub = program.regions[region];
+    if (sub.enclosing == kNoBlock) return sub.opener;
+    statement = sub.opener;
+  }
+  // The blocks of the main program come first, in the order of their openers.
+  const auto main_end = std::ranges::partition_point(program.blocks, [](const Block& b) { return b.region == kMainRegion; });
+  auto at = std::ranges::partition_point(program.blocks.begin(), main_end, [&](const Block& b) { return b.opener <= statement; });
+  if (at == program.blocks.begin()) return statement;
+  StatementId outer = statement;
+  for (auto block = static_cast<BlockId>(at - program.blocks.begin() - 1); block != kNoBlock; block = program.blocks[block].parent) {
+    const Block& b = program.blocks[block];
+    if (b.end != kNoStatement && b.end >= statement) outer = b.opener;
+  }
+  return outer;
+}
+
+Fix move_up(const Program& program, StatementId first, StatementId last, StatementId before, std::string title) {
+  const Source& source = *program.source;
+  const uint64_t begin = program.at(first).offset;
+  const uint64_t end = std::min<uint64_t>(program.at(last).end() + 1, source.bytes().size());
+  std::string lines(source.slice({begin, end}));
+  if (!lines.ends_with('\n')) lines += line_end(source, program.at(first));
+  const uint64_t to = program.at(before).offset;
+  return {std::move(title), false, {{{to, to}, std::move(lines)}, {{begin, end}, ""}}};
+}
+
+bool bounds_sub(const Statement& statement) { return statement.opens_sub() || statement.is(Keyword::kEndsub); }
+
+std::string file_name(const Source& source) {
+  const std::string& path = source.path();
+  return path.substr(path.rfind('/') + 1);
+}
+
+/// The call in which it stops, if that matters: other calls of the same sub may pass values for which it does not stop.
+StatementId telling_call(const Program& program, const FlowStop& stop) {
+  if (stop.call == kNoStatement || stop.statement == kNoStatement) return kNoStatement;
+  if (stop.kind < StopKind::kNameUndefined && program.at(stop.statement).label_expr == kNoExpr) return kNoStatement;
+  const NameId sub = program.regions[program.region_of[stop.statement]].name;
+  if (sub == kNoName) return kNoStatement;
+  int calls = 0;
+  const bool several = std::ranges::any_of(program.by_label[sub], [&](StatementId id) { return program.at(id).is(Keyword::kCall) && ++calls > 1; });
+  return several ? stop.call : kNoStatement;
+}
+
+void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
+  finding.stops = true;
+  finding.reach = stop.reach;
+  finding.unproven = stop.unproven && !finding.help.starts_with("write `");
+  finding.interpreter = stop.interpreter;
+  for (const Decision& decision : stop.path) {
+    const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
+    const Statement& s = place.program->at(decision.statement);
+    const bool repeat = s.is(Keyword::kRepeat);
+    const std::string outcome = repeat ? (decision.taken ? " repeats" : " does not repeat")
+                                       : (decision.taken ? " is true" : " is false");
+    finding.path.push_back({s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
+                            decision.program == nullptr ? nullptr : decision.program->source});
+  }
+  relate(in, finding, stop.call_elsewhere, "called here");
+  relate(finding, in.program, telling_call(in.program, stop), "called here");
+  add_consequences(in, stop.statement, finding);
+}
+
+void add_consequences(const Input& in, StatementId statement, Finding& finding) {
+  const auto [first, last] = in.index.consequences.equal_range(statement);
+  for (auto it = first; it != last; ++it) {
+    const FlowStop& other = *it->second;
+    const Span span = other.statement == kNoStatement ? finding.span : in.program.at(other.statement).head_span();
+    finding.consequences.push_back({code_of(other, in.program), span, other.interpreter});
+  }
+}
+
+namespace {
+
+template <typename Lists>
+auto list_of(const Lists& lists, const Reporter& out) {
+  const auto found = lists.find(out.rule().code);
+  return found == lists.end() ? std::span<const typename Lists::mapped_type::value_type>() : std::span(found->second);
+}
+
+}  // namespace
+
+std::span<const FlowStop* const> stops_of(const Input& in, const Reporter& out) { return list_of(in.index.by_code, out); }
+
+std::span<const Hazard* const> warned_of(const Input& in, const Reporter& out) { return list_of(in.index.warned_by_code, out); }
+
+std::span<const StatementId> unmet_of(const Input& in, const Reporter& out) { return list_of(in.index.unmet_by_code, out); }
+
+std::optional<FlowStop> as_stop(const Input& in, const Reporter& out, const Hazard& warned) {
+  if (std::ranges::any_of(stops_of(in, out), [&](const FlowStop* stop) { return stop->statement == warned.statement; })) return std::nullopt;
+  FlowStop stop;
+  stop.statement = warned.statement;
+  stop.kind = warned.warned;
+  stop.other = warned.other;
+  return stop;
+}
+
+bool has_stop(const Input& in, StatementId statement) { return statement < in.index.at.size() && in.index.at[statement]; }
+
+std::string look_alike_text(std::string_view text) {
+  const char32_t code = character_at(text).code;
+  const LookAlike same = look_alike(code).value();
+  const std::string who = fmt::format("the character U+{:04X} {}", static_cast<uint32_t>(code), same.name);
+  if (same.plain.empty()) return who + " is here, but no editor shows it";
+  return who + (same.plain == " " ? " looks like a space, but is not one" : " looks like `" + same.plain + "`, but is another character");
+}
+
+std::string look_alike_name(const Input& in, std::string_view name) {
+  const Names& names = in.program.syntax.names;
+  // A letter such as `ä` is no ASCII character, either, and looks like no other.
+  const auto differs = [](std::string_view foreign) {
+    while (!is_foreign(foreign[0]) || !look_alike(character_at(foreign).code)) foreign.remove_prefix(character_at(foreign).length);
+    return look_alike_text(foreign);
+  };
+  const std::string plain = plain_text(name);
+  const bool known = plain != name && (names.find(plain) != kNoName || in.linked.search_path().find(plain));
+  if (plain != name) return !known ? std::string() : "in `<" + std::string(name) + ">` " + differs(name) + ": write `<" + plain + ">`";
+  for (const NameId id : in.index.foreign_names) {
+    if (names.text(id) != name && plain_text(names.text(id)) == name) return "in `<" + names.text(id) + ">` " + differs(names.text(id)) + ": write `<" + plain + ">`";
+  }
+  return {};
+}
+
+std::string ordinal(size_t n) {
+  const size_t tens = n % 100;
+  const char* ending = "th";
+  if (tens < 11 || tens > 13) ending = n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th";
+  return std::to_string(n) + ending;
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates, size_t limit) {
+  const std::string* best = nullptr;
+  size_t best_distance = std::min(limit, std::max<size_t>(1, word.size() / 3)) + 1;
+  for (const std::string& candidate : candidates) {
+    const size_t longer = std::max(word.size(), candidate.size());
+    if (longer - std::min(word.size(), candidate.size()) >= best_distance) continue;
+    // Optimal string alignment: a swapped pair of letters is one mistake.
+    std::vector<std::vector<size_t>> d(word.size() + 1, std::vector<size_t>(candidate.size() + 1));
+    for (size_t i = 0; i <= word.size(); ++i) d[i][0] = i;
+    for (size_t j = 0; j <= candidate.size(); ++j) d[0][j] = j;
+    for (size_t i = 1; i <= word.size(); ++i) {
+      for (size_t j = 1; j <= candidate.size(); ++j) {
+        d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (word[i - 1] == candidate[j - 1] ? 0 : 1)});
+        if (i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1]) {
+          d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+        }
+      }
+    }
+    if (d[word.size()][candidate.size()] >= best_distance) continue;
+    best_distance = d[word.size()][candidate.size()];
+    best = &candidate;
+  }
+  return best == nullptr ? std::string() : *best;
+}
+
+std::string free_label(const Input& in, NameId label) {
+  const Program& program = in.program;
+  const std::string& text = program.name(label);
+  if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string::npos) return {};
+  constexpr long kTries = 200;
+  const long first = std::stol(text) + 1;
+  for (long number = first; number < first + kTries; ++number) {
+    const NameId id = program.syntax.names.find(std::to_string(number));
+    const bool used = id != kNoName && id < program.by_label.size() && !program.by_label[id].empty();
+    if (!used && in.index.given_numbers.insert(number).second) return "o" + std::to_string(number);
+  }
+  return {};
+}
+
+}  // namespace owlint::rules

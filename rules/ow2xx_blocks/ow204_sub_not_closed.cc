@@ -1,0 +1,91 @@
+// OW204 sub-not-closed: a `sub` whose `endsub` is missing or has another label.
+// Depends on: the interpreter skips a definition up to its own label; only the end of the file ends
+// the skip too, and another `sub` on the way is a nesting error.
+#include <algorithm>
+
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Region& region = p.regions[p.region_of[id]];
+  Finding& f = out.add(p.at(id).head_span(), "`" + p.head(id) + "` is not closed");
+  const std::string end = p.label_at(id) + " endsub";
+  f.help = "write `" + end + "` where the sub ends";
+  if (region.opener == id && region.likely_end != kNoStatement) {
+    const Statement& other = p.at(region.likely_end);
+    const bool without = other.kind == LineKind::kWords;
+    f.message += ": `" + (without ? "endsub" : p.head(region.likely_end)) + "` on line " + std::to_string(other.line) + (without ? " has no label" : " has another label");
+    relate(f, p, region.likely_end, "this is probably meant to be `" + end + "`");
+    f.help = "write `" + end + "` on line " + std::to_string(other.line);
+    f.fixes.push_back({"write `" + end + "`", true, {{other.head_span(), end}}});
+  }
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  std::vector<bool> done(p.size());
+  for_stops(in, out, [&](const FlowStop& s) {
+    done[s.statement] = true;
+    return report(in, out, s.statement);
+  });
+  StatementId last_nested = 0;
+  if (const auto nested = in.index.by_code.find("OW202"); nested != in.index.by_code.end()) {
+    for (const FlowStop* s : nested->second) last_nested = std::max(last_nested, s->statement);
+  }
+  for (const Region& region : p.regions) {
+    if (region.opener == kNoStatement || region.end != kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
+    if (p.at(region.opener).inner_cr || p.at(region.opener).refused) continue;
+    // A `sub` that begins before this one is closed stops the interpreter there and is reported there.
+    if (done[region.opener] || last_nested > region.opener) continue;
+    report(in, out, region.opener)->reach = in.flow.reach(region.opener);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw204{
+    .code = "OW204",
+    .name = "sub-not-closed",
+    .summary = "`sub` without its `endsub`",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `sub` line without an `endsub` of the same label below it. If an `endsub` with another label is in
+the right place, the finding names it.)",
+        .why = R"(The interpreter skips everything below the `sub`, also `M2`, and stops at the end of the file. The
+program makes no move, and the message is about the end of the file, not about the sub. From 2.9.10
+on the message is `File ended with no percent sign (%) or program end (M2)`; in a program between
+`%` signs it is `Failed to find sub 'O100' before EOF`; if another `sub` follows, it is `Nested
+subroutine definition`.
+
+If a call enters such a sub at the end of the file, and `M2` ends it, the program runs without a
+message and never comes back from the call.)",
+        .bad = R"(G21 G90
+o100 sub
+  G81 X#1 Y#2 Z-5 R2 F80
+  G80
+o101 endsub
+o100 call [10] [20]
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  G81 X#1 Y#2 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10] [20]
+M2
+)",
+        .fix = R"(Give the `endsub` the label of its `sub`, or add the missing line.)",
+        .level_reason = "Error if a run reads to the end of the file: the program stops there. Warning if the sub runs anyway.",
+        .interpreter = "File ended with no percent sign or program end",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

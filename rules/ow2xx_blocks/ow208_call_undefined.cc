@@ -1,0 +1,201 @@
+// OW208 call-undefined: a call of a sub that is defined nowhere.
+// Depends on: an unknown sub is looked for as a file on the search path, then by reading ahead to the end of the
+// file that calls it; not found is an error there.
+#include <algorithm>
+#include <span>
+#include <unordered_map>
+
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+std::string number_only(const std::string& name) {
+  return name.find_first_not_of("-0123456789") == std::string::npos ? name : std::string();
+}
+
+/// A definition in another file of the run, which comes too late.
+Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
+  for (const LinkedFile& file : in.linked.files()) {
+    const Program& p = *file.program;
+    for (const Region& region : p.regions) {
+      if (&p != &in.program && region.opener != kNoStatement && p.name(region.name) == name) return {&p, region.opener};
+    }
+  }
+  return {};
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  constexpr size_t kMaxCandidates = 2000;  // and as many misspelt names: beyond, nobody reads suggestions
+  constexpr size_t kMaxListings = 50;      // misspelt names for which all files of the search path are looked through
+  std::vector<std::string> known;
+  std::unordered_map<std::string, const Region*> by_name;
+  const bool suggests = in.index.by_code.contains(out.rule().code);
+  for (const Region& region : suggests ? std::span(p.regions) : std::span<const Region>{}) {
+    if (region.name == kNoName || !by_name.emplace(p.name(region.name), &region).second) continue;
+    if (known.size() < kMaxCandidates) known.push_back(p.name(region.name));
+  }
+  size_t suggestions = 0;
+  std::unordered_map<std::string, std::string> near_files;  // by name
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const Statement& s = p.at(stop.statement);
+    if (stop.kind == StopKind::kM98NoTarget) {
+      Finding& f = out.add(s.keyword_span(), "`M98` has no `P` with the number of the sub");
+      f.help = "write `M98 P100`";
+      return &f;
+    }
+    const std::string label = label_text(stop.detail);
+    const bool machine = in.profile.setup != nullptr;
+    Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` " +
+                                            (machine ? "on the machine's search path" : in.profile.sub_path.empty() ? "in its folder" : "in its folder or those of `--sub-path`"));
+    if (in.linked.target(stop.detail).opaque) {
+      f.message = "no sub `" + label + "` in this program, and owlint does not look for a file with such a name";
+      f.help = "define the sub, or correct the name";
+      return &f;
+    }
+    if (const auto found = by_name.find(stop.detail); found != by_name.end()) {
+      const Region& region = *found->second;
+      f.message = "`" + label + "` is not known here: the program has not run its definition on line " + std::to_string(p.at(region.opener).line) + " before";
+      relate(f, p, region.opener, region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
+      f.help = "define the sub before the call, outside of blocks";
+      return &f;
+    }
+    if (const std::string other = look_alike_name(in, stop.detail); !other.empty()) {
+      f.help = other;
+      return &f;
+    }
+    std::string near;
+    std::string near_file;
+    const Elsewhere late = defined_elsewhere(in, stop.detail);
+    if (late.program != nullptr) {
+      f.message = "`" + label + "` is not known here: the program has not run its definition on " + line_words(in, late) + " before";
+      relate(in, f, late, "defined here");
+      f.help = "define the sub before the call that leads here, or move it into a file of its own";
+      return &f;
+    }
+    // A name of one or two letters is near to everything, and the sub around the call is never meant.
+    if (number_only(stop.detail).empty() && stop.detail.size() > 2 && suggestions++ < kMaxCandidates) {
+      near = nearest(stop.detail, known, 1);
+      const NameId around = p.regions[p.region_of[stop.statement]].name;
+      if (around != kNoName && near == p.name(around)) near.clear();
+      if (near.empty() && suggestions < kMaxListings) {
+        const auto [known_file, first] = near_files.try_emplace(stop.detail);
+        if (first) known_file->second = nearest(stop.detail, in.linked.search_path().names(), 2);
+        near_file = known_file->second;
+      }
+    }
+    if (!near.empty()) {
+      f.help = "write `" + label_text(near) + "`";
+      if (s.label != kNoName) f.fixes.push_back({f.help, false, {{s.label_span(), s.is(Keyword::kCall) ? label_text(near) : (s.kind == LineKind::kM98 ? "P" : "Q") + near}}});
+      relate(f, p, by_name.at(near)->opener, "`" + label_text(near) + "` is defined here");
+    } else if (!near_file.empty()) {
+      const auto file = in.linked.search_path().find(near_file);
+      f.help = "did you mean `" + label_text(near_file) + "`, in " + (file ? file->path : near_file + ".ngc") + "?";
+      if (s.is(Keyword::kCall) && s.label != kNoName) f.fixes.push_back({"write `" + label_text(near_file) + "`", false, {{s.label_span(), label_text(near_file)}}});
+    } else if (p.sub_file && machine) {
+      f.group = stop.detail;
+      f.help = "define the sub here or in every program that calls this file, or correct the name";
+    } else if (stop.unproven) {
+      f.group = stop.detail;
+      f.help = "define the sub, or correct the name; if it is in a file, use `--sub-path DIR`, or `--ini FILE` with the machine's INI";
+    } else {
+      f.help = "define the sub, or correct the label";
+    }
+    return &f;
+  });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
+    Finding& f = out.add(p.at(id).keyword_span(), "`M98` has no `P` with the number of the sub");
+    f.interpreter = error.message;
+    f.reach = Reach::kNever;
+  });
+  // Calls that no run gets to, of subs that nobody defines.
+  for (const Call& call : p.calls) {
+    if (call.callee == kNoName || call.target != UINT32_MAX || has_stop(in, call.statement)) continue;
+    if (in.flow.executed[call.statement] || p.sub_file || in.profile.may_be_python()) continue;
+    const CallTarget target = in.linked.target(p.name(call.callee));
+    if (target.file != CallTarget::kNotFound || target.opaque) continue;
+    if (std::ranges::any_of(p.by_label[call.callee], [&](StatementId id) { return p.at(id).opens_sub(); })) continue;
+    if (number_only(p.name(call.callee)).empty() && in.profile.setup == nullptr) continue;
+    Finding& f = out.add(p.at(call.statement).head_span(), "no sub `" + p.label_text(call.callee) + "` is defined");
+    f.help = "define the sub, or correct the label";
+    f.reach = Reach::kNever;
+  }
+}
+
+/// Subs that the INI calls, by a remap, a button or at the start: they must be files.
+void check_setup(const SetupInput& in, Reporter& out) {
+  const bool whole = std::ranges::all_of(in.setup.folders, [](const IniFolder& folder) {
+    return folder.exists || (folder.key != "PROGRAM_PREFIX" && folder.key != "SUBROUTINE_PATH");
+  });
+  if (!whole) return;  // a folder is missing, which OW407 says: the files may be meant to be there
+  for (const IniCall& call : in.setup.calls) {
+    for (const std::string& name : called_names(call.code)) {
+      if (has_file(in.setup, call, name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
+      if (in.setup.search_path->find_other_case(name)) continue;  // OW402 says so
+      const bool named = !call.name.empty();
+      Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_text(name) + "`, but there is no file `" + name + ".ngc` on the machine's search path");
+      if (call.key == "REMAP") {  // measured: the interpreter does not even start
+        f.stops = true;
+        f.reach = Reach::kAlways;
+        f.interpreter = "INTERP_REMAP: NGC file not found: ngc=" + call.name;
+      }
+      const std::string near = nearest(name, in.setup.search_path->names(), 2);
+      f.help = !near.empty() ? "did you mean `" + (named ? near : label_text(near)) + "`?"
+                             : "put the file into a folder of `SUBROUTINE_PATH`, or add its folder there";
+    }
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw208{
+    .code = "OW208",
+    .name = "call-undefined",
+    .summary = "a `call` or M98 of a sub that LinuxCNC cannot find",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `call`, or `M98 P…`, of a sub that is not defined in the program, and there is no file with its
+name on the machine's search path: the INI's folder, `PROGRAM_PREFIX`, and the folders of
+`SUBROUTINE_PATH` in order. Without an INI owlint knows only the program's own folder and the
+folders of `--sub-path`. A name that it does not find there is a warning, reported once for all
+calls in the checked folder. owlint also looks for the subs that the INI itself calls (`REMAP`,
+`NGCGUI_SUBFILE`, `MDI_COMMAND` …).)",
+        .why = R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`).
+Then it looks ahead through the rest of the program for the `sub` line, and stops at the end of the
+file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. This
+happens when the call is executed, not when the program is loaded.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+o200 call [30]
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  G81 X#1 Y10 Z-5 R2 F80
+  G80
+o100 endsub
+o100 call [10]
+o100 call [30]
+M2
+)",
+        .fix = R"(Correct the name, or add the sub. If a file on the machine's search path has the sub, give owlint
+the INI with `--ini FILE` or `ini = "…"` in `owlint.toml`, or only the file's folder with
+`--sub-path DIR` or `sub-path = ["DIR"]`. If the INI has a `[PYTHON]` section, the name may be a
+Python function, and owlint does not report it.)",
+        .level_reason = "Error if the sub does not exist: the call stops the program. Warning if the file may be in a folder that owlint does not know.",
+        .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
+        .options = "",
+    },
+    .check = check,
+    .check_setup = check_setup,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,150 @@
+// OW217 m98-beside-words: M98 or M99 on a line with other words.
+// Depends on: they call and return only as the line's first word. LinuxCNC reads all words of an M98 line, even if the line
+// is skipped, but only P and L have an effect; in a sub nothing may come after M99.
+#include "analyzer/syntax/known_line.h"
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+std::string text_of(const Program& p, Span span) {
+  constexpr size_t kShown = 40;
+  std::string text(p.source->slice(span));
+  return text.size() > kShown ? text.substr(0, kShown - 3) + "..." : text;
+}
+
+void m98_behind(const Program& p, const Statement& s, Span word, Finding& f) {
+  if (s.kind == LineKind::kM98) {
+    f.message = "a second `M98` on the line: LinuxCNC makes only one call per line";
+  } else {
+    f.message = "`M98` comes after other words: LinuxCNC calls only if `M98` is the first word of the line";
+  }
+  f.help = "write `M98` with its `P` on a line of its own";
+  if (p.source->slice({word.end, s.end()}).find_first_of("pP") != std::string_view::npos) f.fixes.push_back(split_line(p, s, word.begin, f.help));
+}
+
+void m98_words(const Program& p, const LineError& error, Finding& f) {
+  const std::string text = text_of(p, error.span);
+  if (error.message.starts_with("Multiple")) {
+    f.message = "a second `" + text.substr(0, 1) + "` on the `M98` line";
+    f.help = "write only one; call several subs on several lines";
+  } else {
+    f.message = "`" + text + "` is not a number of calls";
+    f.help = "write a whole number after `L`: `L3` calls the sub three times";
+  }
+}
+
+Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, const std::string& interpreter) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  const LineError* error = p.syntax.error(s);
+  Finding& f = out.add(s.keyword_span(), "");
+  f.interpreter = interpreter;
+  switch (kind) {
+    case StopKind::kM98Behind:
+      f.span = error->span;
+      m98_behind(p, s, error->span, f);
+      break;
+    case StopKind::kM98Words:
+      f.span = error != nullptr ? error->span : s.keyword_span();
+      m98_words(p, error != nullptr ? *error : LineError{kind, s.rest_span(), interpreter}, f);
+      if (error == nullptr) f.message = "the `L` of this `M98` is not a number of calls";
+      break;
+    case StopKind::kM99Behind:
+      f.message = "`M99` comes after other words: LinuxCNC returns from a sub only if `M99` is the first word of the line";
+      f.help = "write `M99` on a line of its own";
+      f.fixes.push_back(split_line(p, s, s.keyword_span().begin, f.help));
+      break;
+    case StopKind::kM99Jump: case StopKind::kM99Rest: default: {
+      if (interpreter.starts_with("Two m codes")) {
+        f.span = error->span;
+        f.message = "a second code that ends the program is on the line with `M99`";
+        f.help = "write one of them";
+        break;
+      }
+      f.span = s.rest_span();
+      const std::string text = text_of(p, f.span);
+      const bool jump = text.find_first_not_of("pP0123456789 \t") == std::string::npos && text.find_first_of("pP") == 0;
+      f.message = jump ? "`" + text + "` after `M99`: LinuxCNC cannot return to a line number"
+                       : "`" + text + "` after `M99`: in a sub nothing may come after `M99`";
+      f.help = jump ? "use `M99` alone: it returns to the line after the call; choose there with `o100 if [...]` what to do" : "write it on the line before `M99`";
+      break;
+    }
+  }
+  return f;
+}
+
+/// Words on an M98 line that LinuxCNC reads but does not execute.
+void report_dropped(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  if (s.kind != LineKind::kM98 || s.error != UINT32_MAX || s.rest_to == s.rest_from || has_stop(in, id)) return;
+  const std::string text = text_of(p, s.rest_span());
+  Finding& f = out.add(s.rest_span(), "`" + text + "` on an `M98` line: LinuxCNC reads it but does not execute it");
+  f.help = "write it on a line of its own, before `M98`";
+  f.reach = in.flow.reach(id);
+  if (!surely_runs(p.source->slice(s.rest_span())) || s.block_delete) return;
+  // Never safe: the words would begin to work.
+  uint64_t blanks = s.rest_span().begin;
+  while (p.source->slice({blanks - 1, blanks}).find_first_of(" \t") == 0) --blanks;
+  f.fixes.push_back({f.help, false, {{{s.offset, s.offset}, indent_of(*p.source, s) + std::string(p.source->slice(s.rest_span())) + line_end(*p.source, s)},
+                                     {{blanks, s.rest_span().end}, ""}}});
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) { return &report(in, out, stop.statement, stop.kind, stop.interpreter); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
+    report(in, out, id, error.kind, error.message).reach = in.flow.reach(id);
+  });
+  for (const Call& call : in.program.calls) report_dropped(in, out, call.statement);
+}
+
+}  // namespace
+
+extern const Rule kOw217{
+    .code = "OW217",
+    .name = "m98-beside-words",
+    .summary = "M98 or M99 on a line with other words",
+    .group = Group::kBlocks,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(`G0 X5 M98 P7001`, `G0 X1 M99`, `M99 P100`, `M98 P7001 G0 X5`: a Fanuc-style call or return on a
+line with other words. Only a line number and block delete may come before it, and only a comment
+after it.)",
+        .why = R"(M98 calls and M99 returns only as **the first word of the line**. M98 after other words stops with
+`Unknown m code used: M98`. With M99 after other words, LinuxCNC first executes those words. Then in
+a sub it stops with `Bug:  Reached convert_stop() from M99 as subprogram return`; in the main
+program the run ends. In a sub nothing may come after M99: `Unexpected character after O-word`.
+There is no `M99 P…`.
+
+LinuxCNC reads and checks words after `M98 P…`, even on a skipped line, but **it does not execute
+them**: after `M98 P7001 G0 X5` the machine has not moved to X5, and `M98 P7001 M2` does not end the
+program. An assignment there is lost.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X0 Y0 Z5
+M98 P7001 L3
+M2
+O7001
+  G91 G1 Z-1 F80
+  G90 G0 Z5 M99
+)",
+        .good = R"(G21 G90
+G0 X0 Y0 Z5
+M98 P7001 L3
+M2
+O7001
+  G91 G1 Z-1 F80
+  G90 G0 Z5
+M99
+)",
+        .fix = R"(Write M98 with its P and L on a line of its own, and M99 too.)",
+        .level_reason = "Error if a run gets here and the program stops. Warning if the line runs, but without its other words, or no run gets here.",
+        .interpreter = "Bug:  Reached convert_stop() from M99 as subprogram return",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

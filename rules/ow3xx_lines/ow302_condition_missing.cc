@@ -1,0 +1,77 @@
+// OW302 condition-missing: `if`, `elseif`, `while` or `repeat` without a value in brackets.
+// Depends on: when one of these is evaluated the next character must be `[`; on a line that is
+// skipped it is not looked at.
+#include "rules/driver/idioms.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  const std::string word(spelling(s.keyword));
+  const std::string what = s.is(Keyword::kRepeat) ? "count" : "condition";
+  Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` is not followed by `[`");
+  std::string rest(p.source->slice({s.offset + s.keyword_to, s.end()}));
+  rest = rest.substr(0, rest.find_first_of("(;"));
+  while (!rest.empty() && (rest.front() == ' ' || rest.front() == '\t')) rest.erase(0, 1);
+  while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t' || rest.back() == '\r')) rest.pop_back();
+  if (rest.empty() || rest.find_first_of("[]=") != std::string::npos) {
+    f.help = "put the " + what + " in brackets, after `" + word + "`";
+  } else {
+    f.help = "write `" + word + " [" + rest + "]`";
+    const uint64_t from = p.source->bytes().find(rest, s.offset + s.keyword_to);
+    f.fixes.push_back({"put the " + what + " in brackets", false, {{{from, from}, "["}, {{from + rest.size(), from + rest.size()}, "]"}}});
+  }
+  explain_idiom(in, id, f);
+  return &f;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = in.flow.reach(id); });
+}
+
+}  // namespace
+
+extern const Rule kOw302{
+    .code = "OW302",
+    .name = "condition-missing",
+    .summary = "`if`, `elseif`, `while` or `repeat` without `[`",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A condition or a count that is missing or not in square brackets: `o100 if #1 GT 5`, `o100 repeat
+3`, `o100 while (#1 LT 3)`.)",
+        .why = R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment in LinuxCNC, so
+a condition in them is lost; a comment between the keyword and the bracket has the same effect. In a
+skipped branch there is no message, so the mistake may wait for the first run that gets there.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if #5070 EQ 1
+  G10 L20 P1 Z0
+o100 endif
+G0 Z5
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  G10 L20 P1 Z0
+o100 endif
+G0 Z5
+M2
+)",
+        .fix = R"(Write the whole condition, or the count, in one pair of square brackets.)",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+        .interpreter = "Left bracket missing after 'if'",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

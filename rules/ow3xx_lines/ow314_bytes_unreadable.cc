@@ -1,0 +1,119 @@
+// OW314 bytes-unreadable: bytes that the interpreter refuses or silently stops reading at.
+// Depends on: outside comments and names only ASCII is known; a NUL ends its line; lines end at line
+// feed, not at CR.
+#include "rules/driver/idioms.h"
+
+namespace owlint::rules {
+namespace {
+
+Finding* report(const Input& in, Reporter& out, StatementId id) {
+  const Program& p = in.program;
+  const Statement& s = p.at(id);
+  const LineError* error = p.syntax.error(s);
+  if (s.inner_cr) {
+    const size_t at = p.source->bytes().find('\r', s.offset);
+    Finding& f = out.add({at, at + 1}, "a carriage return inside the line: for LinuxCNC only a line feed ends a line");
+    f.help = "save the file with line feeds";
+    return &f;
+  }
+  const Span span = error == nullptr ? s.whole() : error->span;
+  const std::string_view bytes = p.source->slice(span);
+  Finding& f = out.add(span, "");
+  if (bytes.starts_with("\xEF\xBB\xBF") && span.begin == 0) {
+    f.message = "the file begins with a byte order mark";
+    f.help = "save it as UTF-8 without byte order mark, or as plain text";
+    f.fixes.push_back({"remove the byte order mark", true, {{{0, 3}, ""}}});
+  } else if (!bytes.empty() && static_cast<unsigned char>(bytes[0]) >= 0x80) {
+    f.message = "LinuxCNC does not know this character outside comments and names";
+    f.help = "remove it, or put it in a comment";
+    explain_idiom(in, id, f);
+  } else if (!bytes.empty() && (static_cast<unsigned char>(bytes[0]) < 0x20 || bytes[0] == 0x7F)) {
+    f.message = "a control character";
+    f.help = "remove it";
+  } else {
+    f.message = "`" + std::string(bytes) + "` has no meaning here";
+    f.help = "remove it, or put it in a comment";
+    explain_idiom(in, id, f);
+  }
+  return &f;
+}
+
+/// A file that is no text: one finding, whatever its lines come to.
+void report_file(const Input& in, Reporter& out) {
+  const bool utf16 = in.index.nature.kind == Nature::kUtf16;
+  const std::string_view bytes = in.program.source->bytes();
+  Finding& f = out.add({0, std::min<uint64_t>(bytes.size(), 2)}, utf16 ? "this is a UTF-16 file; LinuxCNC cannot read it" : "this is not a text file");
+  f.help = utf16 ? "save it as UTF-8 without byte order mark, or as plain text" : "check that it is the right file; a program is plain text";
+  for (const FlowStop& stop : in.flow.stops) {
+    if (f.stops && f.reach >= stop.reach) continue;
+    f.stops = true;
+    f.reach = stop.reach;
+    f.interpreter = stop.interpreter;
+  }
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  if (in.index.nature.kind == Nature::kUtf16 || in.index.nature.kind == Nature::kNoText) return report_file(in, out);
+  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
+  bool nul_reported = false;
+  for (const StatementId id : in.index.odd_lines) {
+    const Statement& s = p.at(id);
+    const LineError* error = p.syntax.error(s);
+    const bool refused = error != nullptr && error->kind == StopKind::kBadCharacter;
+    if (s.nul && !nul_reported) {
+      nul_reported = true;  // a damaged file has thousands
+      if (has_stop(in, id)) continue;
+      const size_t at = p.source->bytes().find('\0', s.offset);
+      Finding& f = out.add({at, at + 1}, "a NUL byte: LinuxCNC ignores the rest of the line without a message");
+      f.help = "the file is damaged, or not a program";
+      f.reach = in.flow.reach(id);
+    } else if ((refused || s.inner_cr) && !has_stop(in, id)) {
+      report(in, out, id)->reach = in.flow.reach(id);
+    }
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw314{
+    .code = "OW314",
+    .name = "bytes-unreadable",
+    .summary = "a byte order mark, NUL, CR-only line ends, or characters that LinuxCNC does not know",
+    .group = Group::kLine,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A byte order mark at the start of the file, no-break spaces, typographic minus signs or quotes from
+a web page or a manual, letters with accents outside comments and names, control characters, NUL
+bytes, or a file whose lines end with CR only. A file that is UTF-16, or not text at all, is
+reported once. The example has a no-break space between `G0` and `X10`, which no editor shows.)",
+        .why = R"(The interpreter stops with `Bad character '\357' used` (a byte order mark), `'\302'` (a no-break
+space), `'\303'` (an accented letter); the number is the first byte in octal. A typographic minus
+in a value gives `bad number format (conversion failed) parsing ''`.
+
+In some cases there is no message. A NUL byte **cuts off the rest of its line**: a `Y` word after it
+is lost. A file with only CR is one long line to LinuxCNC: if it starts with a `;` comment,
+everything is comment. In comments, and in names between `< >`, accented letters are allowed.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = "G21 G90\n"
+               "G0\xC2\xA0X10 Y10 Z5\n"
+               "G1 Z-2 F80\n"
+               "G0 Z5\n"
+               "M2\n",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+        .fix = R"(Save the file as plain text: ASCII or UTF-8 without byte order mark, with lines ending in LF or CR
+LF. Type the marked character again.)",
+        .level_reason = "Error if the program stops at the byte. Warning if LinuxCNC ignores the rest without a message, or no run gets here.",
+        .interpreter = "Bad character '\\302' used",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

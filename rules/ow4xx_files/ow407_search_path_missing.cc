@@ -1,0 +1,80 @@
+// OW407 search-path-missing: a folder of the INI that does not exist.
+// Depends on: LinuxCNC ignores such folders without a message.
+#include <algorithm>
+#include <span>
+
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+void check(const Input&, Reporter&) {}
+
+std::string words_of(const IniFolder& folder) { return "`" + folder.text + "` of `" + std::string(folder.key) + "`"; }
+
+/// One finding for all of them: with an INI from another computer most folders are missing.
+void check_setup(const SetupInput& in, Reporter& out) {
+  std::vector<const IniFolder*> missing;
+  for (const IniFolder& folder : in.setup.folders) {
+    if (!folder.exists && (folder.key == "PROGRAM_PREFIX" || folder.key == "SUBROUTINE_PATH")) missing.push_back(&folder);
+  }
+  if (missing.empty()) return;
+  const IniFolder& first = *missing[0];
+  const bool several = missing.size() > 1;
+  Finding& f = out.add(first.source, first.span, "the folder " + words_of(first) + " does not exist (" + first.path + ")");
+  if (several) f.message = std::to_string(missing.size()) + " folders of this INI do not exist; the first is " + words_of(first) + " (" + first.path + ")";
+  for (const IniFolder* folder : std::span(missing).subspan(1)) {
+    f.related.push_back({folder->span, words_of(*folder) + " does not exist (" + folder->path + ")", folder->source == first.source ? nullptr : folder->source});
+  }
+  const bool blank = std::ranges::any_of(missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
+  f.help = blank ? "remove the spaces around the names: they count as part of the names"
+           : several ? "make the folders or correct their names; if the INI is from another computer, name this computer's folders with `--sub-path`"
+                     : "make the folder, or correct its name";
+}
+
+}  // namespace
+
+extern const Rule kOw407{
+    .code = "OW407",
+    .name = "search-path-missing",
+    .summary = "a folder in PROGRAM_PREFIX or SUBROUTINE_PATH that does not exist",
+    .group = Group::kFiles,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A folder that the INI names in `PROGRAM_PREFIX` or `SUBROUTINE_PATH` does not exist. Relative names
+count from the INI's folder, `~/` from the home folder of the user who starts LinuxCNC.)",
+        .why = R"(LinuxCNC searches the other folders and gives no message. It does not find the subs in the missing
+folder, and the first call of one of them stops the program. Spaces around the `:` are part of the
+names.)",
+        .bad = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+SUBROUTINE_PATH = sub
+; file: subs/face.ngc
+o<face> sub
+  G1 Z-1 F100
+o<face> endsub
+)",
+        .good = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+SUBROUTINE_PATH = subs
+; file: subs/face.ngc
+o<face> sub
+  G1 Z-1 F100
+o<face> endsub
+)",
+        .fix = R"(Correct the INI.)",
+        .level_reason = "Warning: LinuxCNC starts without the folder; the calls of its subs stop later.",
+        .interpreter = "",
+        .options = "--ini machine.ini",
+    },
+    .check = check,
+    .check_setup = check_setup,
+};
+
+}  // namespace owlint::rules

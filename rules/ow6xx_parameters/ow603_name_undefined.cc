@@ -1,0 +1,314 @@
+// OW603 name-undefined: a named parameter that is read where some path has not assigned it.
+// Depends on: reading an unassigned name stops the run; `#<name>` is local to the sub that runs,
+// `#<_name>` is global. A name reads 0 in the value that it is first assigned, and a comment shows one that is not assigned as
+// `######` (measured).
+#include <optional>
+#include <set>
+
+#include "analyzer/machine/predefined.h"
+#include "analyzer/machine/remap_names.h"
+#include "rules/driver/parameters.h"
+
+namespace owlint::rules {
+namespace {
+
+/// The comment lines that a program begins with, in small letters and without blanks.
+std::string leading_comment(const Source& source) {
+  constexpr uint64_t kMost = 16'384;  // bytes
+  const std::string_view text = source.bytes().substr(0, kMost);
+  std::string out;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    std::string line;
+    for (const char c : text.substr(at, end - at)) {
+      if (c != ' ' && c != '\t' && c != '\r') line += c;
+    }
+    if (!line.empty() && line[0] != '(' && line[0] != ';' && line[0] != '%') break;
+    out += small_letters(line);
+    at = end + 1;
+  }
+  return out;
+}
+
+/// What is said of `#<_ini[section]entry>`, which the machine's INI does not have.
+void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
+  f.message = name + " is read here, but " + (profile.setup->reads_ini ? "the machine's INI has no number for it" : "`INI_VARS = 0` in the machine's INI hides its entries");
+  if (!profile.setup->reads_ini) return;
+  f.help = "write section and entry in capital letters in the INI, and only a decimal number: no unit, no comment after it; `EXISTS[#<…>]` tests it first";
+}
+
+/// Finds the words for a local name that is read without a value: which other name was probably meant.
+class LocalNames {
+ public:
+  explicit LocalNames(const Input& in) : in_(in) {}
+
+  /// Words for another one's name, which becomes a place of the finding.
+  std::string belongs(const Elsewhere& other, Finding& f) const {
+    const std::string whose = region_words(*other.program, other.program->region_of[other.statement]);
+    relate(in_, f, other, "assigned here for " + whose);
+    return "the one on " + line_words(in_, other) + " belongs to " + whose;
+  }
+
+  /// Finds the words, the position and the help for a name that `reader` reads. `caller`: the call in which it does, if known.
+  void explain(const std::string& name, RegionId reader, const Elsewhere& caller, Finding& f) {
+    constexpr int kMost = 100;  // each goes through all lines
+    if (in_.data.too_large() || ++asked_ > kMost) return;
+    const Program& p = in_.program;
+    if (assigns(reader, name)) return;
+    const Elsewhere other = owner(name, reader, caller);
+    if (other.statement == kNoStatement) return suggest(name, reader, f);
+    f.message = "`#<" + name + ">` has no value in " + region_words(p, reader) + ": " + belongs(other, f);
+    f.help = (reader == kMainRegion ? "return the value with `endsub [#<" + name + ">]`, and read `#<_value>`"
+                                    : "a name without `_` starts without a value in every call: pass the value as an argument") +
+             ", or write `#<_" + name + ">` in both places, which is global";
+  }
+
+  /// The same for a name that a sub assigns from itself, which is 0 there (measured).
+  void explain_zero(const std::string& name, RegionId sub, Finding& f) {
+    const Program& p = in_.program;
+    f.message = "`#<" + name + ">` is 0 here: a name without `_` starts without a value in every call of " + region_words(p, sub);
+    const auto call = std::ranges::find(p.calls, sub, &Call::target);
+    const Elsewhere other = owner(name, sub, call == p.calls.end() ? Elsewhere{} : Elsewhere{&p, call->statement});
+    if (other.statement != kNoStatement) f.message += "; " + belongs(other, f);
+    f.help = "pass the value as an argument, or write `#<_" + name + ">`, which is global";
+  }
+
+ private:
+  bool assigns(RegionId region, const std::string& name) const {
+    const NameId id = in_.program.syntax.names.find(name);
+    return id != kNoName && in_.data.first_assignment(region, flow::key_of_name(in_.program.syntax, id)) != kNoStatement;
+  }
+
+  /// A line that assigns the name for somebody else: for the caller, or else in the caller's file, or else in this one.
+  Elsewhere owner(const std::string& name, RegionId reader, const Elsewhere& caller) const {
+    Elsewhere found = caller.program == nullptr ? Elsewhere{} : in_file(name, reader, caller);
+    if (found.statement == kNoStatement) found = in_file(name, reader, {&in_.program, kNoStatement});
+    return found;
+  }
+
+  Elsewhere in_file(const std::string& name, RegionId reader, const Elsewhere& caller) const {
+    const Program& p = *caller.program;
+    const NameId id = p.syntax.names.find(name);
+    Elsewhere first;
+    for (StatementId line = 0; id != kNoName && line < p.size(); ++line) {
+      const Statement& s = p.at(line);
+      for (uint32_t i = 0; i < s.item_count; ++i) {
+        if (p.syntax.items[s.first + i].target_name != id || (&p == &in_.program && p.region_of[line] == reader)) continue;
+        if (caller.statement != kNoStatement && p.region_of[line] == p.region_of[caller.statement]) return {&p, line};
+        if (first.program == nullptr) first = {&p, line};
+      }
+    }
+    return first;
+  }
+
+  /// The name that was probably meant: one that the same lines assign.
+  void suggest(const std::string& name, RegionId reader, Finding& f) const {
+    const Program& p = in_.program;
+    std::vector<std::string> names;
+    for (const flow::Write& write : in_.data.accesses_of(reader).all_writes()) {
+      const flow::ParameterId target = flow::parameter_of(write.key);
+      if (target.named && !flow::is_global(write.key)) names.push_back(p.name(target.id));
+    }
+    const std::string near = nearest(name, names);
+    if (!near.empty()) {
+      f.help = "did you mean `#<" + near + ">`?";
+    } else if (reader != kMainRegion) {
+      f.help = "assign it in the sub, pass it as an argument, or write `#<_" + name + ">`, which is global: a name without `_` starts without a value in every call";
+    }
+  }
+
+  const Input& in_;
+  int asked_ = 0;
+};
+
+/// Whether the lines of a sub are those that a call from elsewhere enters.
+bool is_entry(const Program& p, RegionId region) { return p.sub_file && p.regions[region].name == p.entry; }
+
+/// Whether a remap may give a name to the sub whose lines read it.
+bool given(const Input& in, const std::string& name, RegionId reader) {
+  return is_entry(in.program, reader) && remap_gives(name, in.program.name(in.program.entry), in.profile);
+}
+
+/// Calls `each` for the names that a value reads, and for those that it asks for.
+// Depth is bounded by the length of a line.
+template <typename Each>
+void for_names(const Program& p, ExprId id, const Each& each) {
+  const Expr& expr = p.syntax.exprs[id];
+  if (expr.op == Operator::kNumber) return;
+  if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return each(expr.name(), expr.op == Operator::kExistsNamed);
+  for_names(p, expr.left(), each);
+  if (expr.right() != kNoExpr) for_names(p, expr.right(), each);
+}
+
+/// The same for all values of a line.
+template <typename Each>
+void for_names_of(const Program& p, const Statement& s, const Each& each) {
+  if (s.label_expr != kNoExpr) for_names(p, s.label_expr, each);
+  for (uint32_t i = 0; i < s.value_count; ++i) for_names(p, p.syntax.values[s.first + i], each);
+  for (uint32_t i = 0; i < s.item_count; ++i) for_names(p, p.syntax.items[s.first + i].value, each);
+}
+
+/// Names that a sub assigns from themselves: they do not keep what an earlier call has left in them.
+void check_own_values(const Input& in, LocalNames& names, Reporter& out) {
+  const Program& p = in.program;
+  for (RegionId r = 1; r < p.regions.size(); ++r) {
+    for (const StatementId id : in.data.lines_of(r)) {
+      const Statement& s = p.at(id);
+      for (uint32_t i = 0; i < s.item_count; ++i) {
+        const Item& item = p.syntax.items[s.first + i];
+        if (item.target_name == kNoName) continue;
+        bool reads_itself = false;
+        for_names(p, item.value, [&](NameId name, bool exists) { reads_itself |= name == item.target_name && !exists; });
+        if (!reads_itself) continue;
+        const std::string& name = p.name(item.target_name);
+        const flow::ParameterKey key = flow::key_of_name(p.syntax, item.target_name);
+        if (name.starts_with('_') || in.data.assigned_before(r, id, key) || in.data.read_above(r, id, key) || given(in, name, r)) continue;
+        Finding& f = out.add(item_span(p, id, i), "");
+        names.explain_zero(name, r, f);
+        f.reach = in.flow.reach(id);
+      }
+    }
+  }
+}
+
+/// Whether some run is in the lines of a region.
+bool reached(const Input& in, RegionId region) {
+  const Region& r = in.program.regions[region];
+  if (region == kMainRegion || is_entry(in.program, region)) return true;
+  const auto executed = [&](StatementId id) { return in.flow.executed[id] && id != r.opener && id != r.end; };
+  const auto called = [&](const Call& call) { return call.target == region && in.flow.executed[call.statement]; };
+  return std::ranges::any_of(in.data.lines_of(region), executed) || std::ranges::any_of(in.program.calls, called);
+}
+
+/// Names without a value in comments that show them.
+void check_comments(const Input& in, LocalNames& names, Reporter& out) {
+  const Program& p = in.program;
+  for (const flow::Shown& shown : in.data.shown()) {
+    if (!shown.acts || shown.local.empty() || given(in, shown.local, shown.region)) continue;
+    const StatementId above = shown.above;
+    if (above != kNoStatement && p.at(above).kind == LineKind::kProgramEnd) continue;
+    if (shown.key != flow::kComputedKey && in.data.assigned_before(shown.region, above == kNoStatement ? 0 : above + 1, shown.key)) continue;
+    // Without an INI, a name that the sub assigns below may be one that Python gives it.
+    const bool below = shown.key != flow::kComputedKey && in.data.first_assignment(shown.region, shown.key) != kNoStatement;
+    if (below && in.profile.setup == nullptr && is_entry(p, shown.region)) continue;
+    const bool runs = reached(in, shown.region);
+    if (runs && above != kNoStatement && in.flow.reach(above) == Reach::kNever) continue;
+    Finding& f = out.add(shown.span, "`#<" + shown.local + ">` has no value here");
+    names.explain(shown.local, shown.region, {}, f);
+    f.message += "; LinuxCNC shows `######`";
+    if (f.help.empty()) f.help = "assign it first";
+    f.reach = !runs ? Reach::kNever : above == kNoStatement ? Reach::kAlways : in.flow.reach(above);
+  }
+}
+
+/// Names that the lines of a sub read and never assign, in subs that no run gets to.
+void check_unreached(const Input& in, LocalNames& names, Reporter& out) {
+  const Program& p = in.program;
+  for (RegionId r = 1; r < p.regions.size(); ++r) {
+    if (reached(in, r)) continue;
+    const auto missing = [&](NameId name) {
+      const std::string& text = p.name(name);
+      return !text.starts_with('_') && !remap_gives(text, "", {}) && in.data.first_assignment(r, flow::key_of_name(p.syntax, name)) == kNoStatement;
+    };
+    std::set<NameId> told;
+    for (const StatementId id : in.data.lines_of(r)) {
+      for_names_of(p, p.at(id), [&](NameId name, bool exists) {
+        if (!missing(name) || !told.insert(name).second || exists) return;
+        Finding& f = out.add(p.at(id).whole(), "`#<" + p.name(name) + ">` is read here, but " + region_words(p, r) + " never assigns it");
+        f.help = "assign it first, or pass it as an argument";
+        names.explain(p.name(name), r, {}, f);
+        f.reach = Reach::kNever;
+      });
+    }
+  }
+}
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  std::optional<std::string> documented;
+  LocalNames names(in);
+  for_stops(in, out, [&](const FlowStop& s) -> Finding* {
+    // A global that the program says it needs comes from outside.
+    if (!documented) documented = leading_comment(*p.source);
+    if (s.detail.starts_with("_") && documented->find("#<" + s.detail + ">") != std::string::npos) return nullptr;
+    const Statement& line = p.at(s.statement);
+    const std::string name = "`#<" + s.detail + ">`";
+    const bool some = s.reach != Reach::kAlways;
+    Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
+    f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
+    f.uncertain = some && !s.detail.starts_with("_");  // a list of cases may name all that there are
+    if (const auto since = predefined_since(s.detail)) {
+      const std::string version(version_text(in.profile.version));
+      f.message = name + " is read here, but " + (*since > in.profile.version ? "LinuxCNC " + version + " does not have it; it came with " + std::string(version_text(*since)) : "not every release of LinuxCNC " + version + " has it");
+      f.help = "do not use it, test it first with `EXISTS[" + name.substr(1, name.size() - 2) + "]`, or give the machine's version with `--linuxcnc`";
+    } else if (s.detail.starts_with("_ini[") && in.profile.setup != nullptr) {
+      tell_entry(in.profile, name, f);
+    } else if (const std::string other = look_alike_name(in, s.detail); !other.empty()) {
+      f.help = other;
+    } else if (!s.detail.starts_with("_")) {
+      const bool called = s.call != kNoStatement || s.call_elsewhere.program != nullptr;
+      names.explain(s.detail, p.region_of[s.statement], called ? place_of(in, s.call, s.call_elsewhere) : Elsewhere{}, f);
+    }
+    return &f;
+  });
+  if (in.data.too_large()) return;
+  check_own_values(in, names, out);
+  check_comments(in, names, out);
+  check_unreached(in, names, out);
+}
+
+}  // namespace
+
+extern const Rule kOw603{
+    .code = "OW603",
+    .name = "name-undefined",
+    .summary = "`#<name>` is read but not assigned on every path",
+    .group = Group::kDataFlow,
+    .level = Severity::kError,
+    .page = {
+        .what = R"(A `#<name>` that is read, but no line before it has given it a value: a typing error in the name, an
+assignment in only one branch, or a name that belongs to the caller or to the called sub.)",
+        .why = R"(The interpreter stops at the line that reads the name, on the first run that gets there without an
+assignment. Numbers are 0 before they are assigned, but names have no value. `#<name>` belongs to
+the sub that is running: the main program's `#<depth>` does not exist inside a sub, and the sub's
+does not exist outside. `#<_name>` with an underscore is global. In a sub, a name starts again in
+every call: a counter `#<n> = [#<n> + 1]` is 0 before and 1 after the line each time, without a
+message. A comment `(debug, #<name>)` shows `######` for a name without a value. Skipped lines are
+not checked, and `EXISTS[#<name>]` tests a name without stopping.
+
+If the comment at the top of the program mentions a global name, owlint assumes that it exists. A
+file that is called from outside gets its arguments as numbers. A remap passes letters (`#<p>`):
+owlint assumes that they exist, with an INI only those of its `REMAP` line. `#<_ini[section]entry>`
+is an entry of the machine's INI; owlint looks it up if it knows the INI. It assumes that
+`#<_hal[pin]>` exists. A name that only some releases of the version have is a warning.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+o100 if [#5070 EQ 1]
+  #<top> = #5063
+o100 endif
+G0 Z[#<top> + 5]
+M2
+)",
+        .good = R"(G21 G90
+G0 X10 Y10 Z5
+G38.3 Z-10 F50
+#<top> = 0
+o100 if [#5070 EQ 1]
+  #<top> = #5063
+o100 endif
+G0 Z[#<top> + 5]
+M2
+)",
+        .fix = R"(Assign the name before the branch, pass it to the sub as an argument, or use a global name with an
+underscore.)",
+        .level_reason = "Error if a run gets here without the name: the program stops. Warning if another program may have set the global name. Info if a list of cases may name every value that there is.",
+        .interpreter = "Named parameter #<top> not defined",
+        .options = "",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules

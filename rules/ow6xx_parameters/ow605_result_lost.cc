@@ -1,0 +1,201 @@
+// OW605 result-lost: a sub leaves a result in #1 to #30 for its caller.
+// Depends on: a call passes values; it saves #1 to #30 and restores all of them on return (measured).
+#include <map>
+#include <tuple>
+
+#include "rules/driver/parameters.h"
+
+namespace owlint::rules {
+namespace {
+
+/// Numbers that a sub assigns without using them, and that the main program reads after the call.
+void check_numbers(const Input& in, const Call& call, Reporter& out) {
+  const Program& p = in.program;
+  const uint32_t left = in.data.left_behind(call.target);
+  for (uint32_t n = 1; left != 0 && n < flow::kFirstGlobalNumber; ++n) {
+    if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
+    const StatementId assigned = in.data.last_assignment(call.target, n);
+    const std::string number = "`#" + std::to_string(n) + "`";
+    Finding& f = out.add(p.at(assigned).whole(), number + " is assigned here, but the caller does not see it: the end of " + region_words(p, call.target) + " restores the caller's " + number);
+    relate(f, p, call.statement, "called here; " + number + " is read after the call");
+    f.help = "return it with `endsub [#" + std::to_string(n) + "]` and read `#<_value>`, or use a number above #30 or a name that begins with `_`";
+    f.reach = in.flow.reach(call.statement);
+  }
+}
+
+/// A sub in the file of a program, with what its lines do.
+struct Sub {
+  const Program* program = nullptr;
+  const flow::DataFlow* data = nullptr;
+  RegionId region = kMainRegion;
+};
+
+/// Finds subs in this file and in others.
+class Subs {
+ public:
+  explicit Subs(const Input& in) : in_(in) {}
+
+  Sub called_by(const Call& call) {
+    if (call.target != UINT32_MAX) return {&in_.program, &in_.data, call.target};
+    if (call.callee == kNoName) return {};
+    const uint32_t file = in_.linked.target(in_.program.name(call.callee)).file;
+    if (file == CallTarget::kNotFound || in_.linked.files()[file].program.get() == &in_.program) return {};
+    const Program& p = *in_.linked.files()[file].program;
+    const NameId name = p.syntax.names.find(in_.program.name(call.callee));
+    for (RegionId r = 1; r < p.regions.size(); ++r) {
+      if (p.regions[r].name == name) return {&p, &files_.try_emplace(file, p).first->second, r};
+    }
+    return {};
+  }
+
+ private:
+  const Input& in_;
+  std::map<uint32_t, flow::DataFlow> files_;
+};
+
+/// Whether a sub changes an argument for its caller: it assigns #n last without using that. One that only sets an argument to a
+/// number, which it has used before, may tidy up.
+bool changes(const Sub& sub, uint32_t n) {
+  if ((sub.data->left_behind(sub.region) >> n & 1) == 0) return false;
+  const Program& p = *sub.program;
+  const Statement& s = p.at(sub.data->last_assignment(sub.region, n));
+  const bool used = (sub.data->of(sub.region).arguments >> n & 1) != 0;
+  for (uint32_t i = 0; i < s.item_count && used; ++i) {
+    const Item& item = p.syntax.items[s.first + i];
+    if (flow::assigns(item) && flow::key_of_target(p.syntax, item) == n) return p.syntax.exprs[item.value].op != Operator::kNumber;
+  }
+  return true;
+}
+
+/// The parameter that an argument is, if it is only that.
+std::optional<flow::ParameterKey> passed(const Program& p, ExprId argument) {
+  const Expr& expr = p.syntax.exprs[argument];
+  if (expr.op == Operator::kNamed) return flow::key_of_name(p.syntax, expr.name());
+  if (expr.op != Operator::kParameter) return std::nullopt;
+  const flow::ParameterKey key = flow::key_of_number(p.syntax, expr.left());
+  return key == flow::kComputedKey ? std::nullopt : std::optional(key);
+}
+
+/// Parameters that are passed to a sub which changes its argument, and read after the call as if they were changed.
+class ByReference {
+ public:
+  ByReference(const Input& in, Reporter& out) : in_(in), out_(out), subs_(in) {}
+
+  void check(const Call& call) {
+    const Program& p = in_.program;
+    const Statement& s = p.at(call.statement);
+    if (s.error != UINT32_MAX) return;
+    for (uint32_t i = 0; i < s.value_count && i + 1 < flow::kFirstGlobalNumber; ++i) {
+      const auto key = passed(p, p.syntax.values[s.first + i]);
+      const Sub sub = key ? subs_.called_by(call) : Sub{};
+      if (sub.program == nullptr) continue;
+      constexpr int kMostTries = 100;  // each may go through all lines
+      const auto [tries, first] = left_.try_emplace({sub.program, sub.region, i + 1}, kMostTries);
+      if (first && !changes(sub, i + 1)) tries->second = 0;
+      if (tries->second == 0) continue;
+      --tries->second;
+      if (assigns(sub, *key) || !in_.data.reads_after(call.statement, *key)) continue;
+      tries->second = 0;  // one mistake, one finding
+      report(call, sub, i + 1, *key);
+    }
+  }
+
+ private:
+  /// Whether the sub itself assigns what the caller has passed, as it may with a global.
+  bool assigns(const Sub& sub, flow::ParameterKey key) const {
+    if (!flow::is_global(key)) return false;
+    const std::vector<flow::ParameterId>& writes = sub.data->of(sub.region).writes;
+    const std::string text = flow::parameter_text(in_.program, flow::parameter_of(key));
+    return std::ranges::any_of(writes, [&](flow::ParameterId w) { return flow::parameter_text(*sub.program, w) == text; });
+  }
+
+  void report(const Call& call, const Sub& sub, uint32_t n, flow::ParameterKey key) {
+    const Program& p = in_.program;
+    const std::string text = flow::parameter_text(p, flow::parameter_of(key));
+    const std::string words = "`" + text + "`";
+    const std::string own = "`#" + std::to_string(n) + "`";
+    const std::string name = "`" + p.label_text(call.callee) + "`";
+    const StatementId assigned = sub.data->last_assignment(sub.region, n);
+    const bool here = sub.program == &p;
+    const std::string stays = "a call passes only values, so the caller's " + words + " does not change";
+    Finding& f = here ? out_.add(p.at(assigned).whole(), name + " changes its own " + own + " here: " + stays)
+                      : out_.add(p.at(call.statement).head_span(), name + " changes its own " + own + ": " + stays);
+    if (here) {
+      relate(f, p, call.statement, words + " is passed here and read after the call");
+    } else {
+      f.related.push_back({sub.program->at(assigned).whole(), own + " is changed here", sub.program->source});
+    }
+    f.help = "return the new value with `" + p.label_text(call.callee) + " endsub [#" + std::to_string(n) + "]`, and write `" + text + " = #<_value>` after the call";
+    f.reach = in_.flow.reach(call.statement);
+  }
+
+  const Input& in_;
+  Reporter& out_;
+  Subs subs_;
+  std::map<std::tuple<const Program*, RegionId, uint32_t>, int> left_;  ///< by sub and argument: calls that may still be looked at
+};
+
+void check(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  std::vector<bool> seen(p.regions.size());
+  ByReference by_reference(in, out);
+  for (const Call& call : p.calls) {
+    if (p.at(call.statement).kind == LineKind::kM98) continue;  // shares the numbers
+    by_reference.check(call);
+    // In a sub, what it reads may be its own argument. The first call has the most lines after it.
+    if (call.target == UINT32_MAX || call.caller != kMainRegion || seen[call.target]) continue;
+    seen[call.target] = true;
+    check_numbers(in, call, out);
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw605{
+    .code = "OW605",
+    .name = "result-lost",
+    .summary = "a sub assigns #1 to #30 for its caller, but the call restores them",
+    .group = Group::kDataFlow,
+    .level = Severity::kWarning,
+    .page = {
+        .what = R"(A sub puts its result into one of `#1` to `#30` and does not use it itself. The main program reads
+this number after the call and never sets it.
+
+A sub changes an argument. The caller passes a parameter and reads it after the call as if the sub had
+changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. A parameter that
+`(debug, #5)` or another such comment shows counts as read.)",
+        .why = R"(A call saves `#1` to `#30` and restores them when the sub returns. The sub's result is lost: the
+caller gets its own old value, usually 0. There is no message. Nothing is passed by reference: the sub
+gets the values of its arguments.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+        .bad = R"(G21 G90
+o100 sub
+  #5 = [#1 + #2]
+o100 endsub
+G0 X50 Z5
+o100 call [10] [20]
+G0 X#5
+M2
+)",
+        .good = R"(G21 G90
+o100 sub
+  #5 = [#1 + #2]
+o100 endsub [#5]
+G0 X50 Z5
+o100 call [10] [20]
+G0 X#<_value>
+M2
+)",
+        .fix = R"(Return one value with `endsub [...]`. For several values, use numbers above `#30` or names that
+begin with `_`.)",
+        .level_reason = "Warning: the program runs, but its caller keeps the old value.",
+        .interpreter = "",
+        .options = "",
+        .moves = "X0",
+        .moves_good = "X30",
+    },
+    .check = check,
+};
+
+}  // namespace owlint::rules
