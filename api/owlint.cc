@@ -23,15 +23,15 @@ Place place(const Source& source, uint64_t offset) {
 }  // namespace
 
 std::vector<Finding> check(std::string_view text, const Options& options) {
-  cli::CommandLine line;
+  checking::CheckRequest line;
   line.isolated = true;  // a program that embeds owlint says what it wants
   line.find_ini = false;
   line.ini = given(options.ini);
   line.linuxcnc = given(options.linuxcnc);
   line.feature = given(options.feature);
   const std::string path = options.path.empty() ? "program.ngc" : options.path;
-  cli::Configuration configuration(line);
-  cli::Settings settings;
+  checking::Configuration configuration(line);
+  checking::Settings settings;
   std::string error;
   if (!configuration.settings_for(path, &settings, &error)) throw std::invalid_argument(error);
   Library library;

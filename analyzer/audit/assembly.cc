@@ -82,13 +82,13 @@ void assemble(Store& store, std::vector<Item>& items, const std::set<std::string
     records.add(blob_of(all.getColumn(1)));
   }
   for (const std::string& machine : machines) records.add(machine);
-  std::vector<cli::Checked> checked(files.size());
+  std::vector<checking::Checked> checked(files.size());
   for (size_t i = 0; i < order.size(); ++i) checked[order[i]] = records.checked(i);
   std::vector<FileReport> complaints;
   for (size_t i = order.size(); i < records.size(); ++i) std::ranges::move(records.reports(i), std::back_inserter(complaints));
 
-  cli::RunResult result = cli::put_together(files, std::move(checked), std::move(complaints), {});
-  cli::fold_groups(result.reports, {files, cli::folders_of(roots_of(store, outcome.run))});
+  checking::RunResult result = checking::put_together(files, std::move(checked), std::move(complaints), {});
+  checking::fold_groups(result.reports, {files, checking::folders_of(roots_of(store, outcome.run))});
   write_contents(store, outcome.run, items);
   const Changes changes = write_findings(store, outcome.run, result.reports);
   if (outcome.previous != 0) {  // in the first run nothing is new

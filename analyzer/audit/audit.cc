@@ -53,18 +53,18 @@ class Run {
   void find_items() {
     std::vector<std::string> roots;
     for (const std::string& path : job_.line.paths) roots.push_back(file_key(path));
-    cli::WalkOptions options = job_.line.walk;
+    checking::WalkOptions options = job_.line.walk;
     options.follow_links = true;
-    cli::Configuration configuration(job_.line);
-    cli::Walk found = cli::walk(roots, options, [&](const std::string& folder) { return configuration.patterns_in(folder); });
+    checking::Configuration configuration(job_.line);
+    checking::Walk found = checking::walk(roots, options, [&](const std::string& folder) { return configuration.patterns_in(folder); });
     out_.problems = std::move(found.problems);
-    if (roots.size() > 1) std::ranges::stable_sort(found.files, {}, &cli::WalkedFile::path);
+    if (roots.size() > 1) std::ranges::stable_sort(found.files, {}, &checking::WalkedFile::path);
     configuration.know_without_ini(found.without_ini);
     std::string last_error;
     std::set<const MachineSetup*> machines;
-    std::shared_ptr<const cli::Settings> last;
+    std::shared_ptr<const checking::Settings> last;
     int64_t last_id = 0;
-    for (cli::WalkedFile& file : found.files) {
+    for (checking::WalkedFile& file : found.files) {
       if (!job_.shard.has(file.path)) continue;
       std::string error;
       Item item{std::move(file.path), file.stamp, 0, "", nullptr, 0, false, false, ""};
@@ -84,9 +84,9 @@ class Run {
       items_.push_back(std::move(item));
     }
     std::ranges::move(configuration.notes(), std::back_inserter(out_.notes));
-    std::vector<const cli::Settings*> settings;
+    std::vector<const checking::Settings*> settings;
     for (const auto& one : machines_) settings.push_back(one.get());
-    const std::set<std::string> by_machines = cli::called_by_machines(settings);
+    const std::set<std::string> by_machines = checking::called_by_machines(settings);
     if (!by_machines.empty()) {
       for (Item& item : items_) item.by_machine = by_machines.contains(item.key);
     }
@@ -173,7 +173,7 @@ class Run {
 
   void complete(Library& library) {
     std::set<std::string> machines;
-    for (const auto& settings : machines_) machines.insert(record_of(cli::check_machines({settings.get()}, library)));
+    for (const auto& settings : machines_) machines.insert(record_of(checking::check_machines({settings.get()}, library)));
     SQLite::Statement since(db_, "SELECT count(*) FROM analysis WHERE run > ?");  // by runs that did not come to their end
     since.bind(1, out_.previous);
     since.executeStep();
@@ -198,7 +198,7 @@ class Run {
   Facts facts_;
   Outcome out_;
   std::vector<Item> items_;
-  std::vector<std::shared_ptr<const cli::Settings>> machines_;  // settings with different ones
+  std::vector<std::shared_ptr<const checking::Settings>> machines_;  // settings with different ones
   std::unordered_map<std::string, int64_t> settings_;
   size_t came_ = 0, vanished_ = 0;  // programs, against the last complete run
 };

@@ -23,7 +23,7 @@ struct Shard {
 };
 
 struct Job {
-  const cli::CommandLine& line;
+  const checking::CheckRequest& line;
   Shard shard;
   /// Called with the number of programs that are done, of `total` to analyse; `total` does not change.
   std::function<void(size_t done, size_t total)> progress;

@@ -45,9 +45,9 @@ Checking::Done Checking::check(Item& item) {
     item.hash.clear();
     return done;
   }
-  cli::Settings settings = *item.settings;
+  checking::Settings settings = *item.settings;
   settings.options.notes_inputs = true;
-  const cli::Checked checked = cli::check_file(source, settings, library_, item.by_machine);
+  const checking::Checked checked = checking::check_file(source, settings, library_, item.by_machine);
   item.hash = hash_of(source->bytes());
   done.record = record_of(checked);
   const auto hash = [this](const Source& called) { return bytes_of(called); };

@@ -20,7 +20,7 @@ struct Item {
   uint64_t stamp = 0;
   int64_t file = 0;  ///< its number in the store; 0: new
   std::string hash;  ///< of its bytes, if known
-  std::shared_ptr<const cli::Settings> settings;  ///< null: they are wrong, and the program is not checked
+  std::shared_ptr<const checking::Settings> settings;  ///< null: they are wrong, and the program is not checked
   int64_t settings_id = 0;
   bool by_machine = false;
   bool analyse = false;

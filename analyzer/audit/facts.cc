@@ -77,7 +77,7 @@ std::string Facts::key_of(const Fact& fact) {
 bool Facts::holds(const Fact& fact, const SearchPath* path, const std::function<std::string(const std::string&)>& walked, uint64_t* stamp) const {
   if (fact.kind != Fact::kBytes) return ask(*path, static_cast<Answer::Question>(fact.kind), fact.name) == fact.answer;
   if (const std::string hash = walked(fact.subject); !hash.empty()) return hash == fact.answer;
-  *stamp = cli::stamp_of(fact.subject);
+  *stamp = checking::stamp_of(fact.subject);
   if (*stamp != 0 && *stamp == fact.stamp) return true;
   std::string error;
   const auto source = Source::map(fact.subject, &error);

@@ -37,7 +37,7 @@ const std::string& tool_hash() {
   return hash;
 }
 
-std::string settings_hash(const cli::Settings& settings) {
+std::string settings_hash(const checking::Settings& settings) {
   const Profile& profile = settings.profile;
   const LintOptions& options = settings.options;
   std::string text = fmt::format("{}\n{} {} {} {} {}\n", tool_hash(), version_text(profile.version), profile.version_given, options.all_versions,

@@ -15,6 +15,6 @@ std::string hash_of(std::string_view bytes);
 const std::string& tool_hash();
 
 /// Of everything besides programs that the findings depend on: the tool, the machine's INI, the options.
-std::string settings_hash(const cli::Settings& settings);
+std::string settings_hash(const checking::Settings& settings);
 
 }  // namespace owlint::audit

@@ -6,7 +6,7 @@
 
 namespace owlint::audit {
 
-std::string options_text(const cli::CommandLine& line) {
+std::string options_text(const checking::CheckRequest& line) {
   nlohmann::ordered_json options = nlohmann::ordered_json::object();
   const auto text = [&](const char* key, const std::optional<std::string>& value) {
     if (value) options[key] = printable(*value);

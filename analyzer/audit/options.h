@@ -8,6 +8,6 @@
 namespace owlint::audit {
 
 /// A JSON object with only the given options.
-std::string options_text(const cli::CommandLine& line);
+std::string options_text(const checking::CheckRequest& line);
 
 }  // namespace owlint::audit

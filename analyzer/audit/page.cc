@@ -107,7 +107,7 @@ std::unordered_set<std::string> machine_inis(Store& store) {
 
 class Page {
  public:
-  Page(std::ostream& out, Store& store, int64_t run, const cli::CommandLine& line)
+  Page(std::ostream& out, Store& store, int64_t run, const checking::CheckRequest& line)
       : out_(out), store_(store), run_(run), line_(line), configuration_(line_), paths_(line.paths) {
     line_.absolute = true;
   }
@@ -158,7 +158,7 @@ class Page {
     for (size_t i = 0; i < programs_.size(); ++i) {
       if (!report_of.contains(i) && programs_[i].problem.empty()) order.push_back(i);
     }
-    std::vector<std::shared_ptr<const cli::Settings>> settings(programs_.size());
+    std::vector<std::shared_ptr<const checking::Settings>> settings(programs_.size());
     for (const size_t i : order) {
       std::string error;
       settings[i] = configuration_.shared_settings(programs_[i].path, &error);
@@ -194,7 +194,7 @@ class Page {
         });
   }
 
-  Json details(size_t number, const FileReport* report, const cli::Settings* settings) {
+  Json details(size_t number, const FileReport* report, const checking::Settings* settings) {
     const ProgramRow& row = programs_[number];
     static const std::vector<Finding> kNone;
     const std::vector<Finding>& findings = report == nullptr ? kNone : report->findings;
@@ -369,8 +369,8 @@ class Page {
   std::ostream& out_;
   Store& store_;
   int64_t run_;
-  cli::CommandLine line_;
-  cli::Configuration configuration_;
+  checking::CheckRequest line_;
+  checking::Configuration configuration_;
   ShownPaths paths_;
   Library library_;
   std::vector<ProgramRow> programs_;
@@ -389,6 +389,6 @@ class Page {
 
 bool has_page() { return !page_template().empty(); }
 
-void write_page(std::ostream& out, Store& store, int64_t run, const cli::CommandLine& line) { Page(out, store, run, line).write(); }
+void write_page(std::ostream& out, Store& store, int64_t run, const checking::CheckRequest& line) { Page(out, store, run, line).write(); }
 
 }  // namespace owlint::audit

@@ -15,6 +15,6 @@ bool has_page();
 
 /// Writes the page of a run. Programs are read from their files; if one has changed since, the page shows only the lines of
 /// its findings.
-void write_page(std::ostream& out, Store& store, int64_t run, const cli::CommandLine& line);
+void write_page(std::ostream& out, Store& store, int64_t run, const checking::CheckRequest& line);
 
 }  // namespace owlint::audit

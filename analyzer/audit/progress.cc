@@ -51,7 +51,7 @@ void Progress::tell(size_t done, size_t total) {
   if (quiet_ || total < kWorth) return;
   if (!started_) {
     started_ = true;
-    if (cli::is_terminal(STDERR_FILENO)) start_bar(total);
+    if (is_terminal(STDERR_FILENO)) start_bar(total);
   }
   if (bar_ >= 0) {
     const std::string lines(done - reported_, '\n');

@@ -160,7 +160,7 @@ Finding finding_of(const Json& json, const Sources& sources) {
 
 }  // namespace
 
-std::string record_of(const cli::Checked& checked) {
+std::string record_of(const checking::Checked& checked) {
   Writer writer;
   Json json{{"report", writer.program(checked.report)}, {"among_subs", checked.among_subs}};
   if (checked.as_sub) json["as_sub"] = writer.program(*checked.as_sub);
@@ -218,11 +218,11 @@ std::vector<FileReport> Records::list(const Json& json, const Sources& sources) 
   return all;
 }
 
-cli::Checked Records::checked(size_t number) {
+checking::Checked Records::checked(size_t number) {
   return whole([&] { return read_checked(records_[number]); });
 }
 
-cli::Checked Records::read_checked(const Json& record) {
+checking::Checked Records::read_checked(const Json& record) {
   const Sources sources = sources_of(record);
   const auto program = [&](const Json& json) {
     ProgramReport out;
@@ -234,7 +234,7 @@ cli::Checked Records::read_checked(const Json& record) {
     out.only_definitions = json.at("only_definitions");
     return out;
   };
-  cli::Checked checked;
+  checking::Checked checked;
   checked.report = program(record.at("report"));
   if (record.contains("as_sub")) checked.as_sub = program(record.at("as_sub"));
   checked.among_subs = record.at("among_subs");

@@ -12,7 +12,7 @@
 
 namespace owlint::audit {
 
-std::string record_of(const cli::Checked& checked);
+std::string record_of(const checking::Checked& checked);
 /// For a list of reports: INIs, or one finding.
 std::string record_of(const std::vector<FileReport>& reports);
 
@@ -24,7 +24,7 @@ class Records {
   /// record.
   size_t add(const std::string& bytes);
   size_t size() const { return records_.size(); }
-  cli::Checked checked(size_t number);
+  checking::Checked checked(size_t number);
   std::vector<FileReport> reports(size_t number);
 
  private:
@@ -34,7 +34,7 @@ class Records {
     std::shared_ptr<const Source> source;
   };
   size_t take_in(const std::string& bytes);
-  cli::Checked read_checked(const nlohmann::json& record);
+  checking::Checked read_checked(const nlohmann::json& record);
   std::vector<std::shared_ptr<const Source>> sources_of(const nlohmann::json& record);
   FileReport report(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;
   std::vector<FileReport> list(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;

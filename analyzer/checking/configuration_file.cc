@@ -9,7 +9,7 @@
 #include "analyzer/machine/profile.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 namespace fs = std::filesystem;
@@ -188,4 +188,4 @@ bool take_code(std::string* code, std::string* error) {
   return true;
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -11,7 +11,7 @@
 #include "analyzer/checking/walk.h"
 #include "analyzer/findings/finding.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 
 /// Which rules are wanted and how bad their findings are: what `[[overrides]]` may change.
 struct Selection {
@@ -48,4 +48,4 @@ std::shared_ptr<const ConfigurationFile> read_configuration_file(const std::stri
 /// where there is no such rule.
 bool take_code(std::string* code, std::string* error);
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -5,7 +5,7 @@
 
 #include "analyzer/findings/fixing.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 // A fix can make another finding possible; a chain longer than this never ends.
@@ -107,4 +107,4 @@ FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<c
   return Fixer(files, settings, read, unsafe).run();
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

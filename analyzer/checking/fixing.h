@@ -5,7 +5,7 @@
 
 #include "analyzer/checking/run.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 
 using Read = std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>;
 
@@ -27,4 +27,4 @@ struct FixResult {
 /// file are checked with the fixed text.
 FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe);
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

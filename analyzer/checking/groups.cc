@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 constexpr size_t kMaxPlaces = 100;  // that a finding lists; the number in its message is that of all
@@ -151,4 +151,4 @@ std::vector<std::string> folders_of(const std::vector<std::string>& paths) {
 
 void fold_groups(std::span<FileReport> reports, const Tree& tree) { Folder(reports, tree).run(); }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -7,7 +7,7 @@
 
 #include "rules/driver/lint.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 
 /// Where a run looks: the files that it checks, and the folders that it was asked to check, by their file_key.
 struct Tree {
@@ -22,4 +22,4 @@ std::vector<std::string> folders_of(const std::vector<std::string>& paths);
 /// the name that was not found, the finding says so.
 void fold_groups(std::span<FileReport> reports, const Tree& tree);
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 std::vector<std::string> split(std::string_view path) {
@@ -82,4 +82,4 @@ std::optional<bool> IgnorePatterns::decide(std::string_view relative, bool folde
   return std::nullopt;
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace owlint::cli {
+namespace owlint::checking {
 
 class IgnorePatterns {
  public:
@@ -29,4 +29,4 @@ class IgnorePatterns {
   std::vector<Pattern> patterns_;
 };
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

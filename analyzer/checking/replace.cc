@@ -18,7 +18,7 @@
 
 #include "analyzer/text/source.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -140,4 +140,4 @@ std::string unified_diff(const std::string& path, std::string_view before, std::
   return out.str();
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

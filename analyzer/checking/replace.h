@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace owlint::cli {
+namespace owlint::checking {
 
 /// Replaces a file by `text` in one step, with the same permissions: a reader sees the old text or the new one. Follows
 /// links. On failure returns false and a message, and the file is unchanged.
@@ -19,4 +19,4 @@ bool write_text_file(const std::string& path, std::string_view text, std::string
 /// `diff -u` between two texts of a file.
 std::string unified_diff(const std::string& path, std::string_view before, std::string_view after);
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -11,7 +11,7 @@
 
 #include "analyzer/text/parallel.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
   return result;
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

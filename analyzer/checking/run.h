@@ -11,7 +11,7 @@
 
 #include "analyzer/checking/settings.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 
 struct RunResult {
   std::vector<FileReport> reports;  ///< for the files in their order, then for called files and INIs by path
@@ -42,4 +42,4 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
                      Library& library, const std::set<std::string>& called_elsewhere = {},
                      const std::function<void(size_t done)>& checked = nullptr);
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

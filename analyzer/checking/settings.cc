@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 namespace fs = std::filesystem;
@@ -315,4 +315,4 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   return true;
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -1,4 +1,4 @@
-// Settings for one file: the command line overrides the nearest owlint.toml, which overrides the defaults.
+// Settings for one file: the request (of a command line, an editor, a caller of the API) overrides the nearest owlint.toml, which overrides the defaults.
 #pragma once
 
 #include <map>
@@ -13,31 +13,22 @@
 #include "analyzer/machine/profile.h"
 #include "rules/driver/lint.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 
-/// The command line; unset if not given.
-struct CommandLine {
+/// What is to be checked, and with which settings. Unset: a configuration file or the default decides.
+struct CheckRequest {
   std::vector<std::string> paths;
   WalkOptions walk;
   std::optional<std::string> ini, feature, linuxcnc, config;
   std::vector<std::string> sub_path;  ///< folders in which called files are looked for as well
   std::vector<std::string> select, extend_select, ignore;
-  std::vector<std::string> severity;  ///< CODE=LEVEL
+  std::vector<std::string> severity;   ///< CODE=LEVEL
   std::optional<std::string> fail_on;  ///< a severity
-  std::string format = "text";
-  std::string output;
-  std::string color = "auto";
-  std::string stdin_filename = "<stdin>";
-  unsigned jobs = 0;  ///< 0: one per core
-  bool isolated = false;
-  bool statistics = false;
-  bool quiet = false;
-  bool fix = false, unsafe = false, diff = false, fix_only = false;
-  std::string baseline, since, reason;  ///< empty if not given
-  bool update_baseline = false, add_suppressions = false;
+  unsigned jobs = 0;                   ///< 0: one per core
+  bool isolated = false;               ///< no configuration file is read
   bool absolute = false;  ///< paths in findings are absolute, so that they do not depend on the current folder
-  bool coarse = false;   ///< for tests: analyse every program like a very large one
-  bool find_ini = true;  ///< look for a machine INI above the programs
+  bool coarse = false;    ///< for tests: analyse every program like a very large one
+  bool find_ini = true;   ///< look for a machine INI above the programs
 };
 
 /// One setting and where it comes from.
@@ -56,7 +47,7 @@ struct Settings {
 /// Finds and reads configuration files and machine INIs, each once. Not thread-safe.
 class Configuration {
  public:
-  explicit Configuration(const CommandLine& line) : line_(line) {}
+  explicit Configuration(const CheckRequest& line) : line_(line) {}
 
   /// Folders that are known to have no *.ini, by their file_key: they are not read again. Must outlive this.
   void know_without_ini(const std::unordered_set<std::string>& folders) { without_ini_ = &folders; }
@@ -90,7 +81,7 @@ class Configuration {
   /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
   std::string shown_path(const std::string& path, const std::string& program) const;
 
-  const CommandLine& line_;
+  const CheckRequest& line_;
   const std::unordered_set<std::string>* without_ini_ = nullptr;
   bool tells_origins_ = false;
   std::string last_folder_;
@@ -105,4 +96,4 @@ class Configuration {
   std::vector<std::string> notes_;      // what else there is to say
 };
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

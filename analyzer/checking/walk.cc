@@ -22,7 +22,7 @@
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/source.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 namespace {
 
 namespace fs = std::filesystem;
@@ -326,4 +326,4 @@ Walk walk(const std::vector<std::string>& paths, const WalkOptions& options, con
   return out;
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -10,7 +10,7 @@
 
 #include "analyzer/checking/ignore.h"
 
-namespace owlint::cli {
+namespace owlint::checking {
 
 struct WalkOptions {
   bool follow_links = false;         ///< links to folders are followed; what they lead to is taken once
@@ -51,4 +51,4 @@ Walk walk(const std::vector<std::string>& paths, const WalkOptions& options, con
 /// The stamp of a file now; 0 if there is none, or if it is so young that its times do not show a change.
 uint64_t stamp_of(const std::string& path);
 
-}  // namespace owlint::cli
+}  // namespace owlint::checking

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/checking/settings.h"
+#include "analyzer/cli/command_line.h"
 
 namespace owlint::cli {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "analyzer/checking/settings.h"
+#include "analyzer/cli/command_line.h"
 
 namespace owlint::cli {
 

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analyzer/checking/settings.h"
+#include "analyzer/cli/command_line.h"
 #include "analyzer/cli/audit.h"
 
 namespace owlint::cli {

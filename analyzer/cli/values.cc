@@ -12,6 +12,8 @@
 
 namespace owlint::cli {
 
+using namespace checking;
+
 // Of all validators only this one has a description: CLI11 puts it behind the name of the value, where words_of() finds it.
 CLI::Validator one_of(std::vector<std::string> words) {
   const std::string description = fmt::format("{}", fmt::join(words, "|"));

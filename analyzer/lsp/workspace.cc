@@ -121,7 +121,7 @@ void Workspace::forget_files() {
   on_disk_.clear();
   called_files_.reset();
   everything_.reset();
-  configuration_ = std::make_unique<cli::Configuration>(line_);
+  configuration_ = std::make_unique<checking::Configuration>(line_);
   library_ = std::make_unique<Library>([this](const std::string& path, std::string* error) { return read(path, error); });
 }
 
@@ -138,7 +138,7 @@ std::shared_ptr<const Source> Workspace::read(const std::string& path, std::stri
 
 std::vector<std::string> Workspace::program_files() {
   std::vector<std::string> files;
-  for (cli::WalkedFile& file : cli::walk(folders_, {}, [this](const std::string& folder) { return configuration_->patterns_in(folder); }).files) files.push_back(std::move(file.path));
+  for (checking::WalkedFile& file : checking::walk(folders_, {}, [this](const std::string& folder) { return configuration_->patterns_in(folder); }).files) files.push_back(std::move(file.path));
   std::set<std::string> known;
   for (const std::string& file : files) known.insert(file_key(file));
   for (const auto& [key, uri] : uri_of_) {
@@ -149,9 +149,9 @@ std::vector<std::string> Workspace::program_files() {
 
 std::vector<const Document*> Workspace::documents_around(const Document& from) {
   std::vector<std::string> paths;
-  cli::WalkOptions all;
+  checking::WalkOptions all;
   all.ignore_files = false;  // LinuxCNC runs these, too
-  for (cli::WalkedFile& file : cli::walk(folders_, all).files) paths.push_back(std::move(file.path));
+  for (checking::WalkedFile& file : checking::walk(folders_, all).files) paths.push_back(std::move(file.path));
   for (const auto& [uri, document] : open_) paths.push_back(document->path());
   const auto folders = search_path(from);
   for (const std::string& name : folders->names()) {
@@ -210,16 +210,16 @@ std::vector<const Document*> Workspace::documents_run_with(const Document& from)
 std::vector<std::shared_ptr<const MachineSetup>> Workspace::machines(const Document& from) {
   std::vector<std::shared_ptr<const MachineSetup>> out;
   std::set<std::string> known;
-  cli::Settings settings;
+  checking::Settings settings;
   if (settings_for(from.path(), &settings) && settings.profile.setup != nullptr) {
     out.push_back(settings.profile.setup);
     known.insert(file_key(settings.profile.setup->path));
   }
   std::vector<std::string> paths;
-  cli::WalkOptions all;
+  checking::WalkOptions all;
   all.ignore_files = false;
   all.include = {"*.ini"};
-  for (cli::WalkedFile& file : cli::walk(folders_, all).files) paths.push_back(std::move(file.path));
+  for (checking::WalkedFile& file : checking::walk(folders_, all).files) paths.push_back(std::move(file.path));
   for (const SearchFolder& folder : search_path(from)->folders()) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder.path, ignored)) paths.push_back(entry.path().string());
@@ -245,7 +245,7 @@ std::set<std::string> Workspace::related(const Document& document) const {
   return uris;
 }
 
-bool Workspace::settings_for(const std::string& path, cli::Settings* settings) {
+bool Workspace::settings_for(const std::string& path, checking::Settings* settings) {
   std::string error;
   return configuration_->settings_for(path, settings, &error);
 }
@@ -274,8 +274,8 @@ void Workspace::read_all() {
 
 /// The findings of each of `files`, with what those of them that are programs say of the others.
 std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& files) {
-  std::vector<cli::Settings> settings(files.size());
-  std::vector<const cli::Settings*> wanted;
+  std::vector<checking::Settings> settings(files.size());
+  std::vector<const checking::Settings*> wanted;
   for (size_t i = 0; i < files.size(); ++i) {
     wanted.push_back(settings_for(files[i], &settings[i]) ? &settings[i] : nullptr);
     if (uri_of_.contains(file_key(files[i]))) settings[i].options.known_calls = &known_calls_[file_key(files[i])];
@@ -284,7 +284,7 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
   read_all();
   const char* const work = "owlint: checking programs";
   const auto tell = [&](size_t done) { progress(work, done, files.size()); };
-  cli::RunResult result = cli::run_checks(files, wanted, open, *library_, *called_files_, tell);
+  checking::RunResult result = checking::run_checks(files, wanted, open, *library_, *called_files_, tell);
   progress(work, files.size(), files.size());
   std::map<std::string, Checked> out;
   std::map<std::string, std::string> path_of;
@@ -297,7 +297,7 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
     path_of[file_key(files[i])] = files[i];
   }
   for (FileReport& report : result.reports) {
-    cli::fold_groups({&report, 1}, {});  // an editor shows each file by itself
+    checking::fold_groups({&report, 1}, {});  // an editor shows each file by itself
     const auto found = path_of.find(file_key(report.source->path()));
     if (found != path_of.end()) out[found->second].findings = std::move(report.findings);
   }
@@ -333,7 +333,7 @@ const Checked* Workspace::checked(const std::string& uri) const {
 Checked Workspace::check_alone(const std::string& path) { return run({path})[path]; }
 
 std::shared_ptr<const SearchPath> Workspace::search_path(const Document& from) {
-  cli::Settings settings;
+  checking::Settings settings;
   settings_for(from.path(), &settings);  // where that fails, with the defaults
   return library_->search_path(from.path(), settings.profile);
 }

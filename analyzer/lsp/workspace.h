@@ -90,10 +90,10 @@ class Workspace {
   std::set<std::string> related(const Document& document) const;
   void forget_file(const std::string& path);
   std::map<std::string, Checked> run(const std::vector<std::string>& files);
-  bool settings_for(const std::string& path, cli::Settings* settings);
+  bool settings_for(const std::string& path, checking::Settings* settings);
 
-  cli::CommandLine line_;
-  std::unique_ptr<cli::Configuration> configuration_;
+  checking::CheckRequest line_;
+  std::unique_ptr<checking::Configuration> configuration_;
   std::vector<std::string> folders_;
   std::map<std::string, std::unique_ptr<Document>> open_;       // by uri
   std::map<std::string, std::string> uri_of_;                   // of open documents, by file key

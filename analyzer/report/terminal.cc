@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace owlint::cli {
+namespace owlint {
 namespace {
 
 std::string_view environment(const char* name) {
@@ -28,4 +28,4 @@ size_t columns_of(int stream) {
   return ::isatty(stream) != 0 && ::ioctl(stream, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-}  // namespace owlint::cli
+}  // namespace owlint

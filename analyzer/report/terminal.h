@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace owlint::cli {
+namespace owlint {
 
 /// Whether a stream is a terminal that does more than print line after line.
 bool is_terminal(int stream);
@@ -16,4 +16,4 @@ bool use_color(const std::string& wanted, int stream);
 /// The columns of the terminal that a stream is; 0 where it is none, or does not say.
 size_t columns_of(int stream);
 
-}  // namespace owlint::cli
+}  // namespace owlint

@@ -1,4 +1,4 @@
-// The catalogue: every rule, in the order of the codes. A new rule is added here and nowhere else.
+// The catalogue: every rule, in the order of the codes. Its list is made from the names of the rules' files (cmake/rules.cmake).
 #include <algorithm>
 #include <array>
 
@@ -9,89 +9,9 @@
 namespace owlint {
 namespace rules {
 
-extern const Rule kOw001;
-extern const Rule kOw002;
-extern const Rule kOw101;
-extern const Rule kOw102;
-extern const Rule kOw103;
-extern const Rule kOw104;
-extern const Rule kOw105;
-extern const Rule kOw106;
-extern const Rule kOw107;
-extern const Rule kOw108;
-extern const Rule kOw201;
-extern const Rule kOw202;
-extern const Rule kOw203;
-extern const Rule kOw204;
-extern const Rule kOw205;
-extern const Rule kOw206;
-extern const Rule kOw207;
-extern const Rule kOw208;
-extern const Rule kOw209;
-extern const Rule kOw210;
-extern const Rule kOw211;
-extern const Rule kOw212;
-extern const Rule kOw213;
-extern const Rule kOw214;
-extern const Rule kOw215;
-extern const Rule kOw216;
-extern const Rule kOw217;
-extern const Rule kOw218;
-extern const Rule kOw301;
-extern const Rule kOw302;
-extern const Rule kOw303;
-extern const Rule kOw304;
-extern const Rule kOw305;
-extern const Rule kOw306;
-extern const Rule kOw307;
-extern const Rule kOw308;
-extern const Rule kOw309;
-extern const Rule kOw310;
-extern const Rule kOw311;
-extern const Rule kOw312;
-extern const Rule kOw313;
-extern const Rule kOw314;
-extern const Rule kOw315;
-extern const Rule kOw316;
-extern const Rule kOw317;
-extern const Rule kOw318;
-extern const Rule kOw319;
-extern const Rule kOw401;
-extern const Rule kOw402;
-extern const Rule kOw403;
-extern const Rule kOw404;
-extern const Rule kOw405;
-extern const Rule kOw406;
-extern const Rule kOw407;
-extern const Rule kOw408;
-extern const Rule kOw409;
-extern const Rule kOw410;
-extern const Rule kOw411;
-extern const Rule kOw501;
-extern const Rule kOw502;
-extern const Rule kOw503;
-extern const Rule kOw504;
-extern const Rule kOw505;
-extern const Rule kOw506;
-extern const Rule kOw507;
-extern const Rule kOw508;
-extern const Rule kOw509;
-extern const Rule kOw510;
-extern const Rule kOw511;
-extern const Rule kOw512;
-extern const Rule kOw513;
-extern const Rule kOw601;
-extern const Rule kOw602;
-extern const Rule kOw603;
-extern const Rule kOw604;
-extern const Rule kOw605;
-extern const Rule kOw606;
-extern const Rule kOw607;
-extern const Rule kOw608;
-extern const Rule kOw609;
-extern const Rule kOw610;
-extern const Rule kOw611;
-extern const Rule kOw612;
+#define OWLINT_RULE(rule) extern const Rule rule;
+#include "generated/catalogue.inc"
+#undef OWLINT_RULE
 
 }  // namespace rules
 
@@ -116,89 +36,9 @@ std::string_view group_title(Group group) { return kGroupTitles[static_cast<size
 const std::vector<const Rule*>& catalogue() {
   using namespace rules;
   static const std::vector<const Rule*> all = {
-      &kOw001,
-      &kOw002,
-      &kOw101,
-      &kOw102,
-      &kOw103,
-      &kOw104,
-      &kOw105,
-      &kOw106,
-      &kOw107,
-      &kOw108,
-      &kOw201,
-      &kOw202,
-      &kOw203,
-      &kOw204,
-      &kOw205,
-      &kOw206,
-      &kOw207,
-      &kOw208,
-      &kOw209,
-      &kOw210,
-      &kOw211,
-      &kOw212,
-      &kOw213,
-      &kOw214,
-      &kOw215,
-      &kOw216,
-      &kOw217,
-      &kOw218,
-      &kOw301,
-      &kOw302,
-      &kOw303,
-      &kOw304,
-      &kOw305,
-      &kOw306,
-      &kOw307,
-      &kOw308,
-      &kOw309,
-      &kOw310,
-      &kOw311,
-      &kOw312,
-      &kOw313,
-      &kOw314,
-      &kOw315,
-      &kOw316,
-      &kOw317,
-      &kOw318,
-      &kOw319,
-      &kOw401,
-      &kOw402,
-      &kOw403,
-      &kOw404,
-      &kOw405,
-      &kOw406,
-      &kOw407,
-      &kOw408,
-      &kOw409,
-      &kOw410,
-      &kOw411,
-      &kOw501,
-      &kOw502,
-      &kOw503,
-      &kOw504,
-      &kOw505,
-      &kOw506,
-      &kOw507,
-      &kOw508,
-      &kOw509,
-      &kOw510,
-      &kOw511,
-      &kOw512,
-      &kOw513,
-      &kOw601,
-      &kOw602,
-      &kOw603,
-      &kOw604,
-      &kOw605,
-      &kOw606,
-      &kOw607,
-      &kOw608,
-      &kOw609,
-      &kOw610,
-      &kOw611,
-      &kOw612,
+#define OWLINT_RULE(rule) &(rule),
+#include "generated/catalogue.inc"
+#undef OWLINT_RULE
   };
   return all;
 }

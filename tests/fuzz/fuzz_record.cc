@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {
     audit::Records records;
     records.add({reinterpret_cast<const char*>(data), size});
-    const cli::Checked checked = records.checked(0);
+    const checking::Checked checked = records.checked(0);
     std::ostringstream out;
     for (const Format& format : formats()) format.write(out, {checked.report.own}, {});
   } catch (const audit::StoreProblem&) {

@@ -28,7 +28,7 @@ std::string json_of(const std::vector<FileReport>& reports, const char* format =
 }
 
 audit::Outcome audited(const test::Scratch& scratch, Store& store) {
-  cli::CommandLine line;
+  checking::CheckRequest line;
   line.paths = {scratch.path() + "/shop"};
   line.absolute = true;
   line.isolated = true;
@@ -40,15 +40,15 @@ audit::Outcome audited(const test::Scratch& scratch, Store& store) {
 
 TEST_CASE("a record gives back the reports that it was made of, in every format", "[audit]") {
   Library library;
-  cli::Settings settings;
+  checking::Settings settings;
   size_t findings = 0;
   for (const auto& [name, text] : test::all_programs()) {
     const auto source = Source::own("/shop/" + name, text);
-    const cli::Checked checked = cli::check_file(source, settings, library, false);
+    const checking::Checked checked = checking::check_file(source, settings, library, false);
     library.forget(source->path());
     audit::Records records;
     records.add(audit::record_of(checked));
-    const cli::Checked back = records.checked(0);
+    const checking::Checked back = records.checked(0);
     INFO(name);
     for (const Format& format : formats()) CHECK(json_of({checked.report.own}, std::string(format.name).c_str()) == json_of({back.report.own}, std::string(format.name).c_str()));
     CHECK(json_of(checked.report.called) == json_of(back.report.called));

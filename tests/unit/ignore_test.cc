@@ -2,7 +2,7 @@
 
 #include "analyzer/checking/ignore.h"
 
-using owlint::cli::IgnorePatterns;
+using owlint::checking::IgnorePatterns;
 
 namespace {
 

@@ -8,14 +8,14 @@
 #include <filesystem>
 
 using namespace owlint;
-using cli::CommandLine;
-using cli::Configuration;
-using cli::Settings;
+using checking::CheckRequest;
+using checking::Configuration;
+using checking::Settings;
 
 namespace {
 
 /// Settings of `program` in `scratch`; the error in `error`, when one is expected.
-Settings settings(const test::Scratch& scratch, const std::string& program, const CommandLine& line = {}, std::string* error = nullptr) {
+Settings settings(const test::Scratch& scratch, const std::string& program, const CheckRequest& line = {}, std::string* error = nullptr) {
   Configuration configuration(line);
   Settings result;
   std::string problem;
@@ -70,10 +70,10 @@ TEST_CASE("the nearest configuration counts", "[settings]") {
   CHECK(settings(scratch, "a/p.ngc").profile.feature == 2);
   CHECK(settings(scratch, "a/b/c/p.ngc").profile.feature == 2);
   CHECK(settings(scratch, "d/p.ngc").profile.feature == 3);
-  CommandLine isolated;
+  CheckRequest isolated;
   isolated.isolated = true;
   CHECK_FALSE(settings(scratch, "a/p.ngc", isolated).profile.feature.has_value());
-  CommandLine chosen;
+  CheckRequest chosen;
   chosen.config = scratch.path() + "/d/.owlint.toml";
   CHECK(settings(scratch, "a/p.ngc", chosen).profile.feature == 4);
 }
@@ -81,7 +81,7 @@ TEST_CASE("the nearest configuration counts", "[settings]") {
 TEST_CASE("the command line is over the configuration", "[settings]") {
   const test::Scratch scratch;
   scratch.write("owlint.toml", "feature = 1\nlinuxcnc = \"2.7\"\nselect = [\"OW1\"]\nignore = [\"OW104\"]\n[severity]\nOW1 = \"off\"\n");
-  CommandLine line;
+  CheckRequest line;
   line.feature = "0x20";
   line.linuxcnc = "2.10";
   line.select = {"OW2"};
@@ -150,7 +150,7 @@ TEST_CASE("folders are searched for programs", "[settings]") {
   const test::Scratch scratch;
   for (const char* name : {"b.ngc", "a.NC", "c.tap", "d.cnc", "e.gcode", "f.txt", "sub/g.ngc", ".hidden/h.ngc", "sub/.i.ngc", "j.ngc.bak"}) scratch.write(name, "M2\n");
   std::filesystem::create_symlink(scratch.path(), scratch.path() + "/sub/loop");
-  const cli::Walk found = cli::walk({scratch.path(), scratch.path() + "/f.txt", scratch.path() + "/b.ngc", "-"}, {});
+  const checking::Walk found = checking::walk({scratch.path(), scratch.path() + "/f.txt", scratch.path() + "/b.ngc", "-"}, {});
   std::vector<std::string> names;
   for (const auto& [path, stamp, bytes] : found.files) names.push_back(path == "-" ? path : path.substr(scratch.path().size() + 1));
   CHECK(names == std::vector<std::string>{"a.NC", "b.ngc", "c.tap", "d.cnc", "e.gcode", "sub/g.ngc", "f.txt", "-"});

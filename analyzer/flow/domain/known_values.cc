@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/domain/known_values.h"
+#include "analyzer/flow/domain/persistent_map.h"
 
 namespace owlint::flow {
 

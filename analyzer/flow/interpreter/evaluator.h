@@ -1,6 +1,5 @@
-// What is known about parameters: nothing, that something was assigned, a range of numbers, or one constant. Constants come
-// from literals and arithmetic on them, ranges from conditions and from joined constants; everything else is unknown, so
-// that both outcomes of a condition are followed.
+// The values of expressions in a state, and what the assignments of a line change: the interpreter's arithmetic over the domain
+// of known values.
 #pragma once
 
 #include <algorithm>
@@ -12,63 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "analyzer/flow/domain/persistent_map.h"
-#include "analyzer/flow/domain/ranges.h"
+#include "analyzer/flow/domain/known_parameters.h"
 #include "analyzer/flow/facts/accesses.h"
 #include "analyzer/machine/predefined.h"
 #include "analyzer/syntax/statement.h"
 
 namespace owlint::flow {
-
-/// A value in a state's parameter maps. Constants are numbered from kFirstConstant, ranges from kFirstRange.
-using ValueId = uint32_t;
-inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
-inline constexpr ValueId kUnknown = 1;          ///< assigned, value not known
-inline constexpr ValueId kMaybeUnassigned = 2;  ///< assigned on some paths
-inline constexpr ValueId kNotPassed = 3;        ///< #n of a sub whose call passes fewer arguments: it is 0
-inline constexpr ValueId kNotReturned = 4;      ///< `#<_value>` after a call that returned nothing: it is 0
-inline constexpr ValueId kCleared = 5;          ///< the same if an earlier call had returned something
-inline constexpr ValueId kMaybeNotReturned = 6;  ///< one of these on some paths
-inline constexpr ValueId kFirstConstant = 7;
-inline constexpr ValueId kFirstRange = 1U << 31;
-
-/// Constants and ranges by number.
-class KnownValues {
- public:
-  ValueId intern(double value);
-  /// A range is widened to the thresholds first; one that contains all numbers is kUnknown.
-  ValueId intern(const Range& range);
-  static bool is_constant(ValueId id) { return id >= kFirstConstant && id < kFirstRange; }
-  double value(ValueId id) const { return constants_[id - kFirstConstant]; }
-  Range range(ValueId id) const;
-  /// What is known after two paths are joined.
-  ValueId join(ValueId a, ValueId b);
-  void set_thresholds(std::vector<double> numbers) { thresholds_ = Thresholds(std::move(numbers)); }
-  const Thresholds& thresholds() const { return thresholds_; }
-
- private:
-  std::vector<double> constants_;
-  std::unordered_map<uint64_t, ValueId> ids_;  ///< of all but the first few
-  std::vector<Range> ranges_;
-  std::unordered_map<uint64_t, std::vector<ValueId>> range_ids_;
-  Thresholds thresholds_;
-};
-
-/// A condition, the same for all lines that test the same thing. While nothing that it reads is assigned, it has the
-/// same outcome every time: two `if [#1 EQ 0]` in a row go the same way.
-struct Fact {
-  uint32_t id = 0;      ///< 0: not tracked
-  bool global = false;  ///< reads globals only; otherwise locals only
-};
-
-/// Parameters as one state sees them.
-struct Parameters {
-  PersistentMap locals;   ///< keys: 1-30, and kLocalNames + NameId
-  PersistentMap globals;  ///< keys: number, and kGlobalNames + NameId
-  PersistentMap local_facts;   ///< conditions on locals whose outcome is known: FactId -> 1 true, 2 false
-  PersistentMap global_facts;  ///< the same for conditions on globals
-  bool outside = false;   ///< an unknown sub has run: globals may have any value
-};
 
 /// The result of evaluating an expression in one state. A stop on some of the merged paths comes first: what comes after it
 /// is known only when that stop has been handled.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 

@@ -1,0 +1,27 @@
+// What a state knows of the parameters: the product of the values of each, and the outcomes of conditions on them.
+#pragma once
+
+#include <cstdint>
+
+#include "analyzer/flow/domain/known_values.h"
+#include "analyzer/flow/domain/persistent_map.h"
+
+namespace owlint::flow {
+
+/// A condition, the same for all lines that test the same thing. While nothing that it reads is assigned, it has the
+/// same outcome every time: two `if [#1 EQ 0]` in a row go the same way.
+struct Fact {
+  uint32_t id = 0;      ///< 0: not tracked
+  bool global = false;  ///< reads globals only; otherwise locals only
+};
+
+/// Parameters as one state sees them.
+struct Parameters {
+  PersistentMap locals;   ///< keys: 1-30, and kLocalNames + NameId
+  PersistentMap globals;  ///< keys: number, and kGlobalNames + NameId
+  PersistentMap local_facts;   ///< conditions on locals whose outcome is known: FactId -> 1 true, 2 false
+  PersistentMap global_facts;  ///< the same for conditions on globals
+  bool outside = false;   ///< an unknown sub has run: globals may have any value
+};
+
+}  // namespace owlint::flow

@@ -1,0 +1,49 @@
+// The domain of values: nothing, that something was assigned, a range of numbers, or one constant. Constants come from literals
+// and arithmetic on them, ranges from conditions and from joined constants; everything else is unknown, so that both outcomes
+// of a condition are followed.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "analyzer/flow/domain/ranges.h"
+
+namespace owlint::flow {
+
+/// A value in a state's parameter maps. Constants are numbered from kFirstConstant, ranges from kFirstRange.
+using ValueId = uint32_t;
+inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
+inline constexpr ValueId kUnknown = 1;          ///< assigned, value not known
+inline constexpr ValueId kMaybeUnassigned = 2;  ///< assigned on some paths
+inline constexpr ValueId kNotPassed = 3;        ///< #n of a sub whose call passes fewer arguments: it is 0
+inline constexpr ValueId kNotReturned = 4;      ///< `#<_value>` after a call that returned nothing: it is 0
+inline constexpr ValueId kCleared = 5;          ///< the same if an earlier call had returned something
+inline constexpr ValueId kMaybeNotReturned = 6;  ///< one of these on some paths
+inline constexpr ValueId kFirstConstant = 7;
+inline constexpr ValueId kFirstRange = 1U << 31;
+
+/// Constants and ranges by number.
+class KnownValues {
+ public:
+  ValueId intern(double value);
+  /// A range is widened to the thresholds first; one that contains all numbers is kUnknown.
+  ValueId intern(const Range& range);
+  static bool is_constant(ValueId id) { return id >= kFirstConstant && id < kFirstRange; }
+  double value(ValueId id) const { return constants_[id - kFirstConstant]; }
+  Range range(ValueId id) const;
+  /// What is known after two paths are joined.
+  ValueId join(ValueId a, ValueId b);
+  void set_thresholds(std::vector<double> numbers) { thresholds_ = Thresholds(std::move(numbers)); }
+  const Thresholds& thresholds() const { return thresholds_; }
+
+ private:
+  std::vector<double> constants_;
+  std::unordered_map<uint64_t, ValueId> ids_;  ///< of all but the first few
+  std::vector<Range> ranges_;
+  std::unordered_map<uint64_t, std::vector<ValueId>> range_ids_;
+  Thresholds thresholds_;
+};
+
+}  // namespace owlint::flow
