@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <vector>
 
 namespace owlint {
@@ -128,8 +127,8 @@ constexpr Mark kMarks[] = {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-char capital(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::string_view without_blanks(std::string_view text) {
   text.remove_prefix(static_cast<size_t>(std::ranges::find_if_not(text, is_blank) - text.begin()));
@@ -162,11 +161,26 @@ bool has_owords(std::string_view controller) {
   return controller == kFluid || controller == kGrbl || controller == kHal || controller == kPathPilot;
 }
 
+/// The letters of a text, one bit each.
+uint32_t letters_of(std::string_view text) {
+  uint32_t bits = 0;
+  for (const char c : text) {
+    if (is_letter(c)) bits |= 1U << (capital(c) - 'A');
+  }
+  return bits;
+}
+
+/// A mark, and the letters that a line must have to fit it: most lines of motion lack one.
+struct Wanted {
+  const Mark* mark;
+  uint32_t letters;
+};
+
 /// Marks by the first character of their patterns.
-const std::array<std::vector<const Mark*>, 128>& by_first() {
+const std::array<std::vector<Wanted>, 128>& by_first() {
   static const auto lists = [] {
-    std::array<std::vector<const Mark*>, 128> out;
-    for (const Mark& mark : kMarks) out[static_cast<unsigned char>(mark.pattern[0])].push_back(&mark);
+    std::array<std::vector<Wanted>, 128> out;
+    for (const Mark& mark : kMarks) out[static_cast<unsigned char>(mark.pattern[0])].push_back({&mark, letters_of(mark.pattern)});
     return out;
   }();
   return lists;
@@ -257,8 +271,10 @@ void find_controller(std::string_view head, Nature* nature) {
     owords = owords || is_oword(line);
     const auto first = line.empty() ? 0U : static_cast<unsigned char>(capital(line[0]));
     if (first < 128) {
-      for (const Mark* mark : by_first()[first]) {
-        if (fits(line, mark->pattern) && std::ranges::find(seen, mark, &Seen::mark) == seen.end()) {
+      const std::vector<Wanted>& marks = by_first()[first];
+      const uint32_t letters = marks.empty() ? 0 : letters_of(line);
+      for (const auto& [mark, wanted] : marks) {
+        if ((wanted & ~letters) == 0 && fits(line, mark->pattern) && std::ranges::find(seen, mark, &Seen::mark) == seen.end()) {
           const auto from = static_cast<uint64_t>(line.data() - head.data());
           const size_t blanks = line.size() - std::min(line.find_last_not_of(" \t\r") + 1, line.size());
           seen.push_back({mark, {from, from + line.size() - blanks}});

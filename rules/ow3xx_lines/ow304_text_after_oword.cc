@@ -55,7 +55,8 @@ void check(const Input& in, Reporter& out) {
       f->interpreter = error.message;
       return;
     }
-    f->message += "; LinuxCNC ignores it here without a message";
+    // Where no run gets, nobody has ignored it.
+    if (f->reach != Reach::kNever) f->message += "; LinuxCNC ignores it here without a message";
   });
 }
 

@@ -19,6 +19,10 @@ void check_setup(const SetupInput& in, Reporter& out) {
     if (!folder.exists && (folder.key == "PROGRAM_PREFIX" || folder.key == "SUBROUTINE_PATH")) missing.push_back(&folder);
   }
   if (missing.empty()) return;
+  // A name that begins at the root or at somebody's home is right on the machine, as a rule, where this computer lacks it.
+  const auto of_machine = [](const IniFolder* folder) { return folder->text.starts_with('/') || folder->text.starts_with('~'); };
+  std::ranges::stable_partition(missing, [&](const IniFolder* folder) { return !of_machine(folder); });
+  const bool elsewhere = of_machine(missing[0]);
   const IniFolder& first = *missing[0];
   const bool several = missing.size() > 1;
   Finding& f = out.add(first.source, first.span, "the folder " + words_of(first) + " does not exist (" + first.path + ")");
@@ -27,7 +31,9 @@ void check_setup(const SetupInput& in, Reporter& out) {
     f.related.push_back({folder->span, words_of(*folder) + " does not exist (" + folder->path + ")", folder->source == first.source ? nullptr : folder->source});
   }
   const bool blank = std::ranges::any_of(missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
+  if (elsewhere && !blank) f.weight = Weight::kAside;
   f.help = blank ? "remove the spaces around the names: they count as part of the names"
+           : elsewhere ? "if the INI is from another computer, name this computer's folders with `--sub-path`; else make the folder, or correct its name"
            : several ? "make the folders or correct their names; if the INI is from another computer, name this computer's folders with `--sub-path`"
                      : "make the folder, or correct its name";
 }
@@ -69,7 +75,7 @@ o<face> sub
 o<face> endsub
 )",
         .fix = R"(Correct the INI.)",
-        .level_reason = "Warning: LinuxCNC starts without the folder; the calls of its subs stop later.",
+        .level_reason = "Warning: LinuxCNC starts without the folder; the calls of its subs stop later. Info for a name that begins with `/` or `~`, which may exist on the machine only.",
         .interpreter = "",
         .options = "--ini machine.ini",
     },
