@@ -63,7 +63,13 @@ struct Machine::Step {
         m.evaluator_.begin_name(expr.name(), state.parameters);
         continue;
       }
-      const Evaluation e = evaluate(expr.target ? expr.left() : id);
+      Evaluation e = evaluate(expr.target ? expr.left() : id);
+      if (e.fails == StopKind::kNone && e.may_fail == StopKind::kNone && (s.is(Keyword::kEndsub) || s.is(Keyword::kReturn))) {
+        // At a definition too: there a parameter that the program never set is 0.
+        const Evaluation fresh = evaluate(id, true);
+        e.may_fail = fresh.fails;
+        e.message = fresh.message;
+      }
       if (!settle(e)) return;
       long number = 0;
       if (expr.target && m.values_.is_constant(e.value) && !settle(m.evaluator_.target(m.values_.value(e.value), &number))) return;
