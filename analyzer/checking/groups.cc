@@ -66,7 +66,7 @@ class Folder {
   /// Whether a finding is one more place of a group.
   bool joins(size_t report, size_t place, Finding& f) {
     const std::shared_ptr<const Source>& source = reports_[report].source;
-    const auto [entry, first] = groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group}, Group{report, place, 1, {}, {}});
+    const auto [entry, first] = groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group}, Group{report, place, 1, {}, {}, {}});
     Group& group = entry->second;
     group.files.insert(source.get());
     if (first) return false;
@@ -118,9 +118,9 @@ class Folder {
       const size_t more = groups.size() - 1 - names.size();
       f.message += fmt::format("; nor {}{}: all are in `{}`", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "", std::get<2>(key));
     }
-    for (const auto& [report, places] : folded) {
+    for (const auto& of_report : folded) {
       size_t at = 0;
-      std::erase_if(reports_[report].findings, [&](const Finding&) { return places.contains(at++); });
+      std::erase_if(reports_[of_report.first].findings, [&](const Finding&) { return of_report.second.contains(at++); });
     }
   }
 

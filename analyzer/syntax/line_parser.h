@@ -43,7 +43,13 @@ class LineParser {
   void fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message);
   LineByte relative(size_t at) const;
   size_t keyword_at(size_t at) const;
+  static bool starts_word(char c);
   size_t skip_comments(size_t at, bool* any) const;
+
+  static constexpr size_t kFanucCode = 3;  // characters of `M98` and `M99`
+  // Beside the letters of a line's words: M codes that were among them.
+  static constexpr uint32_t kHasStop = 1U << 30;
+  static constexpr uint32_t kHasReturn = 1U << 31;
 
   Syntax& out_;
   LineText line_;

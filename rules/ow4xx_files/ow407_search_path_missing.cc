@@ -21,7 +21,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
   if (missing.empty()) return;
   // A name that begins at the root or at somebody's home is right on the machine, as a rule, where this computer lacks it.
   const auto of_machine = [](const IniFolder* folder) { return folder->text.starts_with('/') || folder->text.starts_with('~'); };
-  std::ranges::stable_partition(missing, [&](const IniFolder* folder) { return !of_machine(folder); });
+  std::stable_partition(missing.begin(), missing.end(), [&](const IniFolder* folder) { return !of_machine(folder); });
   const bool elsewhere = of_machine(missing[0]);
   const IniFolder& first = *missing[0];
   const bool several = missing.size() > 1;

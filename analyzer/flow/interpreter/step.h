@@ -63,13 +63,9 @@ struct Machine::Step {
         m.evaluator_.begin_name(expr.name(), state.parameters);
         continue;
       }
-      Evaluation e = evaluate(expr.target ? expr.left() : id);
-      if (e.fails == StopKind::kNone && e.may_fail == StopKind::kNone && (s.is(Keyword::kEndsub) || s.is(Keyword::kReturn))) {
-        // At a definition too: there a parameter that the program never set is 0.
-        const Evaluation fresh = evaluate(id, true);
-        e.may_fail = fresh.fails;
-        e.message = fresh.message;
-      }
+      const bool returned = s.is(Keyword::kEndsub) || s.is(Keyword::kReturn);  // read at a definition too
+      const ExprId read = expr.target ? expr.left() : id;
+      const Evaluation e = returned ? or_fresh(evaluate(read), read) : evaluate(read);
       if (!settle(e)) return;
       long number = 0;
       if (expr.target && m.values_.is_constant(e.value) && !settle(m.evaluator_.target(m.values_.value(e.value), &number))) return;
@@ -117,6 +113,15 @@ struct Machine::Step {
       if (e.may_fail != StopKind::kNameUndefined) return e;
       settle(e);  // and on the other paths the name is there
     }
+  }
+
+  /// A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
+  Evaluation or_fresh(Evaluation e, ExprId id) {
+    if (e.fails != StopKind::kNone || e.may_fail != StopKind::kNone) return e;
+    const Evaluation fresh = evaluate(id, true);
+    e.may_fail = fresh.fails;
+    e.message = fresh.message;
+    return e;
   }
 
   void report_reads() {
@@ -224,6 +229,7 @@ struct Machine::Step {
   void o_word();
   bool resolve_label();
   bool call_any();
+  bool arguments(std::vector<ValueId>* values);
   void act(Truth truth, double number);
   bool enter_sub();
   bool is_called_sub() const;

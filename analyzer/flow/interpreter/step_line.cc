@@ -72,15 +72,8 @@ void Machine::Step::plain() {
 /// not call.
 void Machine::Step::m98() {
   const auto computable = [&](const Evaluation& found, ExprId id) {
-    Evaluation e = found;
     report_reads();
-    if (skipping && e.fails == StopKind::kNone && e.may_fail == StopKind::kNone) {
-      // A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
-      const Evaluation fresh = evaluate(id, true);
-      e.may_fail = fresh.fails;
-      e.message = fresh.message;
-    }
-    return settle(e);
+    return settle(skipping ? or_fresh(found, id) : found);
   };
   int repeats = 1;
   for (uint32_t i = 0; i < s.value_count; ++i) {
@@ -163,12 +156,7 @@ void Machine::Step::o_word() {
       if (s.value_count > 0) {
         Evaluation e = evaluate(value(0));
         report_reads();
-        if (e.fails == StopKind::kNone && e.may_fail == StopKind::kNone) {
-          // A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
-          const Evaluation fresh = evaluate(value(0), true);
-          e.may_fail = fresh.fails;
-          e.message = fresh.message;
-        }
+        e = or_fresh(e, value(0));
         if (!settle(e, defining())) return;
         returned_value = e.value;
       } else if (s.has_bracket) {
@@ -193,19 +181,13 @@ void Machine::Step::o_word() {
 bool Machine::Step::call_any() {
   constexpr ptrdiff_t kMostCandidates = 16;  // more say too little about each
   constexpr int kDeepest = 4;             // of calls within such calls
-  for (uint32_t i = 0; i < s.value_count; ++i) {
-    const Evaluation e = evaluate(value(i));
-    report_reads();
-    if (!settle(e)) return false;
-  }
-  if (error() != nullptr) {
-    stop_error();
-    return false;
-  }
+  std::vector<ValueId> passed;
+  if (!arguments(&passed)) return false;
   const auto first = std::ranges::lower_bound(m.numbered_subs_, label_range.low, {}, [](const auto& sub) { return sub.first; });
   const auto last = std::ranges::upper_bound(m.numbered_subs_, label_range.high, {}, [](const auto& sub) { return sub.first; });
   if (last - first <= kMostCandidates && context.depth < kDeepest) {
-    for (const auto& [number, name] : std::ranges::subrange(first, last)) {
+    for (auto sub = first; sub != last; ++sub) {
+      const auto& [number, name] = *sub;
       if (name == context.sub || !label_range.has(number)) continue;
       Step one(m, state, context, out);
       one.state.mixed = true;

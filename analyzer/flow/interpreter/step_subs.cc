@@ -108,23 +108,27 @@ void Machine::Step::leave_sub() {
   }
 }
 
-void Machine::Step::call(int repeats, bool fanuc) {
-  std::vector<ValueId> arguments;
-  arguments.reserve(s.value_count);
-  if (!fanuc) {
-    for (uint32_t i = 0; i < s.value_count; ++i) {  // none on a line of words
-      const Evaluation e = evaluate(value(i));
-      report_reads();
-      if (!settle(e)) return;
-      arguments.push_back(e.value);
-    }
-    if (error() != nullptr) return stop_error();
+/// Evaluates the arguments of a call. False where that stops every run.
+bool Machine::Step::arguments(std::vector<ValueId>* values) {
+  values->reserve(s.value_count);
+  for (uint32_t i = 0; i < s.value_count; ++i) {  // none on a line of words
+    const Evaluation e = evaluate(value(i));
+    report_reads();
+    if (!settle(e)) return false;
+    values->push_back(e.value);
   }
+  if (error() != nullptr) stop_error();
+  return error() == nullptr;
+}
+
+void Machine::Step::call(int repeats, bool fanuc) {
+  std::vector<ValueId> passed;
+  if (!fanuc && !arguments(&passed)) return;
   if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
 
   // Where no chain is too deep, calls at all depths are alike.
   const int depth = m.structure_.shallow_calls ? 1 : context.depth + 1;
-  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(arguments.size()), context.contour || s.kind == LineKind::kContour};
+  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(passed.size()), context.contour || s.kind == LineKind::kContour};
   State enter = state;
   enter.looped = false;
   enter.branch = 0;
@@ -133,10 +137,10 @@ void Machine::Step::call(int repeats, bool fanuc) {
     enter.parameters.locals = m.evaluator_.share_numbers({}, state.parameters.locals);
   } else {
     enter.parameters.locals = {};
-    m.evaluator_.pass(enter.parameters, arguments);
+    m.evaluator_.pass(enter.parameters, passed);
     const NameId count = m.program_.syntax.names.find("n_args");
     if (count != kNoName && m.profile_.setup != nullptr && m.profile_.setup->counts_arguments) {
-      m.evaluator_.set_name(enter.parameters, count, m.values_.intern(static_cast<double>(arguments.size())));
+      m.evaluator_.set_name(enter.parameters, count, m.values_.intern(static_cast<double>(passed.size())));
     }
   }
   if (repeats == 0 || repeats == kUnknownRepeats) {
