@@ -61,7 +61,11 @@ class Joiner {
       item.target_name = name(item.target_name);
       out.items.push_back(item);
     }
-    out.errors.insert(out.errors.end(), in.errors.begin(), in.errors.end());
+    for (LineError error : in.errors) {
+      error.read_from += expr0_;
+      error.read_to += expr0_;
+      out.errors.push_back(std::move(error));
+    }
     for (Expr e : in.exprs) {
       e.move([this](ExprId id) { return expr(id); }, [this](NameId id) { return name(id); });
       out.exprs.push_back(e);
