@@ -108,9 +108,10 @@ void Machine::index() {
     if (s.opens_sub()) {
       definitions_.push_back(id);
       const std::string_view name = s.label == kNoName ? std::string_view() : std::string_view(syntax.names.text(s.label));
-      double number = 0;
+      long number = 0;
       const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), number);
-      if (problem == std::errc{} && end == name.data() + name.size()) numbered_subs_.emplace_back(number, s.label);
+      // Not `o<007>`, which no computed label is.
+      if (problem == std::errc{} && std::to_string(number) == name) numbered_subs_.emplace_back(number, s.label);
     }
     if ((s.is(Keyword::kEndsub) || s.is(Keyword::kReturn)) && s.value_count > 0 && s.label != kNoName) {
       if (s.label >= returns_value_.size()) returns_value_.resize(std::max<size_t>(s.label + 1, syntax.names.size()));

@@ -12,7 +12,13 @@ namespace {
 
 bool is_loop(const Statement& s) { return s.is(Keyword::kWhile) || s.is(Keyword::kDo) || s.is(Keyword::kRepeat); }
 
-/// Whether nothing that these lines read is changed by those, or by the machine.
+template <typename Item>
+void sort_once(std::vector<Item>& items) {
+  std::ranges::sort(items);
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+/// Whether nothing that these lines read is changed by those, or by the machine. Each line is in its list once.
 bool stays_the_same(const Program& program, const std::vector<StatementId>& reading, const std::vector<StatementId>& changing) {
   const AccessTable read(program, reading);
   const AccessTable changed(program, changing);
@@ -21,11 +27,14 @@ bool stays_the_same(const Program& program, const std::vector<StatementId>& read
   if (reads.reads_any() || writes.writes_any()) return false;
   // A call of something that is not known may assign any global.
   const bool calls_out = std::ranges::any_of(changing, [&](StatementId id) { return program.at(id).calls() && program.at(id).label_expr != kNoExpr; });
+  std::vector<ParameterKey> written;
+  for (const Write& write : writes.all_writes()) written.push_back(write.key);
+  std::ranges::sort(written);
   return std::ranges::none_of(reads.all_reads(), [&](ParameterKey key) {
     if (calls_out && is_global(key)) return true;
     const ParameterId id = parameter_of(key);
     const bool of_machine = id.named ? may_be_predefined(program.name(id.id)) : id.id >= kFirstVolatileNumber;
-    return of_machine || std::ranges::find(writes.all_writes(), key, &Write::key) != writes.all_writes().end();
+    return of_machine || std::ranges::binary_search(written, key);
   });
 }
 
@@ -145,16 +154,19 @@ void Analysis::stuck_loops() {
       round.fixed = false;
     }
   });
+  std::vector<bool> stuck(trace_->size() + 1);  // by way round
   for (auto& [number, round] : rounds) {
     if (!round.fixed || round.opener == kNoStatement || round.deciding.empty()) continue;
+    sort_once(round.lines);
+    sort_once(round.deciding);
     if (!stays_the_same(program_, round.deciding, round.lines)) continue;
     // What a call that was not gone through assigns decides, if it assigns anything.
     if (trace_->leaves_out() && std::ranges::any_of(round.lines, [&](StatementId id) { return program_.at(id).calls(); })) trace_->miss_left_out();
-    for (RecordId id = 0; id < trace_->size(); ++id) stuck_[id] = stuck_[id] || group[id] == number;
-    may_go_round_ = true;
+    stuck[number] = may_go_round_ = true;
     hazards_.emplace(std::make_tuple(HazardKind::kEndlessLoop, round.opener, kNoStatement, 0U),
                      Hazard{HazardKind::kEndlessLoop, round.opener, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}, true});
   }
+  for (RecordId id = 0; id < trace_->size(); ++id) stuck_[id] = stuck[group[id]];
 }
 
 }  // namespace owlint::flow
