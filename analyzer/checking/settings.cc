@@ -51,15 +51,15 @@ std::string Configuration::nearest(const std::string& program) {
 
 std::shared_ptr<const ConfigurationFile> Configuration::file_for(const std::string& program, std::string* error) {
   error->clear();
-  if (line_.config) return load(*line_.config, error);
-  const std::string path = line_.isolated ? std::string() : nearest(program);
+  if (request_.config) return load(*request_.config, error);
+  const std::string path = request_.isolated ? std::string() : nearest(program);
   return path.empty() ? nullptr : load(path, error);
 }
 
 Severity Configuration::fail_on(const std::string& path) {
   Severity severity = Severity::kError;
-  if (line_.fail_on) {
-    severity_from_text(*line_.fail_on, &severity);
+  if (request_.fail_on) {
+    severity_from_text(*request_.fail_on, &severity);
     return severity;
   }
   std::string error;  // reported with the program
@@ -170,7 +170,7 @@ std::vector<std::string> Configuration::notes() const {
 
 std::string Configuration::shown_path(const std::string& path, const std::string& program) const {
   std::error_code ignored;
-  return line_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
+  return request_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
 }
 
 bool Configuration::find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings, std::string* error) const {
@@ -185,8 +185,8 @@ bool Configuration::find_sub_path(const ConfigurationFile* file, const std::stri
     if (tells_origins_) settings->origins.push_back({"sub-path", path, from});
     return true;
   };
-  for (const std::string& folder : line_.sub_path) {
-    if (!add(line_.absolute ? file_key(folder) : folder, "--sub-path")) return false;
+  for (const std::string& folder : request_.sub_path) {
+    if (!add(request_.absolute ? file_key(folder) : folder, "--sub-path")) return false;
   }
   for (const std::string& folder : file != nullptr && file->sub_path ? *file->sub_path : std::vector<std::string>()) {
     const std::string path = (fs::path(file->folder) / expand_home(folder)).string();
@@ -224,10 +224,10 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     for (const auto& [code, level] : selection.severity) note("severity." + code, std::string(severity_text(level)), where("severity"));
   };
   const auto line_of = [&](std::string_view key) { return file->place_of(key); };
-  std::optional<std::string> ini = line_.ini;
-  if (ini && line_.absolute) ini = file_key(*ini);
+  std::optional<std::string> ini = request_.ini;
+  if (ini && request_.absolute) ini = file_key(*ini);
   if (ini) note("ini", *ini, "command line");
-  std::optional<std::string> version = line_.linuxcnc;
+  std::optional<std::string> version = request_.linuxcnc;
   Profile& profile = settings->profile;
   LintOptions& options = settings->options;
   if (file != nullptr) {
@@ -256,7 +256,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
       }
     }
   }
-  if (line_.coarse) options.detail = Detail::kCoarse;
+  if (request_.coarse) options.detail = Detail::kCoarse;
   if (version && *version == "all") {
     options.all_versions = true;
   } else if (version) {
@@ -268,15 +268,15 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     profile.version = *parsed;
     profile.version_given = true;
   }
-  if (line_.feature) {
-    profile.feature = parse_mask(*line_.feature);
+  if (request_.feature) {
+    profile.feature = parse_mask(*request_.feature);
     if (!profile.feature) {
-      *error = fmt::format("--feature: `{}` is not a number such as 32 or 0x20", *line_.feature);
+      *error = fmt::format("--feature: `{}` is not a number such as 32 or 0x20", *request_.feature);
       return false;
     }
   }
   if (!find_sub_path(file.get(), path, settings, error)) return false;
-  if (!ini && line_.find_ini && (file == nullptr || file->find_ini)) {
+  if (!ini && request_.find_ini && (file == nullptr || file->find_ini)) {
     if (const std::string above = ini_above(path); !above.empty()) {
       ini = shown_path(above, path);
       note("ini", *ini, "found above the program");
@@ -293,13 +293,13 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     *into = std::move(codes);
     return true;
   };
-  if (!take(line_.select, &given.select) || !take(line_.extend_select, &given.extend_select) || !take(line_.ignore, &given.ignore)) return false;
+  if (!take(request_.select, &given.select) || !take(request_.extend_select, &given.extend_select) || !take(request_.ignore, &given.ignore)) return false;
   note_selection(given, [](const char*) { return "command line"; });
-  if (line_.linuxcnc) note("linuxcnc", *line_.linuxcnc, "command line");
-  if (line_.feature) note("feature", *line_.feature, "command line");
-  if (line_.fail_on) note("fail-on", *line_.fail_on, "command line");
+  if (request_.linuxcnc) note("linuxcnc", *request_.linuxcnc, "command line");
+  if (request_.feature) note("feature", *request_.feature, "command line");
+  if (request_.fail_on) note("fail-on", *request_.fail_on, "command line");
   apply(given, &options);
-  for (const std::string& text : line_.severity) {
+  for (const std::string& text : request_.severity) {
     const size_t equals = text.find('=');
     Severity severity{};
     if (equals == std::string::npos || !severity_from_text(text.substr(equals + 1), &severity)) {

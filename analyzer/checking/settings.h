@@ -1,4 +1,5 @@
-// Settings for one file: the request (of a command line, an editor, a caller of the API) overrides the nearest owlint.toml, which overrides the defaults.
+// Settings for one file: the request (of a command line, an editor, a caller of the API) overrides the nearest owlint.toml,
+// which overrides the defaults.
 #pragma once
 
 #include <map>
@@ -47,7 +48,7 @@ struct Settings {
 /// Finds and reads configuration files and machine INIs, each once. Not thread-safe.
 class Configuration {
  public:
-  explicit Configuration(const CheckRequest& line) : line_(line) {}
+  explicit Configuration(const CheckRequest& request) : request_(request) {}
 
   /// Folders that are known to have no *.ini, by their file_key: they are not read again. Must outlive this.
   void know_without_ini(const std::unordered_set<std::string>& folders) { without_ini_ = &folders; }
@@ -81,7 +82,7 @@ class Configuration {
   /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
   std::string shown_path(const std::string& path, const std::string& program) const;
 
-  const CheckRequest& line_;
+  const CheckRequest& request_;
   const std::unordered_set<std::string>* without_ini_ = nullptr;
   bool tells_origins_ = false;
   std::string last_folder_;
