@@ -7,7 +7,7 @@
 namespace owlint::bulk {
 
 enum Bit : uint8_t {
-  kBlankControl = 1,     // \t \v \f
+  kTab = 1,
   kSpace = 2,
   kFeed = 4,
   kDigit = 8,
@@ -16,16 +16,16 @@ enum Bit : uint8_t {
   kSign = 64,            // $ + - .
   kReturn = 128,
 };
-inline constexpr uint8_t kBlank = kBlankControl | kSpace | kReturn;
+inline constexpr uint8_t kBlank = kTab | kSpace | kReturn;
 inline constexpr uint8_t kLetter = kLetterLow | kLetterHigh;
 
 // A byte has the bits that both its halves allow, so that two table lookups classify it.
 inline constexpr std::array<uint8_t, 16> kUpperHalf = {
-    kBlankControl | kFeed | kReturn, 0, kSpace | kSign, kDigit, kLetterLow, kLetterHigh, kLetterLow, kLetterHigh};
+    kTab | kFeed | kReturn, 0, kSpace | kSign, kDigit, kLetterLow, kLetterHigh, kLetterLow, kLetterHigh};
 
 constexpr std::array<uint8_t, 16> make_lower_half() {
   std::array<uint8_t, 16> bits{};
-  for (const int blank : {0x9, 0xB, 0xC}) bits[blank] |= kBlankControl;
+  bits[0x9] |= kTab;
   bits[0x0] |= kSpace;
   bits[0xA] |= kFeed;
   bits[0xD] |= kReturn;

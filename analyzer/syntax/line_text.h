@@ -17,7 +17,7 @@ namespace owlint {
 inline constexpr size_t kLineLimit = 252;
 
 /// Whether a byte is part of a character that is not ASCII.
-inline bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
+inline bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80 || c == '\v' || c == '\f'; }
 /// How many of them stand at `at`.
 inline size_t foreign_run(std::string_view text, size_t at) {
   size_t end = at;

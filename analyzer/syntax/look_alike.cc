@@ -16,6 +16,8 @@ struct Row {
 
 // By code. Of full-width characters only the names are put together.
 constexpr Row kRows[] = {
+    {0x000B, "VERTICAL TAB", " "},
+    {0x000C, "FORM FEED", " "},
     {0x00A0, "NO-BREAK SPACE", " "},
     {0x00AB, "LEFT-POINTING DOUBLE ANGLE QUOTATION MARK", "\""},
     {0x00AD, "SOFT HYPHEN", ""},

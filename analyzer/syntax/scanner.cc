@@ -24,7 +24,7 @@ enum Class : uint8_t {
 constexpr std::array<uint8_t, 256> make_classes() {
   std::array<uint8_t, 256> classes{};
   classes.fill(kMatters);
-  for (const char c : std::string_view(" \t\v\f\r+-.0123456789^@$")) classes[static_cast<unsigned char>(c)] = kDull;
+  for (const char c : std::string_view(" \t\r+-.0123456789^@$")) classes[static_cast<unsigned char>(c)] = kDull;
   for (char c = 'a'; c <= 'z'; ++c) {
     classes[static_cast<unsigned char>(c)] = kDull;
     classes[static_cast<unsigned char>(c - 'a' + 'A')] = kDull;
@@ -52,7 +52,7 @@ bool ends_in_nuls(std::string_view line) {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 /// Whether the M at `at` may be an M2, M30, M98, M99 or a computed one.
 bool interesting_m(std::string_view line, size_t at) {
@@ -136,10 +136,22 @@ LineView look(std::string_view line) {
   return view;
 }
 
+/// Whether a character, made small, is `b`.
+bool same_letter(char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; }
+
+/// Where `owlint:` is on a line, in capitals or not. Few comments have a colon.
+size_t find_directive(std::string_view line) {
+  constexpr std::string_view kWord = "owlint";
+  for (size_t colon = line.find(':'); colon != std::string_view::npos; colon = line.find(':', colon + 1)) {
+    if (colon >= kWord.size() && std::ranges::equal(line.substr(colon - kWord.size(), kWord.size()), kWord, same_letter)) return colon - kWord.size();
+  }
+  return std::string_view::npos;
+}
+
 /// Finds `owlint:` in the comments of a line. It is a fixed word, so a plain search is enough; the parser of
 /// directives looks closer.
 void note_directive(std::string_view line, uint64_t offset, uint32_t number, bool code, bool on_oword, Syntax& out) {
-  const size_t at = line.find("owlint:");
+  const size_t at = find_directive(line);
   if (at == std::string_view::npos) return;
   const size_t opened = line.find_last_of("(;", at);
   if (opened == std::string_view::npos) return;
@@ -155,7 +167,6 @@ void note_directive(std::string_view line, uint64_t offset, uint32_t number, boo
 /// Whether the comment that acts is `(abort, …)`. Measured: in any case, without a blank before the comma.
 bool aborts(std::string_view line) {
   constexpr std::string_view kWord = "abort,";
-  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; };
   std::string_view comment;  // of several in parentheses the last one acts, and what is behind a semicolon does not (measured)
   for (size_t at = 0; (at = line.find_first_of("(;", at)) != std::string_view::npos && line[at] == '(';) {
     const size_t close = line.find(')', at);
@@ -164,7 +175,7 @@ bool aborts(std::string_view line) {
     at = close + 1;
   }
   comment.remove_prefix(std::min(comment.find_first_not_of(" \t"), comment.size()));
-  return std::ranges::equal(comment.substr(0, kWord.size()), kWord, same);
+  return std::ranges::equal(comment.substr(0, kWord.size()), kWord, same_letter);
 }
 
 /// A stretch of lines that one core looks through.
@@ -262,7 +273,7 @@ class Reader {
       out_.last_code = number;
     } else {
       const LineView& view = found.view;
-      const bool code = view.code && line.find_first_not_of(std::string_view("\0 \t\r", 4)) != std::string_view::npos;
+      const bool code = view.code && line.find_first_not_of(std::string_view("\0 \t\r\v\f", 6)) != std::string_view::npos;
       if (code) out_.last_code = number;
       if (view.matters || view.too_long) keep = parser_.parse(line, found.begin, &statement);
       if (view.speaks || (view.matters && parser_.has_comment())) {
@@ -293,6 +304,7 @@ class Reader {
 
  private:
   void note_first_line(std::string_view line) {
+    line = line.substr(0, line.find('\0'));  // where LinuxCNC's line ends
     const size_t first = line.find_first_not_of(" \t\r\v\f");
     if (first == std::string_view::npos) return;
     seen_first_ = true;

@@ -23,7 +23,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.message = "the file begins with a byte order mark";
     f.help = "save it as UTF-8 without byte order mark, or as plain text";
     f.fixes.push_back({"remove the byte order mark", true, {{{0, 3}, ""}}});
-  } else if (!bytes.empty() && static_cast<unsigned char>(bytes[0]) >= 0x80) {
+  } else if (!bytes.empty() && is_foreign(bytes[0])) {
     f.message = "LinuxCNC does not know this character outside comments and names";
     f.help = "remove it, or put it in a comment";
     explain_idiom(in, id, f);
