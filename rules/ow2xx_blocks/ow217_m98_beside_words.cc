@@ -1,16 +1,28 @@
 // OW217 m98-beside-words: M98 or M99 on a line with other words.
 // Depends on: they call and return only as the line's first word. LinuxCNC reads all words of an M98 line, even if the line
 // is skipped, but only P and L have an effect; in a sub nothing may come after M99.
+#include <algorithm>
+
 #include "analyzer/syntax/known_line.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
 namespace {
 
+constexpr const char* kTimes = "write a whole number after `L`: `L3` calls the sub three times";
+
 std::string text_of(const Program& p, Span span) {
   constexpr size_t kShown = 40;
   std::string text(p.source->slice(span));
   return text.size() > kShown ? text.substr(0, kShown - 3) + "..." : text;
+}
+
+/// Where the word with this letter stands in `text`, with a number or a numbered parameter; an empty span at 0 if there is none.
+Span word_of(std::string_view text, const char* letter) {
+  const size_t at = text.find_first_of(letter);
+  if (at == std::string_view::npos) return {};
+  const size_t end = std::min(text.find_first_not_of("#0123456789", at + 1), text.size());
+  return end > at + 1 ? Span{at, end} : Span{};
 }
 
 void m98_behind(const Program& p, const Statement& s, Span word, Finding& f) {
@@ -20,7 +32,21 @@ void m98_behind(const Program& p, const Statement& s, Span word, Finding& f) {
     f.message = "`M98` comes after other words: LinuxCNC calls only if `M98` is the first word of the line";
   }
   f.help = "write `M98` with its `P` on a line of its own";
-  if (p.source->slice({word.end, s.end()}).find_first_of("pP") != std::string_view::npos) f.fixes.push_back(split_line(p, s, word.begin, f.help));
+  if (p.source->slice({word.end, s.end()}).find_first_of("pP") != std::string_view::npos) {
+    f.fixes.push_back(split_line(p, s, word.begin, f.help));
+    return;
+  }
+  const std::string_view before = p.source->slice({s.offset, word.begin});
+  const Span sub = word_of(before, "pP");
+  const Span times = word_of(before, "lL");
+  if (sub.end == 0 || before.find('(') != std::string_view::npos) return;
+  std::string call = "M98 " + std::string(p.source->slice({s.offset + sub.begin, s.offset + sub.end}));
+  if (times.end > 0) call += " " + std::string(p.source->slice({s.offset + times.begin, s.offset + times.end}));
+  f.help = "write `" + call + "` on a line of its own";
+  // With nothing else on the line it stays where it is.
+  const size_t words = (sub.end - sub.begin) + (times.end - times.begin);
+  const size_t letters = before.size() - static_cast<size_t>(std::ranges::count_if(before, [](char c) { return c == ' ' || c == '\t'; }));
+  if (s.kind != LineKind::kM98 && letters == words) f.fixes.push_back({"write `" + call + "`", false, {{{s.offset, word.end}, indent_of(*p.source, s) + call}}});
 }
 
 void m98_words(const Program& p, const LineError& error, Finding& f) {
@@ -30,7 +56,7 @@ void m98_words(const Program& p, const LineError& error, Finding& f) {
     f.help = "write only one; call several subs on several lines";
   } else {
     f.message = "`" + text + "` is not a number of calls";
-    f.help = "write a whole number after `L`: `L3` calls the sub three times";
+    f.help = kTimes;
   }
 }
 
@@ -46,9 +72,13 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
       m98_behind(p, s, error->span, f);
       break;
     case StopKind::kM98Words:
-      f.span = error != nullptr ? error->span : s.keyword_span();
-      m98_words(p, error != nullptr ? *error : LineError{kind, s.rest_span(), interpreter}, f);
-      if (error == nullptr) f.message = "the `L` of this `M98` is not a number of calls";
+      if (error != nullptr && error->kind == kind && error->message == interpreter) {
+        f.span = error->span;
+        m98_words(p, *error, f);
+      } else {
+        f.message = "the `L` of this `M98` is not a number of calls";
+        f.help = kTimes;
+      }
       break;
     case StopKind::kM99Behind:
       f.message = "`M99` comes after other words: LinuxCNC returns from a sub only if `M99` is the first word of the line";
@@ -80,10 +110,12 @@ void report_dropped(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = p.at(id);
   if (s.kind != LineKind::kM98 || s.error != UINT32_MAX || s.rest_to == s.rest_from || has_stop(in, id)) return;
   const std::string text = text_of(p, s.rest_span());
-  Finding& f = out.add(s.rest_span(), "`" + text + "` on an `M98` line: LinuxCNC reads it but does not execute it");
+  const bool runs = surely_runs(p.source->slice(s.rest_span()));
+  // Measured: the words are checked as on any line, so an axis word without a motion mode, or `H` without its G code, stops.
+  Finding& f = out.add(s.rest_span(), "`" + text + "` on an `M98` line: LinuxCNC " + (runs ? "reads it but does not execute it" : "checks it and may stop here, but never executes it"));
   f.help = "write it on a line of its own, before `M98`";
   f.reach = in.flow.reach(id);
-  if (!surely_runs(p.source->slice(s.rest_span())) || s.block_delete) return;
+  if (!runs || s.block_delete) return;
   // Never safe: the words would begin to work.
   uint64_t blanks = s.rest_span().begin;
   while (p.source->slice({blanks - 1, blanks}).find_first_of(" \t") == 0) --blanks;
@@ -119,7 +151,8 @@ There is no `M99 P…`.
 
 LinuxCNC reads and checks words after `M98 P…`, even on a skipped line, but **it does not execute
 them**: after `M98 P7001 G0 X5` the machine has not moved to X5, and `M98 P7001 M2` does not end the
-program. An assignment there is lost.
+program. An assignment there is lost. A word that needs a code, as in `M98 P7001 H5`, stops the
+program, and so does an axis word where no motion mode is on.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90

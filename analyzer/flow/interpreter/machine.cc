@@ -55,6 +55,7 @@ uint64_t State::hash() const {
 
 Definers::Set Definers::get(uint32_t packed) const {
   if (packed == 0) return {{}, true};
+  if (packed == kElsewhere) return {{}, false};
   if ((packed & kSetMark) != 0) return sets_[packed & ~kSetMark];
   Set set{{}, (packed & 1) != 0};
   set.lines.push_back((packed >> 1) - 1);
@@ -215,13 +216,14 @@ bool Machine::is_target(const State& state, const Context& context) const {
   return scope == (context.depth > 0 ? context.sub : state.defining);
 }
 
+bool Machine::opens_somewhere(NameId sub) const {
+  return sub < program_.by_label.size() && std::ranges::any_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
+}
+
 bool Machine::may_be_elsewhere(NameId sub) const {
   const std::string& text = name(sub);
   if (profile_.may_be_python() || target(sub).opaque || program_.sub_file) return true;
-  if (sub < program_.by_label.size()) {
-    const bool defined = std::ranges::any_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
-    if (defined) return false;
-  }
+  if (opens_somewhere(sub)) return false;
   if (profile_.setup != nullptr) return false;
   return text.find_first_not_of("-0123456789") != std::string::npos;
 }

@@ -91,6 +91,7 @@ class Definers {
     bool undefined = false;
   };
   static uint32_t one(StatementId line) { return (line + 1) << 1; }
+  static constexpr uint32_t kElsewhere = 1;  ///< a sub that owlint does not know, of the calling program or of a file
   Set get(uint32_t packed) const;
   uint32_t join(uint32_t a, uint32_t b);
   uint32_t without_undefined(uint32_t packed);
@@ -154,6 +155,8 @@ class Machine {
 
   /// Whether a sub that is not found may be in a file, a module or a calling program that owlint does not know.
   bool may_be_elsewhere(NameId sub) const;
+  /// Whether the program or a file that it calls has a `sub` line with this label.
+  bool opens_somewhere(NameId sub) const;
   /// Where LinuxCNC finds a called sub that the label table does not have.
   CallTarget target(NameId sub) const { return linked_.target(name(sub)); }
 

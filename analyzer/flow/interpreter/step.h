@@ -67,6 +67,8 @@ struct Machine::Step {
       const ExprId read = expr.target ? expr.left() : id;
       const Evaluation e = returned ? or_fresh(evaluate(read), read) : evaluate(read);
       if (!settle(e)) return;
+      int times = 0;
+      if (s.kind == LineKind::kM98 && s.repeats && id == value(0) && !times_called(e, &times)) return;
       long number = 0;
       if (expr.target && m.values_.is_constant(e.value) && !settle(m.evaluator_.target(m.values_.value(e.value), &number))) return;
     }
@@ -225,6 +227,8 @@ struct Machine::Step {
   void run();
   void plain();
   void m98();
+  void call_elsewhere(FullLabel sub);
+  bool times_called(const Evaluation& of_l, int* times);
   void m99();
   void o_word();
   bool resolve_label();

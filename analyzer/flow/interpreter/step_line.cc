@@ -80,16 +80,25 @@ void Machine::Step::m98() {
     const Evaluation e = evaluate(value(i));
     if (!computable(e, value(i))) return;
     if (i > 0 || !s.repeats) continue;
-    repeats = kUnknownRepeats;
-    if (!m.values_.is_constant(e.value)) continue;
-    long times = 0;
-    if (!to_integer(m.values_.value(e.value), &times)) return stop(StopKind::kM98Words, "Non integer value for integer");
-    if (times < 0) return stop(StopKind::kM98Words, "Negative l word used");
-    repeats = static_cast<int>(std::min(times, 1'000'000L));
+    if (!times_called(e, &repeats)) return;
   }
   if (!resolve_label()) return;
   if (skipping || label == kNoLabel) return next_line();
   call(repeats, true);
+}
+
+/// How often the L of M98 calls. False where no call can be made of it.
+bool Machine::Step::times_called(const Evaluation& of_l, int* times) {
+  *times = kUnknownRepeats;
+  if (!m.values_.is_constant(of_l.value)) return true;
+  long whole = 0;
+  const bool odd = !to_integer(m.values_.value(of_l.value), &whole);
+  if (odd || whole < 0) {
+    stop(StopKind::kM98Words, odd ? "Non integer value for integer" : "Negative l word used");
+    return false;
+  }
+  *times = static_cast<int>(std::min(whole, 1'000'000L));
+  return true;
 }
 
 /// M99 as the first word, in a sub.

@@ -16,7 +16,7 @@ bool Machine::Step::enter_sub() {
       stop(StopKind::kSubRedefined, where + " redefining sub: o|" + name + "| already defined in file:" + m.linked_.source_of(line).path(), line);
     }
   }
-  if (!set.undefined) return false;
+  if (!set.undefined && !set.lines.empty()) return false;
   define_here();
   return true;
 }
@@ -121,6 +121,15 @@ bool Machine::Step::arguments(std::vector<ValueId>* values) {
   return error() == nullptr;
 }
 
+/// A sub that owlint does not know runs and comes back. Where files have a sub of that label, too, all later calls run the unknown one.
+void Machine::Step::call_elsewhere(FullLabel sub) {
+  State back = state;
+  if (m.opens_somewhere(m.label_of(sub))) back.table.set(m.pool_, sub, Definers::kElsewhere);
+  Evaluator::call_outside(back.parameters);
+  back.returned = kYes;
+  go(std::move(back), here + 1);
+}
+
 void Machine::Step::call(int repeats, bool fanuc) {
   std::vector<ValueId> passed;
   if (!fanuc && !arguments(&passed)) return;
@@ -163,7 +172,10 @@ void Machine::Step::call(int repeats, bool fanuc) {
     known.position = line;  // the definition's line is read again (measured: text after it stops there)
     out.call(state, std::move(known), callee, repeats);
   }
-  if (!set.undefined) return;
+  if (!set.undefined) {
+    if (set.lines.empty()) call_elsewhere(defined);
+    return;
+  }
   enter.table.set(m.pool_, defined, 0);
   enter.skip = defined;
   enter.seek = true;
@@ -176,11 +188,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
     return out.hazard(state, HazardKind::kLookupCrash, 0, StopKind::kNone, "");
   }
   if (m.may_be_elsewhere(callee.sub)) {
-    // It stops, or something that owlint does not know has the sub, and it comes back.
-    State back = state;
-    Evaluator::call_outside(back.parameters);
-    back.returned = kYes;
-    go(std::move(back), here + 1);
+    call_elsewhere(defined);  // or it stops
     if (m.profile_.may_be_python()) return;
   }
   if (m.profile_.version >= Version::k2_10 && called() && m.linked_.file_of(here) != 0) {
