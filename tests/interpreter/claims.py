@@ -15,6 +15,16 @@ def settings(text):
     return (False, True) if _DELETED.search(text) else (False,)
 
 
+def said_by(finding):
+    """The finding, what follows from the same mistake, and the other places that it stands for, as claims."""
+    yield finding
+    yield from finding.get("consequences", [])
+    for place in finding.get("related", ()) if finding["code"] == "OW208" else ():
+        if place["message"] == "here as well":
+            line = place["start"]["line"]
+            yield {**finding, "start": place["start"], "interpreter": re.sub(r"from line: \d+", "from line: %d" % line, finding.get("interpreter", ""))}
+
+
 class Claims:
     """What owlint's findings say about how a program ends, with that setting of block delete."""
 
@@ -33,7 +43,7 @@ class Claims:
     def stop_at(self, outcome):
         """The finding that claims this error, or None."""
         for f in self.stops:
-            for claim in [f] + f.get("consequences", []):
+            for claim in said_by(f):
                 if same_words(outcome.message, claim.get("interpreter", "")) and (not outcome.line or _fits(outcome, claim["start"]["line"])):
                     return f
         return None

@@ -39,7 +39,7 @@ from dataclasses import dataclass, replace
 
 import bundle
 import rs274
-from claims import Claims, settings
+from claims import Claims, said_by, settings
 from confirm import Program, corpus, fixtures, read
 from messages import EOF, UNKNOWN, codes_of, same_words
 from slips import slip
@@ -201,7 +201,7 @@ def judge(outcome, checked, program, block_delete):
         return None if claims.crashes else Disagreement(CRASH, outcome.message)
     if outcome.kind == "ok":
         return Disagreement(NOT_ALWAYS, "%s: it runs" % claims.always[0]["code"]) if claims.always else None
-    there = [(f, claim) for f in claims.stops for claim in [f] + f.get("consequences", []) if is_there(f, claim, outcome, checked.texts, program.mode)]
+    there = [(f, claim) for f in claims.stops for claim in said_by(f) if is_there(f, claim, outcome, checked.texts, program.mode)]
     met = [f for f, claim in there if same_words(outcome.message, claim.get("interpreter", ""))]
     if met:
         wrong = [f for f in claims.always if f not in met]
@@ -233,7 +233,8 @@ def is_there(finding, claim, outcome, texts, mode):
 def is_ordinary(outcome, checked, program):
     """Whether it is a stop at a line of words that no fix touched, of a sort that owlint does not read yet."""
     code = re.sub(r"\s", "", _COMMENT.sub("", outcome.text))
-    if outcome.message.startswith("G7X error"):     # found at the end of the contour's sub
+    # What is wrong with a contour is found at the end of its sub.
+    if outcome.message.startswith(("G7X error", "Radius to end of arc")) and (outcome.message.startswith("G") or re.search(r"(?i)endsub", code)):
         return True
     # A contour on the line that ends the program.
     if re.match(r"O[\d.]+ CALL$", outcome.text) and re.search(r"(?i)g7[0-2][^\n(;]*m0*(2|30)\b", "\n".join(checked.texts.values())):
@@ -257,7 +258,7 @@ def is_unknowable(outcome, checked):
     """Whether it stops for what was in the machine before the program."""
     everything = "".join(checked.texts.values())
     # The value of a parameter whose number is computed.
-    if re.search(r"#\s*[#\[]", outcome.text):
+    if re.search(r"#\s*[#\[]", outcome.text) or (codes_of(outcome.message) & {"OW208"} and re.search(r"(?i)[oq]\s*#\s*[#\[]", everything)):
         return True
     # A part of a program that ngcgui makes.
     in_remap = "REMAP" in everything and outcome.message.startswith(("EOF in file", "Fanuc 'O"))      # files that a remap names are checked for themselves
@@ -268,11 +269,15 @@ def is_unknowable(outcome, checked):
         return True
     codes = codes_of(outcome.message)
     # Of the end of the file it is not said which label was sought.
-    where = outcome.text if codes & {"OW512", "OW604"} or re.match(r"(?i)/?(n\d+\s*)?o[#\[]", outcome.text) else "".join(re.findall(r"(?i)[oq]\s*[#[].*", everything)) if codes & {EOF, "OW208"} or not outcome.line else ""
+    where = outcome.text if codes & {"OW512", "OW604", "OW217"} or re.match(r"(?i)/?(n\d+\s*)?o[#\[]", outcome.text) else "".join(re.findall(r"(?i)[oq]\s*[#[].*", everything)) if codes & {EOF, "OW208"} or not outcome.line else ""
     where += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), everything))
+    # Outside of subs no number is an argument.
+    outside = re.sub(r"(?ims)^\s*o[^\n]*?sub\b.*?endsub", "", _COMMENT.sub("", everything))
+    of_machine = "".join(re.findall(r"(?i)[oq]\s*[#[].*", outside)) if codes & {EOF, "OW208"} else ""
+    of_machine += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), outside))
     before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", _COMMENT.sub("", checked.texts[bundle.MAIN])))[0]
     own = 30 if re.search(r"(?i)o(<[^<>\n]*>|[\d.]+|\[.*?\])\s*sub\b", checked.texts[bundle.MAIN]) else 0     # the last number that is an argument
-    return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in re.findall(r"#(\d+)", where) if int(number) > own)
+    return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in [n for n in re.findall(r"#(\d+)", where) if int(n) > own] + re.findall(r"#(\d+)", of_machine))
 
 
 # -- shrinking and printing
