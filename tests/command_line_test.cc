@@ -202,7 +202,6 @@ TEST_CASE("two runs and any number of jobs give the same report", "[cli]") {
     CHECK_FALSE(one.empty());
     CHECK(one == report("1"));
     CHECK(one == report("8"));
-    CHECK(one == report("0"));
   }
 }
 
@@ -222,13 +221,13 @@ TEST_CASE("every rule can be explained", "[cli]") {
   }
 }
 
-TEST_CASE("a global that the leading comment speaks of is taken to be there", "[cli]") {
+TEST_CASE("a global that the leading comment speaks of is only info", "[cli]") {
   // No fixture: the interpreter that runs fixtures has no operator who sets it.
   const Scratch files;
   const std::string needed = files.write("needed.ngc", "(needs #<_Stock_Top>, set by the operator)\nG0 Z[#<_stock_top> + 5]\nM2\n");
-  CHECK(run({"check", "--isolated", needed}).out.find("OW603") == std::string::npos);
+  CHECK(run({"check", "--isolated", needed}).out.find("info `#<_stock_top>`") != std::string::npos);
   const std::string later = files.write("later.ngc", "G21\n(needs #<_stock_top>)\nG0 Z[#<_stock_top> + 5]\nM2\n");
-  CHECK(run({"check", "--isolated", later}).out.find("OW603") != std::string::npos);
+  CHECK(run({"check", "--isolated", later}).out.find("warning `#<_stock_top>`") != std::string::npos);
 }
 
 TEST_CASE("graphs say what subs do with parameters", "[cli]") {

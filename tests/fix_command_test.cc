@@ -161,7 +161,7 @@ TEST_CASE("option --add-suppressions suppresses what is found, and changes nothi
   CHECK(run.status == 0);
   CHECK(run.err == "suppressed 1 finding\n");
   std::string expected = kTwice;
-  expected.insert(expected.find("o100 if [#5070 EQ 1]"), "(owlint: ignore OW104 -- runs on the old mill)\n");
+  expected.insert(expected.find("o100 if [#5070 EQ 1]"), "(owlint: ignore OW104 because runs on the old mill)\n");
   CHECK(read_file(path) == expected);
   CHECK(check({path}).status == 0);
 }

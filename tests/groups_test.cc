@@ -116,3 +116,15 @@ TEST_CASE("calls in several programs that lack the same argument of a file's sub
   }
   CHECK(found == 1);
 }
+
+TEST_CASE("a helper that several sub files define is one finding that names them", "[groups]") {
+  const Scratch folder;
+  for (const std::string name : {"left", "right"}) folder.write(name + ".ngc", "o<" + name + "> sub\no500 call\no<" + name + "> endsub\no500 sub\nG0 X1\no500 endsub\n");
+  const nlohmann::json report = nlohmann::json::parse(check(folder, "--format json .").out);
+  const auto& left = report["files"][0]["findings"];
+  REQUIRE(left.size() == 1);
+  CHECK(left[0]["code"].get<std::string>() == "OW403");
+  CHECK(contains(left[0]["message"].get<std::string>(), "(2 places in 2 files)"));
+  CHECK(left[0]["related"].back()["path"].get<std::string>() == "right.ngc");
+  CHECK(report["files"][1]["findings"].empty());
+}

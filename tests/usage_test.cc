@@ -41,6 +41,10 @@ TEST_CASE("usage errors have one voice", "[cli][usage]") {
   CHECK(said("--jobs 1 --jobs 2 good.ngc") == "--jobs is given more than once");
   CHECK(said("--fix=maybe good.ngc") == "--fix takes no value");
   CHECK(said("--jobs many good.ngc") == "--jobs: `many` is not a number such as 4");
+  CHECK(said("--jobs 0 good.ngc") == "--jobs: `0` is not a number such as 4");
+  CHECK(said("--versoin") == "unknown option `--versoin`, did you mean `owlint --version`?");
+  CHECK(said("graf good.ngc") == "there is no command and no file `graf`, did you mean `owlint graph`?");
+  CHECK(said("--reason known good.ngc") == "--reason goes with --add-suppressions");
   CHECK(said("--jobs=-1 good.ngc") == "--jobs: `-1` is not a number such as 4");
   CHECK(said("--feature many good.ngc") == "--feature: `many` is not a number such as 32 or 0x20");
   CHECK(said("--fail-on fatal good.ngc") == "--fail-on: `fatal` is none of error, warning, info");

@@ -11,7 +11,8 @@ std::vector<std::string> split(std::string_view path) {
   std::vector<std::string> parts;
   for (size_t at = 0; at <= path.size();) {
     const size_t slash = std::min(path.find('/', at), path.size());
-    if (slash > at) parts.emplace_back(path.substr(at, slash - at));
+    const std::string_view part = path.substr(at, slash - at);
+    if (!part.empty() && part != ".") parts.emplace_back(part);
     at = slash + 1;
   }
   return parts;

@@ -1,6 +1,7 @@
 // Which paths an ignore file leaves out. The syntax is that of `.gitignore`: one pattern on each line, `#` for comments, `!`
 // includes again, `/` at the end means folders, a `/` elsewhere makes the pattern relative to the file's own folder, `**` is
 // any number of folders. The last pattern that matches decides. Source: gitignore(5).
+// But for git `./name` matches nothing; here it is `/name`.
 #pragma once
 
 #include <optional>

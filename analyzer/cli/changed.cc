@@ -10,7 +10,7 @@ namespace owlint::cli {
 bool changed_since(const std::string& revision, std::set<std::string>* files, std::string* error) {
   const auto git = [&](std::vector<std::string> arguments, std::string* out) {
     arguments.insert(arguments.begin(), "git");
-    Ran ran = run_program(std::move(arguments), "");
+    Ran ran = run_program(std::move(arguments), "", true);
     *out = std::move(ran.out);
     if (!ran.started) *error = "--since needs `git`, which cannot be started";
     return ran.started && ran.status == 0;

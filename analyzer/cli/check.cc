@@ -74,6 +74,7 @@ class Check {
     return !wrong(line_.unsafe && !line_.fix && !line_.diff && !line_.fix_only, "--unsafe goes with --fix, --fix-only or --diff") &&
            !wrong(line_.update_baseline && line_.baseline.empty(), "--update-baseline needs --baseline FILE") &&
            !wrong(line_.add_suppressions && line_.reason.empty(), "--add-suppressions needs --reason TEXT, which is written into each comment") &&
+           !wrong(!line_.add_suppressions && !line_.reason.empty(), "--reason goes with --add-suppressions") &&
            !wrong(line_.add_suppressions && line_.reason.find('\n') != std::string::npos, "--reason is one line");
   }
 

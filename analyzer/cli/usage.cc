@@ -27,13 +27,21 @@ Meant meant_command(const CLI::App& app) {
   }
 }
 
-std::string unknown_option(const Meant& meant, const std::string& text) {
-  std::vector<std::string> known;
-  for (const CLI::Option* option : options_of(*meant.app)) {
-    for (const std::string& spelling : spellings(*option)) known.push_back(spelling);
+void add_spellings(const CLI::App& command, std::vector<std::string>& names) {
+  for (const CLI::Option* option : options_of(command)) {
+    for (const std::string& spelling : spellings(*option)) names.push_back(spelling);
   }
-  const std::string near = rules::nearest(text.substr(0, text.find('=')), known);
-  return fmt::format("unknown option `{}`{}", text, near.empty() ? "; `--help` lists all, and what comes after `--` is a path" : ", did you mean `" + near + "`?");
+}
+
+std::string unknown_option(const CLI::App& app, const Meant& meant, const std::string& text) {
+  std::vector<std::string> names;
+  add_spellings(*meant.app, names);
+  const size_t of_command = names.size();
+  add_spellings(app, names);  // such as `--version`, which no command has
+  const std::string near = rules::nearest(text.substr(0, text.find('=')), names);
+  if (near.empty()) return fmt::format("unknown option `{}`; `--help` lists all, and what comes after `--` is a path", text);
+  const bool without_command = std::ranges::find(names, near) - names.begin() >= static_cast<std::ptrdiff_t>(of_command);
+  return fmt::format("unknown option `{}`, did you mean `{}{}`?", text, without_command ? "owlint " : "", near);
 }
 
 /// An option that got too many values or too few.
@@ -57,7 +65,7 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& problem) {
   // Said first: PATH may be missing only because an unknown option took its place.
   const std::vector<std::string> left = app.remaining(true);
   for (const std::string& text : left) {
-    if (text.starts_with('-')) return unknown_option(meant, text);
+    if (text.starts_with('-')) return unknown_option(app, meant, text);
   }
   const std::string text = problem.what();
   for (const CLI::Option* option : meant.app->get_options()) {
@@ -78,6 +86,12 @@ std::string misspelt_command(const CLI::App& app, const std::string& argument) {
   std::vector<std::string> known;
   for (const Command& command : commands_of(app)) known.push_back(command.path);
   std::string near = rules::nearest(argument, known);
+  // A short form, or one that ends as in another language.
+  constexpr size_t kTelling = 3;
+  const bool word = argument.size() >= kTelling && argument.find_first_of("./") == std::string::npos;
+  for (const std::string& name : known) {
+    if (near.empty() && word && name.starts_with(argument.substr(0, kTelling))) near = name;
+  }
   // What other programs call them.
   if (argument == "lint") near = "check";
   if (argument == "format") near = "fmt";

@@ -55,7 +55,7 @@ CLI::Validator count() {
   const auto check = [](std::string& value) {
     unsigned number = 0;
     const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), number);
-    return problem == std::errc() && end == value.data() + value.size() ? std::string() : fmt::format("`{}` is not a number such as 4", value);
+    return problem == std::errc() && end == value.data() + value.size() && number > 0 ? std::string() : fmt::format("`{}` is not a number such as 4", value);
   };
   return CLI::Validator(check, "");
 }

@@ -16,7 +16,7 @@ CLI::Validator one_of(std::vector<std::string> words);
 CLI::Validator rule_code();
 /// CODE=LEVEL.
 CLI::Validator code_level();
-/// A number that counts something.
+/// A number that counts something, from 1.
 CLI::Validator count();
 /// A FEATURE mask.
 CLI::Validator mask();

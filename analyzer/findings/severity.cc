@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "analyzer/text/source.h"
+
 namespace owlint {
 namespace {
 
@@ -15,7 +17,7 @@ std::string_view severity_text(Severity severity) { return kSeverities[static_ca
 std::string_view reach_text(Reach reach) { return kReaches[static_cast<size_t>(reach)]; }
 
 bool severity_from_text(std::string_view text, Severity* severity) {
-  const auto found = std::ranges::find(kSeverities, text);
+  const auto found = std::ranges::find(kSeverities, small_letters(text));
   if (found == kSeverities.end()) return false;
   *severity = static_cast<Severity>(found - kSeverities.begin());
   return true;

@@ -16,7 +16,7 @@ struct Word {
   Span span;
 };
 
-/// Words up to `--`, separated by blanks and punctuation.
+/// Words up to `--`, which begins a reason as `because` does, separated by blanks and punctuation.
 std::vector<Word> words_of(std::string_view text, uint64_t offset) {
   std::vector<Word> words;
   constexpr std::string_view kBetween = " \t\r,;:";
@@ -42,12 +42,13 @@ std::vector<Suppression> parse_suppressions(const Source& source, Span words, ui
   Suppression base;
   base.comment = words;
   base.span = list.empty() ? words : list[0].span;
-  if (list.empty() || (list[0].text != "ignore" && list[0].text != "ignore-file")) {
+  const std::string wanted = list.empty() ? std::string() : small_letters(list[0].text);
+  if (wanted != "ignore" && wanted != "ignore-file") {
     base.malformed = true;
     out.push_back(base);
     return out;
   }
-  if (list[0].text == "ignore") base.line = own_line ? line + 1 : line;
+  if (wanted == "ignore") base.line = own_line ? line + 1 : line;
   if (list.size() == 1) out.push_back(base);  // everything
   for (size_t i = 1; i < list.size(); ++i) {
     std::optional<std::string> code = code_of(list[i].text, i == 1);
@@ -97,7 +98,7 @@ std::vector<Edit> suppression_comments(const Source& source, const std::vector<F
     const bool below = text.starts_with('%') && before.find_first_not_of(" \t\r\n") == std::string_view::npos && line.end < source.bytes().size();
     const uint64_t at = below ? line.end + 1 : line.begin;
     const std::string_view indent = text.substr(0, std::min(text.find_first_not_of(" \t"), text.size()));
-    const std::string words = fmt::format("owlint: {} {} -- {}", below ? "ignore-file" : "ignore", fmt::join(list, " "), reason);
+    const std::string words = fmt::format("owlint: {} {} because {}", below ? "ignore-file" : "ignore", fmt::join(list, " "), reason);
     edits.push_back({{at, at}, fmt::format("{}{}{}", indent, brackets ? "; " + words : "(" + words + ")", text.ends_with('\r') ? "\r\n" : "\n")});
   }
   return edits;

@@ -18,7 +18,7 @@ std::string rule_page(const Rule& rule) {
   const auto goes = [](std::string_view to) { return to.empty() ? std::string() : fmt::format("\nThe last rapid move goes to **{}**.\n", to); };
   out += fmt::format("\n## Found here{}\n\n```\n{}```\n{}\n## Use instead\n\n```\n{}```\n{}\n{}\n",
                      page.options.empty() ? "" : fmt::format(" with `{}`", page.options), page.bad, goes(page.moves), page.good, goes(page.moves_good), page.fix);
-  out += fmt::format("\nTo suppress this finding, write `(owlint: ignore {} -- reason)` on the line before.\n", rule.code);
+  out += fmt::format("\nTo suppress this finding, write `(owlint: ignore {} because ...)` on the line before.\n", rule.code);
   out += fmt::format("\n## Level\n\n{}\n", page.level_reason);
   return out;
 }

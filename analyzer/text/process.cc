@@ -1,5 +1,6 @@
 #include "analyzer/text/process.h"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@
 namespace owlint {
 
 // Input and output are temporary files: nobody waits for a pipe that the other side does not empty.
-Ran run_program(std::vector<std::string> arguments, const std::string& input) {
+Ran run_program(std::vector<std::string> arguments, const std::string& input, bool quiet) {
   Ran ran;
   std::FILE* in = std::tmpfile();
   std::FILE* out = std::tmpfile();
@@ -21,6 +22,7 @@ Ran run_program(std::vector<std::string> arguments, const std::string& input) {
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ::fileno(in), STDIN_FILENO);
     ::posix_spawn_file_actions_adddup2(&actions, ::fileno(out), STDOUT_FILENO);
+    if (quiet) ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     std::vector<char*> words;
     for (std::string& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);

@@ -129,9 +129,21 @@ class Folding {
   std::vector<size_t> into_;  ///< by finding: the one that speaks for it
 };
 
+/// In a program for another controller: what no run reaches is part of the finding that says so.
+void fold_into_other_controller(std::vector<Finding>& findings) {
+  const auto controller = std::ranges::find_if(findings, [](const Finding& f) { return f.code == "OW319"; });
+  if (controller == findings.end()) return;
+  const auto follows = [](const Finding& f) { return f.weight == Weight::kAside && !f.stops && f.reach == Reach::kNever; };
+  for (const Finding& f : findings) {
+    if (follows(f)) controller->consequences.push_back({f.code, f.span, ""});
+  }
+  std::erase_if(findings, follows);
+}
+
 }  // namespace
 
 void fold_consequences(const Program& program, std::vector<Finding>& findings) {
+  fold_into_other_controller(findings);
   if (findings.size() > 1) Folding(program, findings).run();
 }
 

@@ -6,7 +6,8 @@
 namespace owlint::rules {
 
 /// Moves findings about parts of blocks into the consequences of the finding that speaks of their mistake: those that no run
-/// reaches and that have the label of another finding, and a block that is not closed because its end has a wrong label.
+/// reaches and that have the label of another finding, and a block that is not closed because its end has a wrong label. The
+/// same for what no run reaches in a program for another controller.
 void fold_consequences(const Program& program, std::vector<Finding>& findings);
 
 }  // namespace owlint::rules

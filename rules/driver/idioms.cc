@@ -9,10 +9,10 @@ namespace {
 
 // The first one that fits is taken.
 constexpr Idiom kIdioms[] = {
-    has_look_alike, jumps, loops_as_fanuc, says_then, has_two_brackets, has_comment_inside, brackets_behind_keyword, rounds_brackets,
-    passes_without_brackets, calls_without_keyword, calls_by_name, lacks_letter, lacks_label,
-    has_comma, calls_in_value, computes_without_brackets, assigns_otherwise, lacks_value, names_without_brackets, names_half_bracketed,
-    names_without_number_sign, has_other_operator, has_other_function, has_odd_sign, is_other_word,
+    quotes_name, has_look_alike, jumps, loops_as_fanuc, says_then, jumps_behind_keyword, has_two_brackets, has_comment_inside, brackets_behind_keyword,
+    rounds_brackets, repeats_until, passes_without_brackets, calls_without_keyword, calls_by_name, lacks_letter, lacks_label,
+    has_comma, calls_in_value, has_comment_in_value, computes_without_brackets, assigns_otherwise, lacks_value, names_without_brackets, names_half_bracketed,
+    names_without_number_sign, has_other_operator, has_other_function, has_odd_sign, has_label_behind, is_other_word,
 };
 
 }  // namespace

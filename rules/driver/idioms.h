@@ -28,6 +28,7 @@ struct RefusedLine {
   /// From the error on.
   std::string_view rest() const { return text.text().substr(at, end > at ? end - at : 0); }
   std::string_view before() const { return text.text().substr(0, at); }
+  std::string keyword_text() const { return std::string(spelling(statement.keyword)); }
   /// As it is written in the file.
   std::string written(size_t from, size_t to) const;
   Edit put(size_t from, size_t to, std::string new_text) const { return {text.span(from, to), std::move(new_text)}; }
@@ -46,13 +47,12 @@ bool has_two_brackets(const RefusedLine& line, Finding& f);
 bool has_comment_inside(const RefusedLine& line, Finding& f);
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f);
 bool rounds_brackets(const RefusedLine& line, Finding& f);
-bool passes_without_brackets(const RefusedLine& line, Finding& f);
-bool calls_without_keyword(const RefusedLine& line, Finding& f);
 bool lacks_letter(const RefusedLine& line, Finding& f);
 bool lacks_label(const RefusedLine& line, Finding& f);
 bool has_odd_sign(const RefusedLine& line, Finding& f);
 bool is_other_word(const RefusedLine& line, Finding& f);
-bool calls_by_name(const RefusedLine& line, Finding& f);
+bool jumps_behind_keyword(const RefusedLine& line, Finding& f);
+bool repeats_until(const RefusedLine& line, Finding& f);
 
 // In a character or a value (idioms_values.cc).
 bool has_look_alike(const RefusedLine& line, Finding& f);
@@ -62,9 +62,17 @@ bool names_without_brackets(const RefusedLine& line, Finding& f);
 bool names_half_bracketed(const RefusedLine& line, Finding& f);
 bool names_without_number_sign(const RefusedLine& line, Finding& f);
 bool lacks_value(const RefusedLine& line, Finding& f);
-bool calls_in_value(const RefusedLine& line, Finding& f);
+bool has_comment_in_value(const RefusedLine& line, Finding& f);
 bool assigns_otherwise(const RefusedLine& line, Finding& f);
 bool has_other_operator(const RefusedLine& line, Finding& f);
 bool has_other_function(const RefusedLine& line, Finding& f);
+
+// In a call: its label and its arguments (idioms_calls.cc).
+bool passes_without_brackets(const RefusedLine& line, Finding& f);
+bool calls_without_keyword(const RefusedLine& line, Finding& f);
+bool calls_by_name(const RefusedLine& line, Finding& f);
+bool calls_in_value(const RefusedLine& line, Finding& f);
+bool has_label_behind(const RefusedLine& line, Finding& f);
+bool quotes_name(const RefusedLine& line, Finding& f);
 
 }  // namespace owlint::rules

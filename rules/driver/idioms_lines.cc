@@ -15,8 +15,6 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// The keyword of the line, with or without a label; `while` for the WHILE of a Fanuc loop.
 bool has_keyword(const RefusedLine& line, Keyword keyword) { return line.statement.keyword == keyword; }
 
-std::string keyword_text(const RefusedLine& line) { return std::string(spelling(line.statement.keyword)); }
-
 /// A keyword of other languages, and what to do in LinuxCNC.
 struct OtherWord {
   std::string_view word;
@@ -133,15 +131,15 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
                          has_keyword(line, Keyword::kReturn) || has_keyword(line, Keyword::kEndsub);
   if (line.kind() != StopKind::kTrailingText || !line.statement.has_bracket || !takes_one) return false;
   if (rest.starts_with("[")) {
-    f.message = "`" + keyword_text(line) + "` takes one pair of brackets, but here is a second one";
+    f.message = "`" + line.keyword_text() + "` takes one pair of brackets, but here is a second one";
     f.help = "write one pair around everything, and join the parts: `[[...] AND [...]]`";
     return true;
   }
   if (std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); })) return false;
-  const size_t open = line.text.text().find('[', line.text.text().find(keyword_text(line)));
+  const size_t open = line.text.text().find('[', line.text.text().find(line.keyword_text()));
   const std::string all = line.written(open, line.end);
   f.message = "the condition ends before `" + std::string(line.written(line.at, line.at + letters(rest).size() + (letters(rest).empty() ? 1 : 0))) + "`: one pair of brackets must enclose all of it";
-  f.help = "write `" + keyword_text(line) + " [" + all + "]`";
+  f.help = "write `" + line.keyword_text() + " [" + all + "]`";
   line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")}, true);
   // At the end of the text, not of the spaces after it.
   const uint64_t behind = line.text.span(line.at, line.end).end;
@@ -176,12 +174,68 @@ bool has_comment_inside(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+namespace {
+
+/// Whether the innermost open block with the line's label is a `do`.
+bool ends_do(const RefusedLine& line) {
+  const Program& p = line.program;
+  BlockId block = p.open_above(p.region_of[line.id], line.id);
+  while (block != kNoBlock && p.blocks[block].label != line.statement.label) block = p.blocks[block].parent;
+  return block != kNoBlock && p.blocks[block].kind == Keyword::kDo;
+}
+
+/// The label that `break`, `continue` or `return` needs where it stands. Empty if nothing there can be left.
+std::string label_left(const RefusedLine& line, Keyword jump) {
+  const Program& p = line.program;
+  const StatementId sub = p.regions[p.region_of[line.id]].opener;
+  if (jump == Keyword::kReturn) return sub != kNoStatement && p.at(sub).is(Keyword::kSub) ? p.label_at(sub) : std::string();
+  BlockId block = p.open_above(p.region_of[line.id], line.id);
+  while (block != kNoBlock && p.blocks[block].kind == Keyword::kIf) block = p.blocks[block].parent;
+  return block == kNoBlock ? std::string() : p.label_text(p.blocks[block].label);
+}
+
+}  // namespace
+
+/// `o101 if [#1 EQ 1] return`, `o101 else break`.
+bool jumps_behind_keyword(const RefusedLine& line, Finding& f) {
+  const Keyword jump = keyword_of(line.rest());
+  const bool alone = line.rest() == spelling(jump) || (jump == Keyword::kReturn && line.rest().starts_with("return["));
+  if (line.kind() != StopKind::kTrailingText || !alone || (jump != Keyword::kReturn && jump != Keyword::kBreak && jump != Keyword::kContinue)) return false;
+  const std::string word(spelling(jump));
+  const std::string label = label_left(line, jump);
+  f.message = "`" + word + "` after `" + line.program.head(line.id) + "`: an O-word needs a line of its own";
+  if (label.empty()) {
+    f.help = "write it on the next line, with the label of the " + std::string(jump == Keyword::kReturn ? "sub" : "loop");
+    return true;
+  }
+  const std::string written = label + " " + line.written(line.at, line.end);
+  f.help = "write `" + written + "` on the next line";
+  const Span rest{line.text.span(line.at - 1, line.at).end, line.text.span(line.at, line.end).end};
+  line.propose(f, f.help, {{rest, line_end(*line.program.source, line.statement) + indent_of(*line.program.source, line.statement) + "  " + written}}, false);
+  return true;
+}
+
+/// `o1 repeat` … `o1 until [...]`.
+bool repeats_until(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kBracketMissing || !has_keyword(line, Keyword::kRepeat) || line.statement.label == kNoName) return false;
+  const Program& p = line.program;
+  const auto lines = p.by_label[line.statement.label];
+  const auto until = std::ranges::find_if(lines, [&](StatementId id) {
+    return id > line.id && p.at(id).is(Keyword::kUnknown) && upper(p.source->slice(p.at(id).keyword_span())) == "UNTIL";
+  });
+  if (until == lines.end()) return false;
+  const std::string label = p.label_at(line.id);
+  f.message = "LinuxCNC has no `REPEAT` … `UNTIL`";
+  f.help = "write `" + label + " do`, and in place of `until` on line " + std::to_string(p.at(*until).line) + " `" + label + " while [...]` with the opposite condition";
+  return true;
+}
+
 /// `sub [x]`, `else [#1 EQ 1]`, `endif [..]`, `do [..]`.
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || line.statement.has_bracket == false) return false;
   const std::string text = line.written(line.at, line.end);
   const std::string label = line.program.label_at(line.id);
-  f.message = "`" + keyword_text(line) + "` takes no value in brackets";
+  f.message = "`" + line.keyword_text() + "` takes no value in brackets";
   if (has_keyword(line, Keyword::kSub)) {
     f.message += ": the arguments of the call are #1, #2 and so on in the sub";
     f.help = "remove `" + text + "`; pass values with `" + label + " call [...]`";
@@ -191,6 +245,9 @@ bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
     line.propose(f, "write `elseif`", {{line.statement.keyword_span(), "elseif"}}, false);
   } else if (has_keyword(line, Keyword::kDo)) {
     f.help = "write the condition at the end of the loop: `" + label + " while " + text + "`";
+  } else if (has_keyword(line, Keyword::kEndwhile) && ends_do(line)) {
+    f.help = "close the `do` with `" + label + " while " + text + "`";
+    line.propose(f, "write `while`", {{line.statement.keyword_span(), "while"}}, false);
   } else if (has_keyword(line, Keyword::kEndwhile)) {
     f.help = "write the condition at the beginning of the loop: `" + label + " while " + text + "`";
   } else {
@@ -206,70 +263,10 @@ bool rounds_brackets(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kBracketMissing || line.at >= text.size() || text[line.at] != '(') return false;
   const size_t close = text.find(')', line.at);
   if (close == std::string_view::npos || close + 1 != text.size()) return false;
-  f.message = "`" + keyword_text(line) + "` is followed by round brackets, and they are a comment";
+  f.message = "`" + line.keyword_text() + "` is followed by round brackets, and they are a comment";
   const std::string inside = line.written(line.at + 1, close);
-  f.help = "write `" + keyword_text(line) + " [" + inside + "]`";
+  f.help = "write `" + line.keyword_text() + " [" + inside + "]`";
   line.propose(f, "write square brackets", {line.put(line.at, line.at + 1, "["), line.put(close, close + 1, "]")}, false);
-  return true;
-}
-
-/// `call 1 2`, `call [1], [2]`, `return #1`.
-bool passes_without_brackets(const RefusedLine& line, Finding& f) {
-  const bool call = line.statement.is(Keyword::kCall);
-  if (line.kind() != StopKind::kTrailingText || (!call && !line.statement.is(Keyword::kReturn) && !line.statement.is(Keyword::kEndsub))) return false;
-  const std::string_view rest = line.rest();
-  if (std::string_view("0123456789#-+.,").find(rest[0]) == std::string_view::npos) return false;
-  if (rest[0] == ',') {
-    f.message = "there is a comma between the arguments";
-    f.help = "remove it: write the arguments one after the other, `[1] [2]`";
-    line.propose(f, "remove the comma", {line.put(line.at, line.at + 1, "")}, false);
-    return true;
-  }
-  // Blanks and commas divide them.
-  std::string values;
-  std::string value;
-  const std::string written = line.written(line.at, line.end);
-  for (size_t i = 0; i <= written.size(); ++i) {
-    if (i < written.size() && std::string_view(" \t,").find(written[i]) == std::string_view::npos) {
-      value += written[i];
-    } else if (!value.empty()) {
-      values += (values.empty() ? "[" : " [") + value + "]";
-      value.clear();
-    }
-  }
-  f.message = call ? "`" + written + "` is passed without brackets" : "`" + written + "` is returned without brackets";
-  f.help = "write `" + keyword_text(line) + " " + values + "`";
-  if (written.find('[') == std::string::npos) line.propose(f, f.help, {line.put(line.at, line.end, values)}, false);
-  return true;
-}
-
-/// `o<drill> [5]`, `o<drill> = 5`, `call o<drill>`.
-bool calls_without_keyword(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kKeywordUnknown || line.at >= line.text.size()) return false;
-  const std::string label = line.program.label_at(line.id);
-  const char c = line.text[line.at];
-  if (c == '[') {
-    f.message = "`" + label + "` is followed by brackets, but not by a keyword";
-    f.help = "write `" + label + " call " + line.written(line.at, line.end) + "` to call the sub";
-    line.propose(f, "write `call`", {line.put(line.at, line.at, "call ")}, false);
-    return true;
-  }
-  if (c != '=' || !line.statement.named) return false;
-  f.message = "`" + label + "` is a label; a label has no value";
-  f.help = "assign to a parameter: `#" + line.written(line.text.text().find('<'), line.at) + " = ...`";
-  return true;
-}
-
-/// `M98 O7001`, `M98 <drill>`.
-bool calls_by_name(const RefusedLine& line, Finding& f) {
-  if (line.statement.kind != LineKind::kM98 || line.at >= line.text.size()) return false;
-  const char c = line.text[line.at];
-  const bool number = c == 'o' && is_digit(line.text[line.at + 1]);
-  const bool name = c == '<' || (c == 'o' && line.text[line.at + 1] == '<');
-  if (!number && !name) return false;
-  f.message = number ? "`M98` needs the number of the sub after `P`" : "`M98` cannot call a sub by its name";
-  f.help = number ? "write `M98 P" + line.written(line.at + 1, line.end) + "`" : "call a sub with a name with `o<name> call`";
-  if (number) line.propose(f, "write `P`", {line.put(line.at, line.at + 1, "P")}, true);
   return true;
 }
 
@@ -287,7 +284,7 @@ bool lacks_letter(const RefusedLine& line, Finding& f) {
 bool lacks_label(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kLabelForgotten) return false;
   const Program& p = line.program;
-  const std::string word = keyword_text(line);
+  const std::string word = line.keyword_text();
   if (line.statement.kind == LineKind::kOWord) {  // the line number was read in place of the label
     const size_t number = line.text.text().find('n');
     f.message = "the `o…` label is missing before `" + word + "`: `" + line.written(number, line.at) + "` is a line number";
@@ -360,18 +357,6 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   }
   // A LinuxCNC keyword that is not followed by brackets.
   const Keyword keyword = keyword_of(line.rest());
-  if (const size_t label = line.at + spelling(keyword).size(); line.kind() == StopKind::kWordUnreadable && keyword != Keyword::kUnknown && line.text[label] == 'o') {
-    const std::string_view rest = line.text.text().substr(label);
-    size_t to = rest.starts_with("o<") ? rest.find('>') : rest.find_first_not_of("0123456789", 1);
-    to = rest.starts_with("o<") && to != std::string_view::npos ? to + 1 : std::min(to, rest.size());
-    if (to > 1) {
-      const std::string written = line.written(label, label + to);
-      f.message = "the label stands behind `" + std::string(spelling(keyword)) + "`: it comes first";
-      f.help = "write `" + written + " " + std::string(spelling(keyword)) + "`";
-      line.propose(f, f.help, {line.put(line.at, label + to, written + " " + std::string(spelling(keyword)))}, keyword != Keyword::kSub && keyword != Keyword::kEndsub);
-      return true;
-    }
-  }
   if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown || letters(line.rest()) != spelling(keyword)) return false;
   f.message = "the `o…` label is missing before `" + std::string(spelling(keyword)) + "`";
   f.help = keyword == Keyword::kCall || keyword == Keyword::kSub ? "write the label first: `o<name> " + std::string(spelling(keyword)) + "`"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 
+#include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/look_alike.h"
 #include "rules/driver/idioms.h"
 
@@ -17,6 +18,22 @@ bool is_name_char(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 size_t name_end(const RefusedLine& line, size_t from) {
   while (from < line.end && is_name_char(line.text[from])) ++from;
   return from;
+}
+
+constexpr std::string_view kWordOperators[] = {"mod", "and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le"};
+
+/// Where a name without its `>` ends: at the latest before an operator between blanks.
+size_t open_name_end(const RefusedLine& line, size_t from) {
+  const auto apart = [&](size_t at) { return line.text.offset(at) > line.text.offset(at - 1) + 1; };
+  const size_t to = name_end(line, from);
+  for (size_t i = from + 1; i < to; ++i) {
+    const auto begins = [&](std::string_view word) {
+      const size_t behind = i + word.size();
+      return line.rest().substr(i - line.at).starts_with(word) && (behind >= to || apart(behind));
+    };
+    if (apart(i) && std::ranges::any_of(kWordOperators, begins)) return i;
+  }
+  return to;
 }
 
 /// The name that begins at `from`, in the program's own letters.
@@ -40,6 +57,16 @@ size_t value_start(const RefusedLine& line) {
     while (i > start && is_letter(before[i - 1])) --i;
   }
   return start;
+}
+
+/// What to write for the character at `at` that looks like `plain`. LinuxCNC reads neither commas nor quotation marks.
+std::string readable(const RefusedLine& line, size_t at, const std::string& plain) {
+  if (plain == "\"" || plain == "'") return at == 0 ? ";" : "";  // there it begins a comment of other languages
+  if (plain != ",") return plain;
+  size_t behind = at;
+  while (is_foreign(line.text[behind])) ++behind;
+  const bool digits = at > 0 && is_digit(line.text[at - 1]) && is_digit(line.text[behind]);
+  return !digits ? "" : line.statement.is(Keyword::kCall) ? "] [" : ".";
 }
 
 struct Other {
@@ -90,9 +117,13 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
   const std::string_view from(foreign, text.end());
   const auto same = look_alike(character_at(from).code);
   if (!same) return false;
+  size_t first = line.at;
+  while (first + 1 < line.text.size() && line.text.offset(first) < line.error.span.begin + static_cast<uint64_t>(foreign - text.begin())) ++first;
+  const std::string instead = readable(line, first, same->plain);
   f.message = look_alike_text(from);
-  f.help = same->plain.empty() ? "remove it" : same->plain == " " ? "type an ordinary space" : "type `" + same->plain + "`";
+  f.help = instead.empty() ? "remove it" : instead == " " ? "type an ordinary space" : "type `" + instead + "`";
   // All of them on the line at once, but for its comments and names.
+  bool surely_meant = true;
   std::vector<Edit> edits;
   for (size_t i = 0; i < line.text.size();) {
     const char c = line.text[i];
@@ -105,10 +136,13 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
     const uint64_t at = line.text.offset(i);
     const Character character = character_at(source.slice({at, line.statement.end()}));
     const auto plain = is_foreign(c) ? look_alike(character.code) : std::nullopt;
-    if (plain) edits.push_back({{at, at + character.length}, plain->plain});
+    if (plain) {
+      edits.push_back({{at, at + character.length}, readable(line, i, plain->plain)});
+      surely_meant = surely_meant && edits.back().text == plain->plain;
+    }
     i += character.length;
   }
-  if (!edits.empty()) line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), true);
+  if (!edits.empty()) line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), surely_meant);
   return true;
 }
 
@@ -138,14 +172,13 @@ bool has_comma(const RefusedLine& line, Finding& f) {
 
 /// `#1 = #1 + 1`, `X#1+5`.
 bool computes_without_brackets(const RefusedLine& line, Finding& f) {
-  constexpr std::string_view kWords[] = {"mod", "and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le"};
   if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kWordBefore && line.kind() != StopKind::kExpression) return false;
   if (line.at == 0 || (line.statement.kind == LineKind::kOWord && !line.statement.refused)) return false;
   const std::string_view rest = line.rest();
   const char before = line.text[line.at - 1];
   const bool behind_value = is_digit(before) || before == '.' || before == '>' || before == ']';
   const bool sign = rest.size() > 1 && std::string_view("+-*/").find(rest[0]) != std::string_view::npos;
-  const bool word = std::ranges::any_of(kWords, [&](std::string_view w) { return rest.starts_with(w) && rest.size() > w.size() && !is_letter(rest[w.size()]); });
+  const bool word = std::ranges::any_of(kWordOperators, [&](std::string_view w) { return rest.starts_with(w) && rest.size() > w.size() && !is_letter(rest[w.size()]); });
   if (!behind_value || (!sign && !word)) return false;
   const size_t start = value_start(line);
   if (start >= line.at) return false;
@@ -180,11 +213,11 @@ bool names_without_brackets(const RefusedLine& line, Finding& f) {
 /// `#<depth = 5`.
 bool names_half_bracketed(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression || !line.error.message.starts_with("Named parameter not terminated")) return false;
-  const std::string name = name_at(line, line.at + 1);
+  const size_t to = open_name_end(line, line.at + 1);
+  const std::string name = line.written(line.at + 1, to);
   f.message = "the name `<" + name + "` has no `>`";
   f.help = name.empty() ? "write `#<name>`" : "write `#<" + name + ">`";
   if (name.empty()) return true;
-  const size_t to = name_end(line, line.at + 1);
   line.propose(f, f.help, {line.put(line.at, to, "<" + name + ">")}, line.text[to] == '=');
   return true;
 }
@@ -217,22 +250,21 @@ bool lacks_value(const RefusedLine& line, Finding& f) {
   return true;
 }
 
-/// `#1 = o<f> call`.
-bool calls_in_value(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kExpression && line.kind() != StopKind::kWordUnreadable) return false;
-  size_t from = line.at;
-  if (line.kind() == StopKind::kWordUnreadable) ++from;
-  const std::string_view text = line.text.text();
-  if (from >= line.end || text[from] != 'o' || (text[from + 1] != '<' && !is_digit(text[from + 1]))) return false;
-  const std::string call = line.written(from, line.end);
-  f.message = "a call in place of a value";
-  f.help = "call the sub on a line of its own: `" + call + "`; its result is then in `#<_value>`";
-  const bool assigns = from > 0 && text[from - 1] == '=' && text[0] == '#' && line.end == text.size();
-  if (!assigns || text.substr(from, line.end - from).find("call") == std::string_view::npos) return true;
-  const std::string begin = indent_of(*line.program.source, line.statement);
-  const std::string target = line.written(0, from);
-  line.propose(f, "call first, then read `#<_value>`",
-               {line.put(0, line.end, call + line_end(*line.program.source, line.statement) + begin + target + " #<_value>")}, false);
+/// `[#1 EQ (one) 0]`, `[#1 * (2 + 3)]`.
+bool has_comment_in_value(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression || line.text[line.at] != '(') return false;
+  const size_t close = line.text.text().find(')', line.at);
+  const std::string inside = line.written(line.at + 1, close);
+  if (surely_runs("#1=[" + inside + "]") && !line.error.message.starts_with("Unknown operation")) {
+    f.message = "round brackets are a comment: LinuxCNC does not read what is in them";
+    f.help = "write `[" + inside + "]`";
+    line.propose(f, f.help, {line.put(line.at, line.at + 1, "["), line.put(close, close + 1, "]")}, false);
+    return true;
+  }
+  const std::string_view before = line.before();
+  if (std::ranges::count(before, '[') <= std::ranges::count(before, ']')) return false;
+  f.message = "a comment inside brackets";
+  f.help = "write it after the closing bracket";
   return true;
 }
 
@@ -255,11 +287,6 @@ bool has_other_operator(const RefusedLine& line, Finding& f) {
   const bool expected = line.kind() == StopKind::kExpression && line.error.message.starts_with("Unknown operation");
   if (!expected || bracket) return false;
   const std::string_view rest = line.rest();
-  if (line.text[line.at] == '(') {
-    f.message = "a comment inside brackets";
-    f.help = "write it after the closing bracket";
-    return true;
-  }
   const auto* other = std::ranges::find_if(kOperators, [&](const Other& o) { return rest.starts_with(o.text); });
   if (other == kOperators.end()) return false;
   f.message = "`" + std::string(other->text) + "` is not a LinuxCNC operator";

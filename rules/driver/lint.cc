@@ -92,7 +92,8 @@ std::vector<Suppression> suppressions_of(const Program& program) {
 
 void put_in_order(std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
-  const auto key = [](const Finding& f) { return std::tie(f.span.begin, f.span.end, f.code, f.message); };
+  // In a file for another controller that is said first.
+  const auto key = [](const Finding& f) { return std::tuple(f.weight == Weight::kAside, f.span.begin, f.span.end, f.code, std::string_view(f.message)); };
   std::ranges::stable_sort(findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
 }
 

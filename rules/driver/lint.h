@@ -24,7 +24,8 @@ struct LintOptions {
   bool all_versions = false;  ///< every supported LinuxCNC version, not only the profile's
 };
 
-/// The result for one file; findings are ordered by position.
+/// The result for one file; findings are ordered by position, behind the one that the file is for another
+/// controller.
 struct FileReport {
   std::shared_ptr<const Source> source;
   std::vector<Finding> findings;

@@ -21,6 +21,9 @@ Unreached::Unreached(const Input& in) : in_(in), last_(in.program.size()), first
     StatementId& known = last[in.program.region_of[id]];
     last_[id] = known;
     if (in.flow.executed[id]) known = id;
+    // A call that is refused is meant as one.
+    const Statement& s = in.program.at(id);
+    if (s.keyword == Keyword::kCall && s.label != kNoName && first_call_[s.label] == kNoStatement) first_call_[s.label] = id;
   }
 }
 

@@ -10,7 +10,11 @@ void check(const Input& in, Reporter& out) {
   for (const Suppression& s : in.suppressions) {
     if (s.malformed) {
       Finding& f = out.add(s.span, "a comment for owlint has neither `ignore` nor `ignore-file`");
-      f.help = "write `(owlint: ignore CODE -- reason)`";
+      f.help = "write `(owlint: ignore CODE because ...)`";
+      f.reach = Reach::kAlways;
+    } else if (small_letters(s.code) == "because") {
+      Finding& f = out.add(s.span, "the code of a rule is missing before `because`");
+      f.help = "write `(owlint: ignore CODE because ...)`";
       f.reach = Reach::kAlways;
     } else if (!known_prefix(s.code)) {
       Finding& f = out.add(s.span, "there is no rule `" + s.code + "`");
@@ -40,7 +44,7 @@ program believes that somebody has checked this line.
 To LinuxCNC the line is an ordinary comment.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
-(owlint: ignore OW999 -- checked by the foreman)
+(owlint: ignore OW999 because it was checked by the foreman)
 G1 Z-2 F80
 G0 Z5
 M2

@@ -7,6 +7,13 @@
 namespace owlint::rules {
 namespace {
 
+/// The line of G70, G71 or G72 that has called the sub for its contour; nothing if it was another call.
+const Statement* contour_of(const Input& in, const FlowStop& s) {
+  const Elsewhere call = place_of(in, s.call, s.call_elsewhere);
+  if (call.program == nullptr || call.program->at(call.statement).kind != LineKind::kContour) return nullptr;
+  return &call.program->at(call.statement);
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
@@ -18,6 +25,12 @@ void check(const Input& in, Reporter& out) {
         if (lacks_call(in, s.statement) && p.regions[p.region_of[s.statement]].opener != s.statement) {
           message = "`" + p.head(s.statement) + "` alone on a line calls nothing, and stops in a sub";
           help = "write `" + p.head(s.statement) + " call`";
+          break;
+        }
+        if (contour_of(in, s) != nullptr) {
+          const std::string label = p.label_at(s.statement);
+          message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but `Q" + label.substr(1) + "` of a contour needs one with `sub`";
+          help = "write it as `" + label + " sub` … `" + label + " endsub`";
           break;
         }
         message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but it is called with `call`";

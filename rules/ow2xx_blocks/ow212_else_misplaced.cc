@@ -12,7 +12,8 @@ void check(const Input& in, Reporter& out) {
     StatementId first_else = kNoStatement;
     for (const StatementId part : p.parts[block]) {
       if (first_else == kNoStatement) {
-        if (p.at(part).is(Keyword::kElse)) first_else = part;
+        // An `else` with a condition was meant as an `elseif`, which another rule says.
+        if (p.at(part).is(Keyword::kElse) && !p.at(part).has_bracket) first_else = part;
         continue;
       }
       Finding& f = out.add(p.at(part).head_span(), "`" + p.head(part) + "` comes after the `else` on line " + std::to_string(p.at(first_else).line) + ": its lines never run");

@@ -30,8 +30,8 @@ void check(const Input& in, Reporter& out) {
     if (kind == Keyword::kDo && stands_in_its_label(p, block)) continue;
     Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` is also used for " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
     relate(f, p, first, "`" + p.head(first) + "` is here");
-    f.help = "give this block another label: LinuxCNC stops if one run gets to both";
-    add_relabel_fix(in, later, f);
+    f.help = kind == Keyword::kDo ? "give this block another label: if one run gets to both, its `while` goes back to the first `do`"
+                                  : "give this block another label: LinuxCNC stops if one run gets to both, also in two calls of a sub";
     f.reach = in.flow.reach(later);
     add_relabel_fix(in, later, f);
   }
@@ -49,8 +49,9 @@ extern const Rule kOw214{
         .what = R"(Two blocks of the same sub or main program have the same label, but they are in different branches,
 so that each run takes only one of them.)",
         .why = R"(The program runs, because the interpreter never gets to the second block. But put a loop around it
-that takes one branch in the first pass and the other in the second, and the program stops with
-`duplicate O-word label` when part of the work is already cut.)",
+that takes one branch in the first pass and the other in the second, or call the sub twice, and the
+program stops with `duplicate O-word label` when part of the work is already cut. A second `do` does
+not stop: its `while` goes back to the first `do`.)",
         .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

@@ -1,9 +1,30 @@
 // OW302 condition-missing: `if`, `elseif`, `while` or `repeat` without a value in brackets.
 // Depends on: when one of these is evaluated the next character must be `[`; on a line that is
-// skipped it is not looked at.
+// skipped it is not looked at. Round brackets are a comment, so a call runs without the arguments in them.
+#include <set>
+
+#include "analyzer/syntax/known_line.h"
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules {
+
+std::string arguments_in_comment(const Program& p, StatementId id) {
+  const Statement& s = p.at(id);
+  if (!s.is(Keyword::kCall) || s.value_count > 0) return {};
+  std::string_view text = p.source->slice({s.offset + s.keyword_to, s.end()});
+  std::string written;
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
+    if (text.empty()) return written;
+    const size_t close = text.find(')');
+    if (text[0] != '(' || close == std::string_view::npos) return {};
+    const std::string value = "[" + std::string(text.substr(1, close - 1)) + "]";
+    if (!surely_runs("#1=" + value)) return {};
+    written += (written.empty() ? "" : " ") + value;
+    text.remove_prefix(close + 1);
+  }
+}
+
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -27,9 +48,28 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   return &f;
 }
 
+/// Calls whose arguments are in round brackets: the sub gets none of them, and there is no message.
+void report_arguments(const Input& in, Reporter& out) {
+  std::set<StatementId> calls;
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind == HazardKind::kArgumentNotPassed) calls.insert(h.statement);
+  }
+  for (const StatementId id : calls) {
+    const std::string written = arguments_in_comment(in.program, id);
+    if (written.empty()) continue;
+    const Statement& s = in.program.at(id);
+    const Span comments{s.offset + s.keyword_to, s.end()};
+    Finding& f = out.add(s.head_span(), "`" + in.program.head(id) + "` is followed by round brackets, and they are a comment: the sub gets no arguments");
+    f.help = "write `" + in.program.head(id) + " " + written + "`";
+    f.fixes.push_back({"write square brackets", false, {{comments, " " + written}}});
+    f.reach = in.flow.reach(id);
+  }
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement); });
   for_unmet_errors(in, out, [&](StatementId id, const LineError&) { report(in, out, id)->reach = in.flow.reach(id); });
+  report_arguments(in, out);
 }
 
 }  // namespace
@@ -37,15 +77,16 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kOw302{
     .code = "OW302",
     .name = "condition-missing",
-    .summary = "`if`, `elseif`, `while` or `repeat` without `[`",
+    .summary = "`if`, `elseif`, `while` or `repeat` without `[`, or arguments in round brackets",
     .group = Group::kLine,
     .level = Severity::kError,
     .page = {
         .what = R"(A condition or a count that is missing or not in square brackets: `o100 if #1 GT 5`, `o100 repeat
-3`, `o100 while (#1 LT 3)`.)",
+3`, `o100 while (#1 LT 3)`. Also the arguments of a call in round brackets: `o100 call (1) (2)`.)",
         .why = R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment in LinuxCNC, so
 a condition in them is lost; a comment between the keyword and the bracket has the same effect. In a
-skipped branch there is no message, so the mistake may wait for the first run that gets there.
+skipped branch there is no message, so the mistake may wait for the first run that gets there. A call
+with its arguments in round brackets passes none of them, and there is **no message**.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
         .bad = R"(G21 G90
@@ -67,7 +108,7 @@ G0 Z5
 M2
 )",
         .fix = R"(Write the whole condition, or the count, in one pair of square brackets.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+        .level_reason = "Error if a run gets here: the program stops. Warning if no run does, or for a call without its arguments.",
         .interpreter = "Left bracket missing after 'if'",
         .options = "",
     },

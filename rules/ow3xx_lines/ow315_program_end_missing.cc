@@ -69,6 +69,8 @@ void check(const Input& in, Reporter& out) {
     relate(f, p, h.other, "LinuxCNC starts the program again here, for ever; `rs274` ends it here");
     f.help = "end the program with `M30` before this line";
     f.reach = h.reach;
+    f.never_ends = true;
+    f.unproven = true;  // `rs274` ends it
     f.fixes.push_back({f.help, false, {{{s.offset, s.offset}, "M30" + line_end(*p.source, s)}}});
   }
 }

@@ -29,8 +29,8 @@ recognises it by lines that only that controller has and that stop LinuxCNC: a l
 typing error, or two of different kinds, or a code that LinuxCNC does not have in a file whose
 comments name the controller. A few such lines in a program with O-word blocks are mistakes, and are
 reported as mistakes.)",
-        .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller once;
-what else it finds in the file is info.)",
+        .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller first;
+other stops in the file are info, and what no run reaches is not reported.)",
         .bad = R"(O9010
 IF [#1 EQ #0] GOTO 90
 #2 = 0

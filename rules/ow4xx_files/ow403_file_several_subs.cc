@@ -30,6 +30,7 @@ void check(const Input& in, Reporter& out) {
     relate(f, p, entry->opener, "calls of this file run this sub");
     f.help = "move it into a file of its own: if another file also has `" + p.label_text(region.name) + "`, LinuxCNC calls the first one for both, and 2.10 stops at the call";
     f.reach = in.flow.reach(region.opener);
+    f.group = "second sub " + p.label_text(region.name);  // the same helper in several files
   }
 }
 

@@ -10,6 +10,9 @@ namespace {
 
 void check(const Input&, Reporter&) {}
 
+/// Which folder that is, where its name alone does not say it.
+std::string path_of(const IniFolder& folder) { return folder.path == folder.text ? "" : " (" + folder.path + ")"; }
+
 std::string words_of(const IniFolder& folder) { return "`" + folder.text + "` of `" + std::string(folder.key) + "`"; }
 
 /// One finding for all of them: with an INI from another computer most folders are missing.
@@ -20,15 +23,18 @@ void check_setup(const SetupInput& in, Reporter& out) {
   }
   if (missing.empty()) return;
   // A name that begins at the root or at somebody's home is right on the machine, as a rule, where this computer lacks it.
-  const auto of_machine = [](const IniFolder* folder) { return folder->text.starts_with('/') || folder->text.starts_with('~'); };
+  // So is the link `../../nc_files` that LinuxCNC makes beside a copy of one of its configurations.
+  const auto of_machine = [](const IniFolder* folder) {
+    return folder->text.starts_with('/') || folder->text.starts_with('~') || (folder->text.starts_with("..") && folder->text.find("/nc_files") != std::string::npos);
+  };
   std::stable_partition(missing.begin(), missing.end(), [&](const IniFolder* folder) { return !of_machine(folder); });
   const bool elsewhere = of_machine(missing[0]);
   const IniFolder& first = *missing[0];
   const bool several = missing.size() > 1;
-  Finding& f = out.add(first.source, first.span, "the folder " + words_of(first) + " does not exist (" + first.path + ")");
-  if (several) f.message = std::to_string(missing.size()) + " folders of this INI do not exist; the first is " + words_of(first) + " (" + first.path + ")";
+  Finding& f = out.add(first.source, first.span, "the folder " + words_of(first) + " does not exist" + path_of(first));
+  if (several) f.message = std::to_string(missing.size()) + " folders of this INI do not exist; the first is " + words_of(first) + path_of(first);
   for (const IniFolder* folder : std::span(missing).subspan(1)) {
-    f.related.push_back({folder->span, words_of(*folder) + " does not exist (" + folder->path + ")", folder->source == first.source ? nullptr : folder->source});
+    f.related.push_back({folder->span, words_of(*folder) + " does not exist" + path_of(*folder), folder->source == first.source ? nullptr : folder->source});
   }
   const bool blank = std::ranges::any_of(missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
   if (elsewhere && !blank) f.weight = Weight::kAside;

@@ -53,8 +53,8 @@ void check(const Input& in, Reporter& out) {
     Finding& f = sub ? report_sub(p, h, out) : report_end(p, h, out);
     relate(f, p, p.regions[region].opener, "the called sub begins here");
     f.reach = h.reach;
-    f.runs_other = sub || !in_block(p, h.statement);
-    f.unproven = h.unproven;
+    f.runs_other = true;
+    f.unproven = h.unproven || (!sub && in_block(p, h.statement));  // it may be meant as a `return`
   }
 }
 

@@ -228,15 +228,19 @@ void check(const Input& in, Reporter& out) {
   std::optional<std::string> documented;
   LocalNames names(in);
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
-    // A global that the program says it needs comes from outside.
-    if (!documented) documented = leading_comment(*p.source);
-    if (s.detail.starts_with("_") && documented->find("#<" + s.detail + ">") != std::string::npos) return nullptr;
     const Statement& line = p.at(s.statement);
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
     Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
     f.uncertain = some && !s.detail.starts_with("_");  // a list of cases may name all that there are
+    // A global that the program says it needs comes from outside.
+    if (!documented) documented = leading_comment(*p.source);
+    if (s.detail.starts_with("_") && documented->find("#<" + s.detail + ">") != std::string::npos) {
+      f.uncertain = true;
+      f.help = "assign " + name + " before this program runs, as its first comment says";
+      return &f;
+    }
     if (const auto since = predefined_since(s.detail)) {
       const std::string version(version_text(in.profile.version));
       f.message = name + " is read here, but " + (*since > in.profile.version ? "LinuxCNC " + version + " does not have it; it came with " + std::string(version_text(*since)) : "not every release of LinuxCNC " + version + " has it");

@@ -25,6 +25,7 @@ TEST_CASE("patterns of ignore files", "[ignore]") {
   SECTION("a slash ties it to the folder of the file") {
     CHECK(decided("/a.ngc\n", "a.ngc") == "out");
     CHECK(decided("/a.ngc\n", "x/a.ngc") == "-");
+    CHECK(decided("./x/*.ngc\n", "x/a.ngc") == "out");
     CHECK(decided("x/*.ngc\n", "x/a.ngc") == "out");
     CHECK(decided("x/*.ngc\n", "y/x/a.ngc") == "-");
     CHECK(decided("x/*.ngc\n", "x/y/a.ngc") == "-");

@@ -37,6 +37,7 @@ TEST_CASE("words of a suppression", "[suppression]") {
   CHECK(parse(" ignore").size() == 1);
   CHECK(parse(" ignore")[0].code.empty());
   CHECK(parse(" ignore -- all of it")[0].code.empty());
+  CHECK(parse(" IGNORE ow301")[0].code == "OW301");
   CHECK(parse(" ignroe OW1")[0].malformed);
   CHECK(parse("")[0].malformed);
   CHECK(parse(" -- why")[0].malformed);

@@ -1,0 +1,171 @@
+// Idioms of calls: labels and arguments that are not written as LinuxCNC reads them.
+#include <algorithm>
+
+#include "analyzer/syntax/look_alike.h"
+#include "rules/driver/idioms.h"
+
+namespace owlint::rules {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_name_char(char c) { return (c >= 'a' && c <= 'z') || is_digit(c) || c == '_'; }
+
+/// Where what begins at `from` ends: at a bracket that it has not opened, or at the line's end.
+size_t bracket_end(const RefusedLine& line, size_t from) {
+  for (int depth = 0; from < line.end; ++from) {
+    if (line.text[from] == '[') ++depth;
+    if (line.text[from] == ']' && --depth < 0) break;
+  }
+  return from;
+}
+
+/// The length of the quotation mark that a text begins with, whichever it is; 0 if there is none.
+size_t quote_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const Character c = character_at(text);
+  const auto same = look_alike(c.code);
+  const std::string_view plain = same ? same->plain : text.substr(0, c.length);
+  return plain == "\"" || plain == "'" ? c.length : 0;
+}
+
+/// Where a label that begins at `from` ends, with or without its `o`: `o<drill>`, `<drill>`, `100`. Nothing if there is none.
+size_t label_end(const RefusedLine& line, size_t from) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  if (text.substr(from).starts_with('o')) ++from;
+  if (text.substr(from).starts_with('<')) return std::min(text.find('>', from), text.size() - 1) + 1;
+  size_t to = from;
+  while (to < text.size() && is_digit(text[to])) ++to;
+  return to > from ? to : 0;
+}
+
+/// Where a name without `< >` ends that alone, or with arguments, stands behind a keyword. Nothing if it is other text.
+size_t bare_name_end(const RefusedLine& line, size_t from) {
+  const auto apart = [&](size_t at) { return line.text.offset(at) > line.text.offset(at - 1) + 1; };
+  if (from >= line.end || !apart(from)) return 0;
+  size_t to = from;
+  while (to < line.end && is_name_char(line.text[to]) && (to == from || !apart(to))) ++to;
+  return to > from && (to == line.end || line.text[to] == '[') ? to : 0;
+}
+
+}  // namespace
+
+/// `call 1 2`, `call [1], [2]`, `return #1`.
+bool passes_without_brackets(const RefusedLine& line, Finding& f) {
+  const bool call = line.statement.is(Keyword::kCall);
+  if (line.kind() != StopKind::kTrailingText || (!call && !line.statement.is(Keyword::kReturn) && !line.statement.is(Keyword::kEndsub))) return false;
+  const std::string_view rest = line.rest();
+  if (std::string_view("0123456789#-+.,").find(rest[0]) == std::string_view::npos) return false;
+  if (rest[0] == ',') {
+    f.message = "there is a comma between the arguments";
+    f.help = "remove it: write the arguments one after the other, `[1] [2]`";
+    line.propose(f, "remove the comma", {line.put(line.at, line.at + 1, "")}, false);
+    return true;
+  }
+  // Blanks and commas divide them.
+  std::string values;
+  std::string value;
+  const std::string written = line.written(line.at, line.end);
+  for (size_t i = 0; i <= written.size(); ++i) {
+    if (i < written.size() && std::string_view(" \t,").find(written[i]) == std::string_view::npos) {
+      value += written[i];
+    } else if (!value.empty()) {
+      values += (values.empty() ? "[" : " [") + value + "]";
+      value.clear();
+    }
+  }
+  f.message = call ? "`" + written + "` is passed without brackets" : "`" + written + "` is returned without brackets";
+  f.help = "write `" + (line.statement.value_count == 0 ? line.keyword_text() + " " : std::string()) + values + "`";
+  if (written.find('[') == std::string::npos) line.propose(f, f.help, {line.put(line.at, line.end, values)}, false);
+  return true;
+}
+
+/// `o<drill> [5]`, `o<drill> = 5`.
+bool calls_without_keyword(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kKeywordUnknown || line.at >= line.text.size()) return false;
+  const std::string label = line.program.label_at(line.id);
+  const char c = line.text[line.at];
+  if (c == '[') {
+    f.message = "`" + label + "` is followed by brackets, but not by a keyword";
+    f.help = "write `" + label + " call " + line.written(line.at, line.end) + "` to call the sub";
+    line.propose(f, "write `call`", {line.put(line.at, line.at, "call ")}, false);
+    return true;
+  }
+  if (c != '=' || !line.statement.named) return false;
+  f.message = "`" + label + "` is a label; a label has no value";
+  f.help = "assign to a parameter: `#" + line.written(line.text.text().find('<'), line.at) + " = ...`";
+  return true;
+}
+
+/// `M98 O7001`, `M98 <drill>`.
+bool calls_by_name(const RefusedLine& line, Finding& f) {
+  if (line.statement.kind != LineKind::kM98 || line.at >= line.text.size()) return false;
+  const char c = line.text[line.at];
+  const bool number = c == 'o' && is_digit(line.text[line.at + 1]);
+  const bool name = c == '<' || (c == 'o' && line.text[line.at + 1] == '<');
+  if (!number && !name) return false;
+  f.message = number ? "`M98` needs the number of the sub after `P`" : "`M98` cannot call a sub by its name";
+  f.help = number ? "write `M98 P" + line.written(line.at + 1, line.end) + "`" : "call a sub with a name with `o<name> call`";
+  if (number) line.propose(f, "write `P`", {line.put(line.at, line.at + 1, "P")}, true);
+  return true;
+}
+
+/// `#1 = o<f> call`, `X[o<f> call [1]]`.
+bool calls_in_value(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression && line.kind() != StopKind::kWordUnreadable) return false;
+  size_t from = line.at;
+  if (line.kind() == StopKind::kWordUnreadable) ++from;
+  const std::string_view text = line.text.text();
+  if (from >= line.end || text[from] != 'o' || (text[from + 1] != '<' && !is_digit(text[from + 1]))) return false;
+  const std::string call = line.written(from, bracket_end(line, from));
+  f.message = "a call in place of a value";
+  f.help = "call the sub on a line of its own: `" + call + "`; its result is then in `#<_value>`";
+  const bool assigns = from > 0 && text[from - 1] == '=' && text[0] == '#' && line.end == text.size();
+  if (!assigns || text.substr(from, line.end - from).find("call") == std::string_view::npos) return true;
+  const std::string begin = indent_of(*line.program.source, line.statement);
+  const std::string target = line.written(0, from);
+  line.propose(f, "call first, then read `#<_value>`",
+               {line.put(0, line.end, call + line_end(*line.program.source, line.statement) + begin + target + " #<_value>")}, false);
+  return true;
+}
+
+/// `call o<drill>`, `call <drill>`, `call 100`, `call drill [1]`.
+bool has_label_behind(const RefusedLine& line, Finding& f) {
+  const Keyword keyword = keyword_of(line.rest());
+  if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown) return false;
+  const size_t from = line.at + spelling(keyword).size();
+  const bool of_sub = keyword == Keyword::kCall || keyword == Keyword::kSub || keyword == Keyword::kEndsub;
+  size_t to = label_end(line, from);
+  const bool has_letter = to > 0 && line.text[from] == 'o';
+  const bool bare = to == 0;
+  if (bare) to = bare_name_end(line, from);
+  // Behind other keywords a value is as likely.
+  if (to == 0 || (!has_letter && !of_sub)) return false;
+  const std::string word(spelling(keyword));
+  const std::string label = has_letter ? line.written(from, to) : bare ? "o<" + line.written(from, to) + ">" : "o" + line.written(from, to);
+  f.message = "the label stands behind `" + word + "`: it comes first";
+  const std::string values = line.written(to, line.end);
+  f.help = "write `" + label + " " + word + (values.empty() ? "" : " ") + values + "`";
+  line.propose(f, f.help, {line.put(line.at, to, label + " " + word)}, has_letter && keyword != Keyword::kSub && keyword != Keyword::kEndsub);
+  return true;
+}
+
+/// `o"drill" call`, `#"depth" = 5`, with whatever quotation marks.
+bool quotes_name(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.program.source->slice({line.error.span.begin, line.statement.end()});
+  const size_t letter = line.text[line.at] == 'o' ? 1 : 0;
+  const bool of_parameter = letter == 0 && line.before().ends_with('#');
+  const size_t open = quote_length(text.substr(letter));
+  if (open == 0 || (letter == 0 && !of_parameter)) return false;
+  const size_t from = letter + open;
+  size_t to = from;
+  while (to < text.size() && quote_length(text.substr(to)) == 0) to += character_at(text.substr(to)).length;
+  if (to == from || to == text.size()) return false;
+  const std::string name(text.substr(from, to - from));
+  const uint64_t begin = line.error.span.begin;
+  f.message = of_parameter ? "the name of a parameter is in `< >`, not in quotes" : "the name of a sub is in `< >`, not in quotes";
+  f.help = std::string("write `") + (of_parameter ? "#" : "o") + "<" + name + ">`";
+  line.propose(f, f.help, {{{begin + letter, begin + to + quote_length(text.substr(to))}, "<" + name + ">"}}, !bounds_sub(line.statement));
+  return true;
+}
+
+}  // namespace owlint::rules
