@@ -1,10 +1,18 @@
 // OW101 return-outside-sub: a `return` or `endsub` that is executed while no sub is running or being defined.
 // Depends on: outside of calls and of skipped definitions, both are errors until the first call has
 // come back. From then on `return` is ignored without a message, and `endsub` stops with another message.
+#include <algorithm>
+
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
 namespace {
+
+/// Whether a line above, as `o<f> sbu`, was to begin the sub that this one ends.
+bool sub_misspelt(const Program& p, StatementId id) {
+  const NameId label = p.at(id).label;
+  return label != kNoName && std::ranges::any_of(p.by_label[label], [&](StatementId line) { return line < id && p.at(line).is(Keyword::kUnknown); });
+}
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
@@ -17,7 +25,9 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     relate(f, p, end, "the sub ends here");
   }
   f.help = "remove the line, or end the program with `M2`";
-  if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement) f.fixes.push_back({"end the program here with `M2`", false, {{s.head_span(), "M2"}}});
+  const bool misspelt = sub_misspelt(p, id);
+  if (misspelt) f.help = "correct the line with its label above: it does not begin a sub";
+  if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement && !misspelt) f.fixes.push_back({"end the program here with `M2`", false, {{s.head_span(), "M2"}}});
   return &f;
 }
 
@@ -32,7 +42,7 @@ void check(const Input& in, Reporter& out) {
   }
   for (const StatementId id : in.index.sub_lines) {
     if (p.at(id).is(Keyword::kSub) || p.region_of[id] != kMainRegion) continue;
-    if (has_stop(in, id) || likely.contains(id)) continue;
+    if (has_stop(in, id) || likely.contains(id) || sub_misspelt(p, id)) continue;
     report(in, out, id)->reach = in.flow.reach(id);
   }
 }

@@ -58,7 +58,7 @@ void check(const Input& in, Reporter& out) {
       const Region& region = *found->second;
       f.message = "`" + label + "` is not known here: the program has not run its definition on line " + std::to_string(p.at(region.opener).line) + " before";
       relate(f, p, region.opener, region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
-      f.help = "define the sub before the call, outside of blocks";
+      f.help = p.at(region.opener).refused ? "correct that line: LinuxCNC does not read it as the beginning of a sub" : "define the sub before the call, outside of blocks";
       return &f;
     }
     if (const std::string other = look_alike_name(in, stop.detail); !other.empty()) {

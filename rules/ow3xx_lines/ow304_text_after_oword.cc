@@ -10,6 +10,12 @@ namespace {
 /// Whether the words after such a line were never dropped, and would run where they are put: after a jump they would not.
 bool runs_on(Keyword keyword) { return opens_block(keyword) || keyword == Keyword::kCall; }
 
+/// Whether the text is an O-word that begins or ends something: on a line of its own it is a block without its other end.
+bool is_block_line(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t");
+  return first != std::string_view::npos && (text[first] == 'o' || text[first] == 'O') && small_letters(text).find("call") == std::string::npos;
+}
+
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
@@ -29,7 +35,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   } else {
     f.help = "put it on a line of its own, or remove it";
     Fix fix = split_line(p, s, s.rest_span().begin, "put it on a line of its own");
-    fix.safe = fix.safe && runs_on(s.keyword);
+    fix.safe = fix.safe && runs_on(s.keyword) && !is_block_line(p.source->slice(s.rest_span()));
     f.fixes.push_back(std::move(fix));
   }
   explain_idiom(in, id, f);
