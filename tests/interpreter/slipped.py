@@ -54,7 +54,7 @@ ORDINARY, UNKNOWABLE, ENDLESS = "ordinary", "unknowable", "endless"
 COUNTED = (ORDINARY, UNKNOWABLE, ENDLESS)
 
 _OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No characters found|Non integer value|G-code out of range|Multiple \S+ words|Unknown m code|words? with no|Cannot use axis values|Two . codes used")
-_AMONG_WORDS = re.compile(r"Multiple \S+ words|Cannot use axis values|P word with no|Unknown g code used|Two g codes")
+_AMONG_WORDS = re.compile(r"Multiple \S+ words|Cannot use axis values|P word with no|Unknown g code used|Two g codes|Cannot (do|make) ")
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 # O-words, also where the letter or the label is lost; assignments; calls and returns of the other style.
 _NO_WORDS = re.compile(r"^/?(n[\d.]+)?(#|o|(0|n)?(\d+|<[^>]*>|\[.*?\])?(sub|endsub|call|do\b|while|endwhile|repeat|endrepeat|if|elseif|else|endif|break|continue|return))"
@@ -86,7 +86,9 @@ def programs_to_slip():
     programs = [replace(p, text=p.text.replace("owlint: ignore", "owlint ignored")) for p in [*fixtures(), *corpus()]]
     for path in sorted(glob.glob(os.path.join(NCFILES, "**", "*.ngc"), recursive=True)):
         programs.append(Program(os.path.relpath(path, NCFILES), with_called(path)))
-    return [p for p in programs if len(p.text) <= LARGEST]
+    # A file with a sub of its own name is checked as one that others call; rs274 would run it as a program.
+    own_sub = re.compile(r"(?im)^\s*o<%s>\s*sub\b" % bundle.MAIN.removesuffix(".ngc"))
+    return [p for p in programs if len(p.text) <= LARGEST and not own_sub.search(p.text)]
 
 
 def with_called(path):
