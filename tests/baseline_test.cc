@@ -11,7 +11,9 @@ using namespace owlint::test;
 
 namespace {
 
-const std::string kBad = "o<probe> sub\n  o100 if [#1]\n  o100 endif\n  o100 if [#1]\n  o100 endif\no<probe> endsub\no<probe> call [1]\nM2\n";
+const std::string kBad =
+    "o<probe> sub\n  o100 if [#1]\n  o100 endif\n  o100 if [#1]\n  o100 endif\no<probe> endsub\no<probe> call "
+    "[1]\nM2\n";
 
 Run check(const Scratch& s, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"check", "--no-find-ini", "--baseline", s.path() + "/base.json"});
@@ -70,14 +72,19 @@ TEST_CASE("findings that are gone are reported, for the files that were checked"
 
 TEST_CASE("a baseline is sorted JSON, another file in its place is refused", "[cli][baseline]") {
   const Scratch s;
-  const std::string path = s.write("b\xFC" "gel.ngc", kBad);
+  const std::string path = s.write(
+      "b\xFC"
+      "gel.ngc",
+      kBad);
   CHECK(check(s, {"--update-baseline", path}).status == 0);
   const auto json = nlohmann::json::parse(read_file(s.path() + "/base.json"));
   CHECK(json["schema"] == "owlint-baseline-1");
   REQUIRE(json["findings"].size() == 1);
-  CHECK(json["findings"][0] == nlohmann::json{{"file", "bügel.ngc"}, {"code", "OW104"}, {"scope", "o<probe> o100"}, {"text", "o100 if [#1]"}});
+  CHECK(json["findings"][0] ==
+        nlohmann::json{{"file", "bügel.ngc"}, {"code", "OW104"}, {"scope", "o<probe> o100"}, {"text", "o100 if [#1]"}});
   CHECK(check(s, {path}).status == 0);
-  for (const char* text : {"", "{}", "[1]", "{\"schema\": \"owlint-baseline-1\", \"findings\": [3]}", "{\"schema\": \"owlint-baseline-1\", \"findings\": 3}"}) {
+  for (const char* text : {"", "{}", "[1]", "{\"schema\": \"owlint-baseline-1\", \"findings\": [3]}",
+                           "{\"schema\": \"owlint-baseline-1\", \"findings\": 3}"}) {
     s.write("base.json", text);
     const Run run = check(s, {path});
     INFO(text);
@@ -89,14 +96,18 @@ TEST_CASE("a baseline is sorted JSON, another file in its place is refused", "[c
 TEST_CASE("option --since takes changed and new files only", "[cli][since]") {
   const Scratch s;
   const auto git = [&](const std::string& arguments) {
-    return std::system(("cd '" + s.path() + "' && git -c user.email=a@b -c user.name=a " + arguments + " >/dev/null 2>&1").c_str()) == 0;
+    return std::system(
+               ("cd '" + s.path() + "' && git -c user.email=a@b -c user.name=a " + arguments + " >/dev/null 2>&1")
+                   .c_str()) == 0;
   };
   if (!git("init")) return;
   s.write("old.ngc", kBad);
   s.write("touched.ngc", "G0 X1\nM2\n");
   REQUIRE(git("add ."));
   REQUIRE(git("commit -m first"));
-  const auto since = [&](const std::string& revision) { return owlint::test::owlint({"check", "--no-find-ini", "--since", revision, "--format", "gcc", "."}, {}, s.path()); };
+  const auto since = [&](const std::string& revision) {
+    return owlint::test::owlint({"check", "--no-find-ini", "--since", revision, "--format", "gcc", "."}, {}, s.path());
+  };
   CHECK(since("HEAD").out.empty());
   s.write("touched.ngc", kBad);
   std::filesystem::create_directory(s.path() + "/deep er");
@@ -116,13 +127,15 @@ TEST_CASE("from two hundred old findings to a check that fails on the next new o
   std::filesystem::create_directory(s.path() + "/parts");
   for (int i = 0; i < 200; ++i) {
     std::string text = kBad;
-    for (size_t at = 0; (at = text.find("probe", at)) != std::string::npos; at += 5) text.replace(at, 5, "p" + std::to_string(1000 + i));
+    for (size_t at = 0; (at = text.find("probe", at)) != std::string::npos; at += 5)
+      text.replace(at, 5, "p" + std::to_string(1000 + i));
     s.write("parts/part" + std::to_string(i) + ".ngc", text);
   }
   // The commands of docs/guide.md; none of these mistakes can be fixed safely, for the subs may be called from elsewhere.
   const auto owlint = [&](std::vector<std::string> arguments) { return owlint::test::owlint(arguments, {}, s.path()); };
   CHECK(owlint({"--no-find-ini", "--format", "gcc", "parts"}).status == 1);
-  CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "--update-baseline", "parts"}).err.starts_with("200 known findings in known.json"));
+  CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "--update-baseline", "parts"})
+            .err.starts_with("200 known findings in known.json"));
   CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "parts"}).status == 0);
   s.write("parts/part7.ngc", "o9 endif\n" + read_file(s.path() + "/parts/part7.ngc"));
   const Run next = owlint({"--no-find-ini", "--baseline", "known.json", "--format", "gcc", "parts"});

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "rules/driver/lint.h"
 #include "support/damage.h"
@@ -34,7 +34,8 @@ std::vector<Found> findings(const std::string& text, Detail detail) {
 /// Paths that meet on a calm line are joined there, and what is known of each is lost: a stop on one of them is no more than a
 /// warning. Who passes over the line keeps them apart, and may prove the stop.
 bool proves(const Found& coarse, const Found& stepwise) {
-  return coarse == stepwise || (coarse.what == stepwise.what && coarse.severity == Severity::kError && stepwise.severity == Severity::kWarning);
+  return coarse == stepwise ||
+      (coarse.what == stepwise.what && coarse.severity == Severity::kError && stepwise.severity == Severity::kWarning);
 }
 
 void check_alike(const std::string& name, const std::string& text) {

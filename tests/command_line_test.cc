@@ -40,14 +40,34 @@ TEST_CASE("exit status 0 for clean and 1 for findings", "[cli]") {
 TEST_CASE("exit status 2 for wrong usage", "[cli]") {
   const Scratch s;
   const std::string good = s.write("good.ngc", kGood);
-  const std::vector<std::vector<std::string>> wrong = {
-      {}, {"--nonsense", good}, {"check"}, {"--format", "yaml", good}, {"--fail-on", "fatal", good}, {"--jobs", "many", good}, {"--feature", "many", good}, {"--linuxcnc", "2.6", good}, {"--select", "OW9", good}, {"--ignore", "XX", good}, {"--severity", "OW104", good}, {"--severity", "OW104=fatal", good}, {"--severity", "OW999=off", good}, {"--color", "pink", good}, {"--config", s.path() + "/none.toml", good}, {"--ini", s.path() + "/none.ini", good}, {"graph"}, {"graph", s.path() + "/none.ngc"}, {"graph", "--format", "png", good}, {"explain"}, {"explain", "OW999"}, {"rules", "--format", "yaml"}, {"rules", "more"}};
+  const std::vector<std::vector<std::string>> wrong = {{},
+                                                       {"--nonsense", good},
+                                                       {"check"},
+                                                       {"--format", "yaml", good},
+                                                       {"--fail-on", "fatal", good},
+                                                       {"--jobs", "many", good},
+                                                       {"--feature", "many", good},
+                                                       {"--linuxcnc", "2.6", good},
+                                                       {"--select", "OW9", good},
+                                                       {"--ignore", "XX", good},
+                                                       {"--severity", "OW104", good},
+                                                       {"--severity", "OW104=fatal", good},
+                                                       {"--severity", "OW999=off", good},
+                                                       {"--color", "pink", good},
+                                                       {"--config", s.path() + "/none.toml", good},
+                                                       {"--ini", s.path() + "/none.ini", good},
+                                                       {"graph"},
+                                                       {"graph", s.path() + "/none.ngc"},
+                                                       {"graph", "--format", "png", good},
+                                                       {"explain"},
+                                                       {"explain", "OW999"},
+                                                       {"rules", "--format", "yaml"},
+                                                       {"rules", "more"}};
   for (const auto& arguments : wrong) {
     const Run r = run(arguments);
     std::string shown;
     for (const std::string& a : arguments) shown += " " + a;
-    INFO("owlint" << shown << "\n"
-                  << r.out << r.err);
+    INFO("owlint" << shown << "\n" << r.out << r.err);
     CHECK(r.status == 2);
     CHECK(r.out.empty());
     CHECK_FALSE(r.err.empty());
@@ -55,7 +75,8 @@ TEST_CASE("exit status 2 for wrong usage", "[cli]") {
 }
 
 TEST_CASE("an unknown option is named, also where it took the place of a path", "[cli]") {
-  CHECK(run({"-x.ngc"}).err == "owlint: unknown option `-x.ngc`; `--help` lists all, and what comes after `--` is a path\n");
+  CHECK(run({"-x.ngc"}).err ==
+        "owlint: unknown option `-x.ngc`; `--help` lists all, and what comes after `--` is a path\n");
   CHECK(run({"--selct", "OW1", "a.ngc"}).err == "owlint: unknown option `--selct`, did you mean `--select`?\n");
   CHECK(contains(run({"check"}).err, "needs PATH"));
 }
@@ -69,7 +90,8 @@ TEST_CASE("a path in a report is the file's, line ends and all", "[cli]") {
 
 TEST_CASE("help and version are asked for", "[cli]") {
   CHECK(run({"--version"}).out.starts_with("owlint "));
-  for (const auto& arguments : std::vector<std::vector<std::string>>{{"--help"}, {"check", "--help"}, {"graph", "--help"}, {"rules", "-h"}}) {
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"--help"}, {"check", "--help"}, {"graph", "--help"}, {"rules", "-h"}}) {
     const Run r = run(arguments);
     CHECK(r.status == 0);
     CHECK(contains(r.out, "owlint"));
@@ -101,8 +123,7 @@ TEST_CASE("what cannot be read does not keep the rest from being checked", "[cli
   for (const std::string& path : {s.path() + "/none.ngc", fifo, std::string("/dev/null"), locked}) {
     if (path == locked && ::geteuid() == 0) continue;  // root reads everything
     const Run r = run({"--isolated", path, bad});
-    INFO(path << "\n"
-              << r.err);
+    INFO(path << "\n" << r.err);
     CHECK(r.status == 2);
     CHECK(contains(r.err, path));
     CHECK(contains(r.out, "bad.ngc:3:1: error"));
@@ -196,7 +217,8 @@ TEST_CASE("colours only where they are wanted", "[cli]") {
 TEST_CASE("two runs and any number of jobs give the same report", "[cli]") {
   for (const char* format : {"json", "text"}) {
     const auto report = [&](const char* jobs) {
-      return run({"--isolated", "--format", format, "--jobs", jobs, repository("tests/programs"), repository("corpus")}).out;
+      return run({"--isolated", "--format", format, "--jobs", jobs, repository("tests/programs"), repository("corpus")})
+          .out;
     };
     const std::string one = report("1");
     CHECK_FALSE(one.empty());
@@ -224,7 +246,8 @@ TEST_CASE("every rule can be explained", "[cli]") {
 TEST_CASE("a global that the leading comment speaks of is only info", "[cli]") {
   // No fixture: the interpreter that runs fixtures has no operator who sets it.
   const Scratch files;
-  const std::string needed = files.write("needed.ngc", "(needs #<_Stock_Top>, set by the operator)\nG0 Z[#<_stock_top> + 5]\nM2\n");
+  const std::string needed =
+      files.write("needed.ngc", "(needs #<_Stock_Top>, set by the operator)\nG0 Z[#<_stock_top> + 5]\nM2\n");
   CHECK(run({"check", "--isolated", needed}).out.find("info `#<_stock_top>`") != std::string::npos);
   const std::string later = files.write("later.ngc", "G21\n(needs #<_stock_top>)\nG0 Z[#<_stock_top> + 5]\nM2\n");
   CHECK(run({"check", "--isolated", later}).out.find("warning `#<_stock_top>`") != std::string::npos);
@@ -232,9 +255,15 @@ TEST_CASE("a global that the leading comment speaks of is only info", "[cli]") {
 
 TEST_CASE("graphs say what subs do with parameters", "[cli]") {
   const Scratch files;
-  const std::string path = files.write("p.ngc", "o100 sub\n  #<_result> = [#1 + #<_x_start> + #31]\n  o110 if [#2 GT 0]\n    o100 return\n  o110 endif\n  #3 = 5\n  G0 X#3\no100 endsub [#1]\n#<_x_start> = 3\no100 call [1] [2]\nM2\n");
+  const std::string path =
+      files.write("p.ngc",
+                  "o100 sub\n  #<_result> = [#1 + #<_x_start> + #31]\n  o110 if [#2 GT 0]\n    o100 return\n  o110 "
+                  "endif\n  #3 = 5\n  G0 X#3\no100 endsub [#1]\n#<_x_start> = 3\no100 call [1] [2]\nM2\n");
   const nlohmann::json graph = nlohmann::json::parse(run({"graph", "--format", "json", path}).out);
-  CHECK(graph["scopes"][1]["summary"] == nlohmann::json::parse(R"({"arguments": [1, 2], "computed": false, "reads": ["#<_x_start>", "#31"], "writes": ["#<_result>"], "returns": "sometimes"})"));
+  CHECK(
+      graph["scopes"][1]["summary"] ==
+      nlohmann::json::parse(
+          R"({"arguments": [1, 2], "computed": false, "reads": ["#<_x_start>", "#31"], "writes": ["#<_result>"], "returns": "sometimes"})"));
   CHECK(graph["scopes"][0]["summary"]["writes"] == nlohmann::json::parse(R"(["#<_x_start>"])"));
   const std::string broken = files.write("q.ngc", "o100 sub\n  o110 if [#1 GT 0]\no100 endsub\nM2\n");
   CHECK(nlohmann::json::parse(run({"graph", "--format", "json", broken}).out)["scopes"][1]["summary"].is_null());

@@ -11,7 +11,9 @@ namespace {
 const std::string kWarning = "o1 if [0]\no1 endif done\nM2\n";  // OW304, runs
 const std::string kBad = "o1 if [1]\no1 endif\no1 if [1]\no1 endif\nM2\n";
 
-Run check(const Scratch& folder, const std::string& arguments) { return owlint::test::owlint(words("check --no-find-ini " + arguments), "", folder.path()); }
+Run check(const Scratch& folder, const std::string& arguments) {
+  return owlint::test::owlint(words("check --no-find-ini " + arguments), "", folder.path());
+}
 
 /// The files in which a run found something, in their order.
 std::vector<std::string> files(const Scratch& folder, const std::string& arguments) {
@@ -24,7 +26,8 @@ std::vector<std::string> files(const Scratch& folder, const std::string& argumen
 using Names = std::vector<std::string>;
 
 void write_shop(const Scratch& folder) {
-  for (const char* name : {"a.ngc", "old/b.ngc", "parts/c.ngc", "parts/old/d.ngc", "parts/e.txt", "parts/f.nc"}) folder.write(name, kWarning);
+  for (const char* name : {"a.ngc", "old/b.ngc", "parts/c.ngc", "parts/old/d.ngc", "parts/e.txt", "parts/f.nc"})
+    folder.write(name, kWarning);
 }
 
 }  // namespace
@@ -58,7 +61,7 @@ TEST_CASE("exclude and include of the command line add to the configuration's", 
   CHECK(files(s, "--exclude *.nc .") == Names{"a.ngc", "parts/c.ngc", "parts/old/d.ngc"});
   CHECK(files(s, "--exclude parts/old .") == Names{"a.ngc", "parts/c.ngc", "parts/f.nc"});
   CHECK(files(s, "--exclude parts/old parts") == Names{"parts/c.ngc", "parts/f.nc"});  // seen from the working folder
-  CHECK(files(s, "--exclude /old parts") == Names{"parts/c.ngc", "parts/f.nc"});       // and from the one that is searched
+  CHECK(files(s, "--exclude /old parts") == Names{"parts/c.ngc", "parts/f.nc"});  // and from the one that is searched
   CHECK(files(s, "--include *.txt parts") == Names{"parts/c.ngc", "parts/e.txt", "parts/f.nc", "parts/old/d.ngc"});
   CHECK(files(s, "--exclude !old .") == Names{"a.ngc", "old/b.ngc", "parts/c.ngc", "parts/f.nc", "parts/old/d.ngc"});
 }
@@ -95,8 +98,10 @@ TEST_CASE("fail-on holds for the files of its folder", "[cli][configuration]") {
   CHECK(check(s, ".").status == 1);
   CHECK(check(s, "--fail-on error .").status == 0);  // the command line wins
   CHECK(check(s, "--isolated .").status == 0);
-  CHECK(owlint::test::owlint({"config", "strict"}, "", s.path()).out.find("fail-on          warning                  # strict/owlint.toml:1\n") != std::string::npos);
-  CHECK(owlint::test::owlint({"config", "loose"}, "", s.path()).out.find("fail-on          error                    # default\n") != std::string::npos);
+  CHECK(owlint::test::owlint({"config", "strict"}, "", s.path())
+            .out.find("fail-on          warning                  # strict/owlint.toml:1\n") != std::string::npos);
+  CHECK(owlint::test::owlint({"config", "loose"}, "", s.path())
+            .out.find("fail-on          error                    # default\n") != std::string::npos);
 }
 
 TEST_CASE("the folders of an INI that are not here are one finding", "[cli][configuration]") {

@@ -17,8 +17,7 @@ TEST_CASE("the corpus has what its programs say and nothing else", "[corpus]") {
   const nlohmann::json files = check_files(paths, "");
   for (size_t i = 0; i < programs.size(); ++i) {
     const nlohmann::json& findings = files[i]["findings"];
-    INFO(programs[i].path << "\n"
-                          << findings.dump(2));
+    INFO(programs[i].path << "\n" << findings.dump(2));
     if (programs[i].sound) {
       CHECK(findings.empty());
       continue;

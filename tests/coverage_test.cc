@@ -94,7 +94,8 @@ TEST_CASE("every page's bad example has the finding and its good one has none", 
     INFO(good.dump(2));
     CHECK(good.empty());
     for (const auto& f : bad) {
-      if (f["code"].get<std::string>() != code || !f["stops"].get<bool>() || code == "OW505") continue;  // a crash says nothing
+      if (f["code"].get<std::string>() != code || !f["stops"].get<bool>() || code == "OW505")
+        continue;  // a crash says nothing
       CHECK_FALSE(f.value("interpreter", "").empty());
       CHECK_FALSE(rule["interpreter"].get<std::string>().empty());
     }
@@ -103,7 +104,8 @@ TEST_CASE("every page's bad example has the finding and its good one has none", 
 
 TEST_CASE("a page's bad example shows its own rule only", "[coverage]") {
   // Rules that come with another one's finding by their nature.
-  const std::map<std::string, std::vector<std::string>> companions = {{"OW503", {"OW1", "OW2"}}, {"OW504", {"OW1"}}, {"OW506", {"OW208"}}, {"OW410", {"OW403"}}, {"OW319", {"OW3"}}};
+  const std::map<std::string, std::vector<std::string>> companions = {
+      {"OW503", {"OW1", "OW2"}}, {"OW504", {"OW1"}}, {"OW506", {"OW208"}}, {"OW410", {"OW403"}}, {"OW319", {"OW3"}}};
   for (const auto& rule : rules()) {
     const auto code = rule["code"].get<std::string>();
     for (const auto& f : findings_of(rule["bad"], rule["options"])) {
@@ -111,8 +113,9 @@ TEST_CASE("a page's bad example shows its own rule only", "[coverage]") {
       if (found == code) continue;
       INFO(code << ": also " << found << " on line " << f["start"]["line"]);
       const auto companion = companions.find(code);
-      CHECK((companion != companions.end() &&
-             std::ranges::any_of(companion->second, [&](const std::string& prefix) { return found.starts_with(prefix); })));
+      CHECK((companion != companions.end() && std::ranges::any_of(companion->second, [&](const std::string& prefix) {
+               return found.starts_with(prefix);
+             })));
     }
   }
 }
@@ -126,8 +129,9 @@ TEST_CASE("messages are lower case and end without a full stop", "[coverage]") {
         if (text.empty()) continue;
         INFO(fixtures[i].path << ": " << text);
         CHECK(text.back() != '.');
-        CHECK((std::islower(static_cast<unsigned char>(text[0])) != 0 || !std::isalpha(static_cast<unsigned char>(text[0])) ||
-               text.starts_with("LinuxCNC") || text.starts_with("M") || text.starts_with("N") || text.starts_with("U+")));
+        CHECK((std::islower(static_cast<unsigned char>(text[0])) != 0 ||
+               !std::isalpha(static_cast<unsigned char>(text[0])) || text.starts_with("LinuxCNC") ||
+               text.starts_with("M") || text.starts_with("N") || text.starts_with("U+")));
       }
     }
   }

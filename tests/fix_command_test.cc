@@ -15,9 +15,12 @@ using namespace owlint::test;
 
 namespace {
 
-const std::string kTwice = "G21 G90\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no100 if [#5070 EQ 1]\n  G0 X3\no100 endif\nM2\n";
-const std::string kFixed = "G21 G90\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no101 if [#5070 EQ 1]\n  G0 X3\no101 endif\nM2\n";
-const std::string kInLoop = "o100 while [#5070 EQ 0]\n  o200 sub\n    G0 X#1\n  o200 endsub\n  o200 call [1]\no100 endwhile\nM2\n";
+const std::string kTwice =
+    "G21 G90\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no100 if [#5070 EQ 1]\n  G0 X3\no100 endif\nM2\n";
+const std::string kFixed =
+    "G21 G90\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no101 if [#5070 EQ 1]\n  G0 X3\no101 endif\nM2\n";
+const std::string kInLoop =
+    "o100 while [#5070 EQ 0]\n  o200 sub\n    G0 X#1\n  o200 endsub\n  o200 call [1]\no100 endwhile\nM2\n";
 
 Run check(std::vector<std::string> arguments, const std::string& input = {}) {
   arguments.insert(arguments.begin(), {"check", "--no-find-ini"});
@@ -55,7 +58,8 @@ TEST_CASE("option --fix leaves what is not safe, and says how to get it", "[cli]
   CHECK(safe.err.find("1 can be fixed with --fix --unsafe") != std::string::npos);
   CHECK(read_file(path) == kInLoop);
   CHECK(check({"--fix", "--unsafe", path}).status == 0);
-  CHECK(read_file(path) == "  o200 sub\n    G0 X#1\n  o200 endsub\no100 while [#5070 EQ 0]\n  o200 call [1]\no100 endwhile\nM2\n");
+  CHECK(read_file(path) ==
+        "  o200 sub\n    G0 X#1\n  o200 endsub\no100 while [#5070 EQ 0]\n  o200 call [1]\no100 endwhile\nM2\n");
 }
 
 TEST_CASE("option --diff changes nothing and can be applied by patch", "[cli][fix]") {
@@ -63,7 +67,10 @@ TEST_CASE("option --diff changes nothing and can be applied by patch", "[cli][fi
   const std::string path = s.write("twice.ngc", kTwice);
   const Run run = check({"--diff", path});
   CHECK(run.status == 1);
-  CHECK(run.out == "--- " + path + "\n+++ " + path + "\n@@ -2,7 +2,7 @@\n o100 if [#5070 EQ 0]\n   G0 X1\n o100 endif\n-o100 if [#5070 EQ 1]\n+o101 if [#5070 EQ 1]\n   G0 X3\n-o100 endif\n+o101 endif\n M2\n");
+  CHECK(run.out ==
+        "--- " + path + "\n+++ " + path +
+            "\n@@ -2,7 +2,7 @@\n o100 if [#5070 EQ 0]\n   G0 X1\n o100 endif\n-o100 if [#5070 EQ 1]\n+o101 if [#5070 "
+            "EQ 1]\n   G0 X3\n-o100 endif\n+o101 endif\n M2\n");
   CHECK(read_file(path) == kTwice);
   CHECK(check({"--fix-only", path}).out.empty());
   CHECK(check({"--diff", path}).status == 0);
@@ -90,7 +97,9 @@ TEST_CASE("option --fix of standard input writes the program to standard output,
 TEST_CASE("a fixed sub file counts for the programs that call it", "[cli][fix]") {
   const Scratch s;
   s.write("main.ngc", "o<face> call [1]\nM2\n");
-  s.write("face.ngc", "o<face> sub\n  o100 if [#1 EQ 1]\n    G0 X1\n  o100 endif\n  o100 if [#1 EQ 1]\n    G0 X2\n  o100 endif\no<face> endsub\n");
+  s.write("face.ngc",
+          "o<face> sub\n  o100 if [#1 EQ 1]\n    G0 X1\n  o100 endif\n  o100 if [#1 EQ 1]\n    G0 X2\n  o100 "
+          "endif\no<face> endsub\n");
   CHECK(check({s.path()}).status == 1);
   CHECK(check({"--fix", s.path()}).status == 0);
   CHECK(check({s.path()}).status == 0);
@@ -98,7 +107,9 @@ TEST_CASE("a fixed sub file counts for the programs that call it", "[cli][fix]")
 
 TEST_CASE("only files that were named are fixed", "[cli][fix]") {
   const Scratch s;
-  const std::string face = "o<face> sub\n  o100 if [#1 EQ 1]\n    G0 X1\n  o100 endif\n  o100 if [#1 EQ 1]\n    G0 X2\n  o100 endif\no<face> endsub\n";
+  const std::string face =
+      "o<face> sub\n  o100 if [#1 EQ 1]\n    G0 X1\n  o100 endif\n  o100 if [#1 EQ 1]\n    G0 X2\n  o100 "
+      "endif\no<face> endsub\n";
   s.write("face.ngc", face);
   CHECK(check({"--fix", s.write("main.ngc", "o<face> call [1]\nM2\n")}).status == 1);
   CHECK(read_file(s.path() + "/face.ngc") == face);
@@ -128,7 +139,8 @@ TEST_CASE("fixes that touch each other are made in different rounds", "[fix]") {
     f.fixes = {{"fix", safe, {{{begin, end}, "x"}}}};
     return f;
   };
-  const owlint::Round safe = owlint::round_of_fixes({finding(0, 2, true), finding(2, 3, true), finding(4, 5, false), finding(6, 7, true)}, false);
+  const owlint::Round safe = owlint::round_of_fixes(
+      {finding(0, 2, true), finding(2, 3, true), finding(4, 5, false), finding(6, 7, true)}, false);
   CHECK(safe.made == 2);
   CHECK(owlint::apply_edits("0123456789", safe.edits) == "x2345x789");
   CHECK(owlint::round_of_fixes({finding(4, 5, false), finding(4, 4, true)}, true).made == 1);
@@ -183,24 +195,30 @@ TEST_CASE("what --fix cannot write is still there, and is reported", "[cli][fix]
     CHECK(run.err.find("owlint: cannot write bad.ngc: " + reason + "\n") == 0);
     CHECK(run.out.find("bad.ngc:5:1: error") == 0);
     CHECK(read_file(s.path() + "/bad.ngc") == kTwice);
-    CHECK(files_below(s.path()).size() == (std::filesystem::exists(s.path() + "/other.ngc") ? 2 : 1));  // no rest of a try
+    CHECK(files_below(s.path()).size() ==
+          (std::filesystem::exists(s.path() + "/other.ngc") ? 2 : 1));  // no rest of a try
     return run;
   };
   s.write("bad.ngc", kTwice);
   if (OWLINT_PATIENCE == 1) {  // the sanitizers' OpenMP needs a file of its own to start
     // The file gets no longer than nothing: a full disk.
-    const Run full = fails("set -o pipefail; { (trap '' XFSZ; ulimit -f 0; exec $OWLINT --isolated --no-find-ini --fix bad.ngc 2>&1 >&3) | cat >&2; } 3>&1 | cat", "File too large");
+    const Run full = fails(
+        "set -o pipefail; { (trap '' XFSZ; ulimit -f 0; exec $OWLINT --isolated --no-find-ini --fix bad.ngc 2>&1 >&3) "
+        "| cat >&2; } 3>&1 | cat",
+        "File too large");
     CHECK(full.err.find("fixed 0") == std::string::npos);
     CHECK(full.err.find("1 error in 1 file\n1 can be fixed with --fix\n") != std::string::npos);
   }
   if (::geteuid() != 0) return;  // root may write everything, and becomes somebody else for this
-  const std::string as_nobody = "setpriv --reuid 65534 --regid 65534 --clear-groups $OWLINT --isolated --no-find-ini --fix ";
+  const std::string as_nobody =
+      "setpriv --reuid 65534 --regid 65534 --clear-groups $OWLINT --isolated --no-find-ini --fix ";
   fails(as_nobody + "bad.ngc", "Permission denied");
   // The rest is still fixed.
   s.write("other.ngc", kTwice);
   ::chmod((s.path() + "/other.ngc").c_str(), 0666);
   const Run folder = fails(as_nobody + "bad.ngc other.ngc", "Permission denied");
-  CHECK(folder.err.find("owlint: cannot write other.ngc: no file can be made in its folder: Permission denied\n") != std::string::npos);
+  CHECK(folder.err.find("owlint: cannot write other.ngc: no file can be made in its folder: Permission denied\n") !=
+        std::string::npos);
   ::chmod(s.path().c_str(), 0777);
   const Run other = fails(as_nobody + "bad.ngc other.ngc", "Permission denied");
   CHECK(other.err.find("fixed 1 finding in 1 file\n1 error in 2 files\n") != std::string::npos);

@@ -1,6 +1,6 @@
 // Fixes work: with any one of them made, the finding that it belongs to is gone; made twice, nothing changes any more.
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "rules/driver/lint.h"
 #include "support/corpus.h"
@@ -63,8 +63,10 @@ TEST_CASE("a fix takes its finding away", "[fixes]") {
       }
     }
   }
-  for (const char* code : {"OW001", "OW002", "OW101", "OW102", "OW103", "OW104", "OW105", "OW106", "OW107", "OW108", "OW202", "OW203", "OW204", "OW205", "OW206", "OW207", "OW208", "OW213", "OW214", "OW216", "OW301", "OW302", "OW304", "OW305", "OW307", "OW308",
-                           "OW310", "OW311", "OW312", "OW313", "OW315"}) {
+  for (const char* code :
+       {"OW001", "OW002", "OW101", "OW102", "OW103", "OW104", "OW105", "OW106", "OW107", "OW108", "OW202",
+        "OW203", "OW204", "OW205", "OW206", "OW207", "OW208", "OW213", "OW214", "OW216", "OW301", "OW302",
+        "OW304", "OW305", "OW307", "OW308", "OW310", "OW311", "OW312", "OW313", "OW315"}) {
     INFO(code);
     CHECK(fixes[code] > 0);
   }

@@ -52,7 +52,8 @@ TEST_CASE("fmt --check and --diff change nothing", "[cli][format]") {
   CHECK(check.out == "would indent " + flat + "\n");
   const Run diff = owlint::test::owlint({"fmt", "--diff", s.path()});
   CHECK(diff.status == 1);
-  CHECK(diff.out == "--- " + flat + "\n+++ " + flat + "\n@@ -1,4 +1,4 @@\n o1 if [#1]\n-G0 X1\n+  G0 X1\n o1 endif\n M2\n");
+  CHECK(diff.out ==
+        "--- " + flat + "\n+++ " + flat + "\n@@ -1,4 +1,4 @@\n o1 if [#1]\n-G0 X1\n+  G0 X1\n o1 endif\n M2\n");
   CHECK(read_file(flat) == kFlat);
   CHECK(owlint::test::owlint({"fmt", "--check", good}).status == 0);
 }

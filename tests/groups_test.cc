@@ -1,6 +1,6 @@
 // A called sub that is nowhere is one mistake, in however many places and files it is called.
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "support/files.h"
@@ -10,7 +10,9 @@ using namespace owlint::test;
 
 namespace {
 
-Run check(const Scratch& folder, const std::string& arguments) { return owlint::test::owlint(words("check --isolated " + arguments), "", folder.path()); }
+Run check(const Scratch& folder, const std::string& arguments) {
+  return owlint::test::owlint(words("check --isolated " + arguments), "", folder.path());
+}
 
 std::vector<nlohmann::json> missing_subs(const Scratch& folder, const std::string& arguments) {
   std::vector<nlohmann::json> out;
@@ -66,7 +68,8 @@ TEST_CASE("a file of that name in the tree is named, with what tells owlint", "[
   CHECK(contains(found[0]["help"].get<std::string>(), "`sub-path = [\"subs\"]`"));
   CHECK(missing_subs(folder, "--sub-path subs .").empty());
   folder.write("lathe/macros/drill.ngc", "o<drill> sub\nG0 X#1\no<drill> endsub\n");
-  CHECK(contains(missing_subs(folder, "lathe subs").at(0)["help"].get<std::string>(), "`--sub-path lathe/macros`"));  // the nearest
+  CHECK(contains(missing_subs(folder, "lathe subs").at(0)["help"].get<std::string>(),
+                 "`--sub-path lathe/macros`"));  // the nearest
 }
 
 TEST_CASE("the text shows some places and counts the others", "[groups]") {
@@ -88,7 +91,8 @@ TEST_CASE("a baseline and suppressions are about each place", "[groups]") {
   const auto fresh = missing_subs(folder, "--baseline known.json .");
   REQUIRE(fresh.size() == 1);
   CHECK(fresh[0]["related"].empty());
-  const Run run = owlint::test::owlint({"check", "--isolated", "--add-suppressions", "--reason", "it is on the machine", "."}, "", folder.path());
+  const Run run = owlint::test::owlint(
+      {"check", "--isolated", "--add-suppressions", "--reason", "it is on the machine", "."}, "", folder.path());
   CHECK(run.status == 0);
   CHECK(check(folder, ".").out.empty());
 }
@@ -96,7 +100,8 @@ TEST_CASE("a baseline and suppressions are about each place", "[groups]") {
 TEST_CASE("subs that are all in one folder of the tree are one finding", "[groups]") {
   const Scratch folder;
   folder.write("mill/a.ngc", "o<drill> call [1]\no<bore> call [2]\no<tap> call\no<ream> call\no<mark> call\nM2\n");
-  for (const std::string name : {"drill", "bore", "tap", "ream", "mark"}) folder.write("helpers/" + name + ".ngc", "o<" + name + "> sub\n  G0 X#1\no<" + name + "> endsub\n");
+  for (const std::string name : {"drill", "bore", "tap", "ream", "mark"})
+    folder.write("helpers/" + name + ".ngc", "o<" + name + "> sub\n  G0 X#1\no<" + name + "> endsub\n");
   const auto found = missing_subs(folder, ".");
   REQUIRE(found.size() == 1);
   CHECK(contains(found[0]["message"].get<std::string>(), "all are in `helpers`"));
@@ -119,7 +124,9 @@ TEST_CASE("calls in several programs that lack the same argument of a file's sub
 
 TEST_CASE("a helper that several sub files define is one finding that names them", "[groups]") {
   const Scratch folder;
-  for (const std::string name : {"left", "right"}) folder.write(name + ".ngc", "o<" + name + "> sub\no500 call\no<" + name + "> endsub\no500 sub\nG0 X1\no500 endsub\n");
+  for (const std::string name : {"left", "right"})
+    folder.write(name + ".ngc",
+                 "o<" + name + "> sub\no500 call\no<" + name + "> endsub\no500 sub\nG0 X1\no500 endsub\n");
   const nlohmann::json report = nlohmann::json::parse(check(folder, "--format json .").out);
   const auto& left = report["files"][0]["findings"];
   REQUIRE(left.size() == 1);

@@ -18,7 +18,8 @@ using namespace owlint;
 namespace {
 
 constexpr double kTooSlow = 10 * OWLINT_PATIENCE;  // seconds
-constexpr int kMany = 100'000 / OWLINT_PATIENCE;   // what goes quadratic shows in optimised programs; sanitizers need not wait for it
+constexpr int kMany =
+    100'000 / OWLINT_PATIENCE;  // what goes quadratic shows in optimised programs; sanitizers need not wait for it
 
 std::string repeat(int count, const std::function<std::string(int)>& line) {
   std::string out;
@@ -38,7 +39,9 @@ void check_report(const FileReport& report) {
   const auto expect = [&](bool good, std::string_view what) {
     if (!good) wrong = what;
   };
-  const auto inside = [&](Span span) { expect(span.begin <= span.end && span.end <= size, "a place outside the file"); };
+  const auto inside = [&](Span span) {
+    expect(span.begin <= span.end && span.end <= size, "a place outside the file");
+  };
   for (const Finding& f : report.findings) {
     inside(f.span);
     expect(f.span.begin >= last, "findings out of order");
@@ -88,9 +91,10 @@ TEST_CASE("bytes that are no text", "[hostile]") {
   CHECK(codes("NUL", std::string(100000, '\0')).find("OW3") == 0);
   CHECK(codes("one line of 10 MB", std::string(10 << 20, 'G')) == "OW309");
   CHECK(codes("one open bracket line", "o1 if " + std::string(240, '[') + "\nM2\n") == "OW303");
-  CHECK(codes("Latin-1", "(Fl\xE4"
-                         "che)\nG0 X1 ; gr\xFC\xDF"
-                         "e\nM2\n")
+  CHECK(codes("Latin-1",
+              "(Fl\xE4"
+              "che)\nG0 X1 ; gr\xFC\xDF"
+              "e\nM2\n")
             .empty());
   CHECK(codes("BOM", "\xEF\xBB\xBFo1 if [1]\no1 endif\nM2\n").find("OW314") == 0);
   CHECK(codes("CR only", lines(20, "G0 X1\r") + "M2\r").find("OW314") == 0);
@@ -105,38 +109,63 @@ TEST_CASE("very many labels", "[hostile]") {
 
 TEST_CASE("very deep nesting", "[hostile]") {
   const int n = kMany;
-  const auto open = [](const char* keyword) { return [keyword](int i) { return fmt::format("o{} {}\n", i, keyword); }; };
-  const auto close = [](const char* keyword) { return [keyword](int i) { return fmt::format("o{} {}\n", kMany + 1 - i, keyword); }; };
+  const auto open = [](const char* keyword) {
+    return [keyword](int i) { return fmt::format("o{} {}\n", i, keyword); };
+  };
+  const auto close = [](const char* keyword) {
+    return [keyword](int i) { return fmt::format("o{} {}\n", kMany + 1 - i, keyword); };
+  };
   CHECK(codes("many nested ifs", repeat(n, open("if [#5070 GT 0]")) + repeat(n, close("endif")) + "M2\n").empty());
-  CHECK(codes("many nested whiles", repeat(n, open("while [#5070 GT 0]")) + repeat(n, close("endwhile")) + "M2\n").empty());
+  CHECK(codes("many nested whiles", repeat(n, open("while [#5070 GT 0]")) + repeat(n, close("endwhile")) + "M2\n")
+            .empty());
   CHECK(codes("many ifs not closed", repeat(n, open("if [#1 GT 0]")) + "M2\n") == "OW205");
   CHECK(codes("many dos not closed", repeat(n, open("do")) + "M2\n") == "OW205");
   CHECK(codes("many ends", repeat(n, open("endif")) + "M2\n") == "OW106");
-  CHECK(codes("many crossed", repeat(n, open("if [#1 GT 0]")) + repeat(n, open("endif")) + "M2\n").find("OW106") != std::string::npos);
+  CHECK(codes("many crossed", repeat(n, open("if [#1 GT 0]")) + repeat(n, open("endif")) + "M2\n").find("OW106") !=
+        std::string::npos);
   CHECK(codes("many elses", "o1 if [#1 GT 0]\n" + lines(n, "o1 else\n") + "o1 endif\nM2\n") == "OW212");
-  CHECK(codes("many elseifs", "o1 if [#5070 GT 0]\n" + repeat(n, [](int i) { return fmt::format("o1 elseif [#5070 EQ {}]\n", i); }) + "o1 endif\nM2\n").empty());
+  CHECK(codes("many elseifs",
+              "o1 if [#5070 GT 0]\n" + repeat(n, [](int i) { return fmt::format("o1 elseif [#5070 EQ {}]\n", i); }) +
+                  "o1 endif\nM2\n")
+            .empty());
 }
 
 TEST_CASE("very many subs and calls", "[hostile]") {
   const int n = kMany;
   const std::string subs = repeat(n, [](int i) { return fmt::format("o{0} sub\nG0 X1\no{0} endsub\n", i); });
   CHECK(codes("many subs", subs + "M2\n").empty());
-  CHECK(codes("many subs and calls", subs + repeat(n, [](int i) { return fmt::format("o{} call\n", i); }) + "M2\n").empty());
-  CHECK(codes("many calls of one", "o1 sub\nG0 X#1\no1 endsub\n" + repeat(n, [](int i) { return fmt::format("o1 call [{}]\n", i); }) + "M2\n").empty());
-  CHECK(codes("many calls of nothing", repeat(n, [](int i) { return fmt::format("o{} call\n", i); }) + "M2\n") == "OW208");
-  CHECK(codes("many nested subs", repeat(n, [](int i) { return fmt::format("o{} sub\n", i); }) + "M2\n").find("OW202") != std::string::npos);
-  CHECK(codes("a chain of many calls", repeat(n, [](int i) { return fmt::format("o{} sub\no{} call\no{} endsub\n", i, i + 1, i); }) + "o1 call\nM2\n").find("OW210") != std::string::npos);
-  CHECK(codes("many wrong ends with the same labels", repeat(n, [](int i) { return fmt::format("o{0} sub\no1 if [#5070]\no2 endif\no{0} endsub\n", i + 10); }) +
-                                                         repeat(n, [](int i) { return fmt::format("o{} call\n", i + 10); }) + "M2\n") == "OW104 OW106");
+  CHECK(codes("many subs and calls", subs + repeat(n, [](int i) { return fmt::format("o{} call\n", i); }) + "M2\n")
+            .empty());
+  CHECK(
+      codes("many calls of one",
+            "o1 sub\nG0 X#1\no1 endsub\n" + repeat(n, [](int i) { return fmt::format("o1 call [{}]\n", i); }) + "M2\n")
+          .empty());
+  CHECK(codes("many calls of nothing", repeat(n, [](int i) { return fmt::format("o{} call\n", i); }) + "M2\n") ==
+        "OW208");
+  CHECK(
+      codes("many nested subs", repeat(n, [](int i) { return fmt::format("o{} sub\n", i); }) + "M2\n").find("OW202") !=
+      std::string::npos);
+  CHECK(codes("a chain of many calls",
+              repeat(n, [](int i) { return fmt::format("o{} sub\no{} call\no{} endsub\n", i, i + 1, i); }) +
+                  "o1 call\nM2\n")
+            .find("OW210") != std::string::npos);
+  CHECK(codes("many wrong ends with the same labels",
+              repeat(n, [](int i) { return fmt::format("o{0} sub\no1 if [#5070]\no2 endif\no{0} endsub\n", i + 10); }) +
+                  repeat(n, [](int i) { return fmt::format("o{} call\n", i + 10); }) + "M2\n") == "OW104 OW106");
   CHECK(codes("many redefinitions", lines(n, "o1 sub\no1 endsub\n") + "M2\n") == "OW201");
 }
 
 TEST_CASE("very many values", "[hostile]") {
   const int n = kMany;
-  CHECK(codes("many parameters", repeat(n, [](int i) { return fmt::format("#<p{0}> = {0}\n", i); }) +
-                                        repeat(n, [](int i) { return fmt::format("o{0} if [#<p{0}> GT 5]\no{0} endif\n", i); }) + "M2\n")
+  CHECK(codes("many parameters",
+              repeat(n, [](int i) { return fmt::format("#<p{0}> = {0}\n", i); }) +
+                  repeat(n, [](int i) { return fmt::format("o{0} if [#<p{0}> GT 5]\no{0} endif\n", i); }) + "M2\n")
             .empty());
-  CHECK(codes("many assignments in a loop", "o1 while [#5070 GT 0]\n" + repeat(n, [](int i) { return fmt::format("#{0} = [#{0} + 1]\n", i % 5000 + 31); }) + "o1 endwhile\nM2\n").empty());
+  CHECK(codes("many assignments in a loop",
+              "o1 while [#5070 GT 0]\n" +
+                  repeat(n, [](int i) { return fmt::format("#{0} = [#{0} + 1]\n", i % 5000 + 31); }) +
+                  "o1 endwhile\nM2\n")
+            .empty());
   CHECK(codes("many suppressions", lines(n, "(owlint: ignore OW104)\n") + "M2\n") == "OW002");
   CHECK(codes("many refused lines", lines(n, "G0 X[1+]\n") + "M2\n") == "OW303");
   CHECK(codes("loop of many passes", "#1 = 0\no1 while [#1 LT 100000]\n#1 = [#1 + 1]\no1 endwhile\nM2\n").empty());
@@ -154,9 +183,18 @@ TEST_CASE("random bytes", "[hostile]") {
 }
 
 TEST_CASE("random pieces of programs", "[hostile]") {
-  const std::vector<std::string> pieces = {"o1 ", "o2 ", "o<a> ", "O[#1] ", "o[1+1] ", "sub", "endsub", "call", "do", "while", "repeat", "if", "elseif", "else", "endif",
-                                           "break", "continue", "endwhile", "endrepeat", "return", " [1]", " [0]", " [#1 GT 2]", " [#<x>]", "\n", "\n", "\n", "\r\n", "M2\n", "%\n", "#1=3\n", "#<x>=1\n",
-                                           "M98 P1\n", "M99\n", "(c)", "(", ";x", "/", "N5 ", "G0 X1\n", "[", "]", "\xE4", "(owlint: ignore)\n", "#1=[1/0]\n"};
+  const std::vector<std::string> pieces = {"o1 ",       "o2 ",      "o<a> ",      "O[#1] ",
+                                           "o[1+1] ",   "sub",      "endsub",     "call",
+                                           "do",        "while",    "repeat",     "if",
+                                           "elseif",    "else",     "endif",      "break",
+                                           "continue",  "endwhile", "endrepeat",  "return",
+                                           " [1]",      " [0]",     " [#1 GT 2]", " [#<x>]",
+                                           "\n",        "\n",       "\n",         "\r\n",
+                                           "M2\n",      "%\n",      "#1=3\n",     "#<x>=1\n",
+                                           "M98 P1\n",  "M99\n",    "(c)",        "(",
+                                           ";x",        "/",        "N5 ",        "G0 X1\n",
+                                           "[",         "]",        "\xE4",       "(owlint: ignore)\n",
+                                           "#1=[1/0]\n"};
   std::mt19937 random(11);
   LintOptions all;
   all.extend_select = {"OW"};

@@ -2,8 +2,8 @@
 // finds, to the last word, however the text changes between them.
 #include <sstream>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/report/report.h"
@@ -55,7 +55,8 @@ std::string many_subs(std::mt19937& random) {
         case 5:
           if (subs > 0) out += fmt::format("o<s{}> call [{}] [#500]\n", below(subs), below(4));
           break;
-        case 6: case 7:
+        case 6:
+        case 7:
           out += fmt::format("o{} if {}\n", k, condition());
           self(self, depth + 1, 1 + below(2), in_sub, subs);
           if (below(2) == 0) {
@@ -64,7 +65,8 @@ std::string many_subs(std::mt19937& random) {
           }
           out += fmt::format("o{} endif\n", k);
           break;
-        case 8: case 9:
+        case 8:
+        case 9:
           out += fmt::format("o{} while {}\n", k, condition());
           self(self, depth + 1, 1 + below(2), in_sub, subs);
           if (below(3) == 0) out += fmt::format("o{} {}\n", k, below(2) == 0 ? "break" : "continue");

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include "support/files.h"
 #include "support/process.h"
@@ -36,7 +36,9 @@ std::vector<std::string> codes(const nlohmann::json& report) {
   return out;
 }
 
-std::string sub(const std::string& name, const std::string& body) { return "o<" + name + "> sub\n" + body + "o<" + name + "> endsub\n"; }
+std::string sub(const std::string& name, const std::string& body) {
+  return "o<" + name + "> sub\n" + body + "o<" + name + "> endsub\n";
+}
 
 }  // namespace
 
@@ -61,7 +63,8 @@ TEST_CASE("what is no file is found and not read", "[hostile]") {
 
 TEST_CASE("folders that contain themselves are walked once", "[hostile]") {
   const Scratch folder;
-  folder.write("machine.ini", "[RS274NGC]\nSUBROUTINE_PATH = subs:subs/again:subs/again/again\n[WIZARD]\nWIZARD_ROOT = tree\n");
+  folder.write("machine.ini",
+               "[RS274NGC]\nSUBROUTINE_PATH = subs:subs/again:subs/again/again\n[WIZARD]\nWIZARD_ROOT = tree\n");
   folder.write("subs/a.ngc", sub("a", "G0 X1\n"));
   folder.write("tree/b/b.ngc", sub("b", "G0 X1\n"));
   fs::create_directory_symlink(".", folder.path() + "/subs/again");
@@ -111,7 +114,8 @@ TEST_CASE("files that call each other in every way end", "[hostile]") {
   const auto report = check(folder, "o<f0> call [1]\nM2\n");
   CHECK(std::ranges::count(codes(report), "OW210") > 0);
   // A chain that is far longer than calls can be nested.
-  for (int i = 0; i < 3000; ++i) folder.write(fmt::format("subs/c{}.ngc", i), sub(fmt::format("c{}", i), fmt::format("o<c{}> call\n", i + 1)));
+  for (int i = 0; i < 3000; ++i)
+    folder.write(fmt::format("subs/c{}.ngc", i), sub(fmt::format("c{}", i), fmt::format("o<c{}> call\n", i + 1)));
   CHECK(codes(check(folder, "o<c0> call\nM2\n")) == std::vector<std::string>{"OW210"});
 }
 
@@ -120,10 +124,12 @@ TEST_CASE("ten thousand programs parse their shared files once", "[hostile]") {
   folder.write("machine.ini", "[RS274NGC]\nSUBROUTINE_PATH = subs\n");
   for (int i = 0; i < 500; ++i) folder.write(fmt::format("subs/s{}.ngc", i), sub(fmt::format("s{}", i), "G0 X#1\n"));
   for (int i = 0; i < 10'000; ++i) {
-    folder.write(fmt::format("programs/p{:05}.ngc", i), fmt::format("o<s{}> call [1]\no<s{}> call [2]\nM2\n", i % 500, (i * 7 + 3) % 500));
+    folder.write(fmt::format("programs/p{:05}.ngc", i),
+                 fmt::format("o<s{}> call [1]\no<s{}> call [2]\nM2\n", i % 500, (i * 7 + 3) % 500));
   }
   for (const char* jobs : {"1", "2"}) {
-    const Run run = owlint::test::owlint({"check", "--isolated", "--ini", "machine.ini", "--statistics", "--jobs", jobs, "programs"}, "", folder.path());
+    const Run run = owlint::test::owlint(
+        {"check", "--isolated", "--ini", "machine.ini", "--statistics", "--jobs", jobs, "programs"}, "", folder.path());
     INFO(run.err);
     CHECK(run.status == 0);
     CHECK(run.err.find("  10500  files parsed, 500 of them for 20000 calls from other files\n") != std::string::npos);

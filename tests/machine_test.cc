@@ -13,7 +13,9 @@ namespace {
 
 const std::string kIni = "[EMC]\nVERSION = 1.1\n[RS274NGC]\nSUBROUTINE_PATH = subs\n";
 
-Run check(const Scratch& folder, const std::string& arguments) { return owlint::test::owlint(words("check " + arguments), "", folder.path()); }
+Run check(const Scratch& folder, const std::string& arguments) {
+  return owlint::test::owlint(words("check " + arguments), "", folder.path());
+}
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -77,9 +79,12 @@ TEST_CASE("however many INIs there are, a check and an audit say it in two lines
   for (const char* command : {"check --isolated .", "audit --isolated ."}) {
     INFO(command);
     const Run run = owlint::test::owlint(words(command), "", folder.path());
-    CHECK(contains(run.err, "using 5 machine INIs, each for the programs in and below its folder: a/machine.ini, b/machine.ini, c/machine.ini and 2 more (--no-find-ini turns this off)\n"));
+    CHECK(contains(run.err,
+                   "using 5 machine INIs, each for the programs in and below its folder: a/machine.ini, b/machine.ini, "
+                   "c/machine.ini and 2 more (--no-find-ini turns this off)\n"));
     CHECK(contains(run.err, "5 folders have several machine INIs each, so none of them is used: "));
-    CHECK(contains(run.err, "is used: a2, b2, c2 and 2 more; choose one with --ini, or with `ini` in an owlint.toml there\n"));
+    CHECK(contains(run.err,
+                   "is used: a2, b2, c2 and 2 more; choose one with --ini, or with `ini` in an owlint.toml there\n"));
     CHECK_FALSE(contains(run.err, "d/machine.ini"));
   }
 }
@@ -103,7 +108,8 @@ TEST_CASE("a finding in a called file is reported once, with the calls that lead
   for (const char* paths : {"programs", "programs subs", "subs programs"}) {
     for (const char* jobs : {"1", "2"}) {
       INFO(paths);
-      const auto report = nlohmann::json::parse(check(folder, std::string("--isolated --format json --jobs ") + jobs + " " + paths).out);
+      const auto report = nlohmann::json::parse(
+          check(folder, std::string("--isolated --format json --jobs ") + jobs + " " + paths).out);
       CHECK(report["summary"]["errors"] == 1);
       std::vector<nlohmann::json> found;
       for (const auto& file : report["files"]) {
@@ -129,7 +135,8 @@ TEST_CASE("a file is named as it was given, whichever way a call found it first"
       // With one job the program comes first, and with it the call.
       const std::string both = " --jobs 1 " + programs + "programs " + subs + "subs";
       CHECK(contains(check(folder, "--isolated --format jsonl" + both).out, "\"path\":\"" + subs + "subs/bad.ngc\""));
-      CHECK(contains(check(folder, "--isolated --add-suppressions --reason known" + both).err, "suppressed 1 finding\n"));
+      CHECK(
+          contains(check(folder, "--isolated --add-suppressions --reason known" + both).err, "suppressed 1 finding\n"));
       write_machine(folder);
     }
   }
@@ -148,10 +155,12 @@ TEST_CASE("called files and the INI of a program with an absolute path have abso
 
 TEST_CASE("files that others call are no programs", "[machine]") {
   const Scratch folder;
-  folder.write("machine.ini", kIni + "REMAP = M410 modalgroup=10 ngc=remapped\n[HALUI]\nMDI_COMMAND = o<button> call [1]\n");
+  folder.write("machine.ini",
+               kIni + "REMAP = M410 modalgroup=10 ngc=remapped\n[HALUI]\nMDI_COMMAND = o<button> call [1]\n");
   // Code after the sub, no M2: as a program each of these would stop at its end.
   for (const char* name : {"called", "remapped", "button"}) {
-    folder.write(std::string("subs/") + name + ".ngc", std::string("o<") + name + "> sub\nG0 X#1\no<" + name + "> endsub\nG0 X0\n");
+    folder.write(std::string("subs/") + name + ".ngc",
+                 std::string("o<") + name + "> sub\nG0 X#1\no<" + name + "> endsub\nG0 X0\n");
   }
   folder.write("p.ngc", "o<called> call [1]\nM2\n");
   const Run run = check(folder, "--isolated .");

@@ -12,7 +12,8 @@ using namespace owlint::test;
 
 TEST_CASE("fixtures meet their expectations", "[programs]") {
   if (updating()) {
-    if (const size_t count = update_fixtures(); count > 0) WARN(count << " fixtures rewritten: read the difference before you keep it");
+    if (const size_t count = update_fixtures(); count > 0)
+      WARN(count << " fixtures rewritten: read the difference before you keep it");
     return;
   }
   const std::vector<Fixture> fixtures = all_fixtures();
@@ -21,7 +22,8 @@ TEST_CASE("fixtures meet their expectations", "[programs]") {
   for (size_t i = 0; i < fixtures.size(); ++i) {
     const std::vector<std::string> found = expectations(findings[i]);
     const bool same = std::ranges::equal(fixtures[i].expected, found, meets);
-    INFO(fmt::format("{}\nexpected:\n  {}\nfound:\n  {}\n", fixtures[i].path, fmt::join(fixtures[i].expected, "\n  "), fmt::join(found, "\n  ")));
+    INFO(fmt::format("{}\nexpected:\n  {}\nfound:\n  {}\n", fixtures[i].path, fmt::join(fixtures[i].expected, "\n  "),
+                     fmt::join(found, "\n  ")));
     CHECK(same);
   }
 }
@@ -49,7 +51,8 @@ TEST_CASE("expectations without columns are met by any columns", "[programs]") {
 TEST_CASE("rewriting a fixture changes only its expectations", "[programs]") {
   const Scratch scratch;
   Fixture fixture;
-  fixture.path = fixture.lines_in = scratch.write("p.ngc", "G0 X\xE4\r\n; expect: nothing\r\n; expect: OW301 1 error always stops\r\nM2\r");
+  fixture.path = fixture.lines_in =
+      scratch.write("p.ngc", "G0 X\xE4\r\n; expect: nothing\r\n; expect: OW301 1 error always stops\r\nM2\r");
   rewrite(fixture, {"OW101 4:1-4:2 error always stops"});
   CHECK(read_file(fixture.path) == "G0 X\xE4\r\n; expect: OW101 4:1-4:2 error always stops\r\nM2\r");
   fixture.lines_in = scratch.write("p.expect", "asks: what?\nexpect: nothing");

@@ -63,7 +63,8 @@ TEST_CASE("a deleted end is one error at its block", "[repair]") {
     const FileReport report = lint(Source::own(d.path, d.text), Profile{}, LintOptions{});
     std::string found;
     for (const Finding& f : report.findings) {
-      found += fmt::format("  {} {} {}: {}\n", report.source->position(f.span.begin).line, severity_text(f.severity), f.code, f.message);
+      found += fmt::format("  {} {} {}: {}\n", report.source->position(f.span.begin).line, severity_text(f.severity),
+                           f.code, f.message);
     }
     INFO(fmt::format("{} without `{}` of line {}, opened on line {}:\n{}", d.path, d.what, d.line, d.opener, found));
     CHECK_FALSE(report.findings.empty());
@@ -92,11 +93,13 @@ TEST_CASE("the place suggested for a deleted end is right", "[repair]") {
       if (same_place(*source, b.suggested_line, d.line)) {
         ++right;
       } else if (std::getenv("OWLINT_VERBOSE") != nullptr) {
-        std::cout << fmt::format("{} without `{}` of line {}: suggested line {}\n", d.path, d.what, d.line, b.suggested_line);
+        std::cout << fmt::format("{} without `{}` of line {}: suggested line {}\n", d.path, d.what, d.line,
+                                 b.suggested_line);
       }
     }
   }
-  std::cout << fmt::format("bracket repair: of {} blocks a place is suggested for {}, right for {}\n", blocks, suggested, right);
+  std::cout << fmt::format("bracket repair: of {} blocks a place is suggested for {}, right for {}\n", blocks,
+                           suggested, right);
   CHECK(suggested * 100 >= blocks * 50);
   CHECK(right * 100 >= suggested * 90);
 }

@@ -17,7 +17,8 @@ using namespace owlint::test;
 namespace {
 
 /// Runs owlint in tests/programs and holds everything it prints against the snapshot `name`.
-void snapshot(const std::string& name, const std::string& arguments, const std::string& folder = repository("tests/programs")) {
+void snapshot(const std::string& name, const std::string& arguments,
+              const std::string& folder = repository("tests/programs")) {
   const Run run = owlint::test::owlint(words(arguments), "", folder);
   const std::string text = fmt::format("$ owlint {}\n{}{}[exit status {}]\n", arguments, run.out, run.err, run.status);
   const std::string path = repository("tests/snapshots/" + name + ".txt");
@@ -58,10 +59,13 @@ TEST_CASE("the text of one fixture for each rule is as in its snapshot", "[snaps
 TEST_CASE("other texts are as in their snapshots", "[snapshots]") {
   if (updating()) update_fixtures();
   snapshot("check-color", "--isolated --color always OW104/label-if-twice.ngc");
-  snapshot("check-statistics", "--isolated --quiet --statistics --format jsonl OW104/label-if-twice.ngc OW205/if-unclosed-skipped.ngc");
+  snapshot("check-statistics",
+           "--isolated --quiet --statistics --format jsonl OW104/label-if-twice.ngc OW205/if-unclosed-skipped.ngc");
   snapshot("check-json", "--isolated --format json OW104/label-if-twice.ngc");
   for (const char* format : {"grouped", "gcc", "github", "gitlab", "checkstyle", "junit", "rdjson"}) {
-    snapshot(std::string("check-") + format, std::string("--isolated --quiet --format ") + format + " OW104/label-if-twice.ngc OW207/call-before-define-by-name.ngc OW104/label-if-in-loop.ngc");
+    snapshot(std::string("check-") + format,
+             std::string("--isolated --quiet --format ") + format +
+                 " OW104/label-if-twice.ngc OW207/call-before-define-by-name.ngc OW104/label-if-in-loop.ngc");
   }
   snapshot("check-call", "--isolated OW303/zero-in-one-of-many-calls.ngc");
   snapshot("check-nothing", "--isolated OW104/label-if-in-loop.ngc");

@@ -35,7 +35,8 @@ size_t widest(const std::string& text) {
 
 /// A command in a terminal of so many columns; its lines end in CR LF.
 Run in_terminal(size_t width, const std::string& command, const std::string& folder) {
-  return shell("script -qec \"stty cols " + std::to_string(width) + "; " + command + "\" /dev/null < /dev/null", folder);
+  return shell("script -qec \"stty cols " + std::to_string(width) + "; " + command + "\" /dev/null < /dev/null",
+               folder);
 }
 
 const std::string kBad = "o1 if [1]\no1 endif\no1 if [1]\no1 endif\nM2\n";
@@ -45,11 +46,11 @@ const std::string kBad = "o1 if [1]\no1 endif\no1 if [1]\no1 endif\nM2\n";
 TEST_CASE("how many columns text takes", "[terminal]") {
   CHECK(columns("abc") == 3);
   CHECK(columns("点検") == 4);
-  CHECK(columns("e\xCC\x81") == 1);            // with a combining accent
+  CHECK(columns("e\xCC\x81") == 1);  // with a combining accent
   CHECK(columns("🔧") == 2);
-  CHECK(columns("👩‍🔧") == 2);                  // several code points, one character
+  CHECK(columns("👩‍🔧") == 2);  // several code points, one character
   CHECK(columns("🇩🇪") == 2);
-  CHECK(columns("ａ") == 2);                    // full width
+  CHECK(columns("ａ") == 2);  // full width
   CHECK(columns("\x1b[1;31mred\x1b[0m") == 3);
   CHECK(columns("±°µ") == 3);
 }
@@ -65,7 +66,7 @@ TEST_CASE("marks stand under what they mean", "[terminal]") {
   check("(点検) «o1» if", 7, 2);
   check("(🔧) «o1» if", 5, 2);
   check("(e\xCC\x81) «o1» if", 4, 2);
-  check("(\xB0) «o1» if", 4, 2);           // Latin-1
+  check("(\xB0) «o1» if", 4, 2);  // Latin-1
   check("\t«o1» if", 8, 2);
   check("a\t«o1»\tif", 8, 2);
   check("«a\tb»", 0, 9);
@@ -109,7 +110,9 @@ TEST_CASE("lines break at blanks", "[terminal]") {
 }
 
 TEST_CASE("reports fit a narrow terminal", "[terminal]") {
-  const auto source = Source::own("a.ngc", "o1 if [1] (a comment that goes on and on, and then on again)\no1 endif\no1 if [1] (a comment that goes on and on, and then on again)\no1 endif\nM2\n");
+  const auto source = Source::own("a.ngc",
+                                  "o1 if [1] (a comment that goes on and on, and then on again)\no1 endif\no1 if [1] "
+                                  "(a comment that goes on and on, and then on again)\no1 endif\nM2\n");
   const std::vector<FileReport> reports{lint(source, Profile{}, LintOptions{})};
   REQUIRE(reports[0].findings.size() == 1);
   for (const size_t width : {40U, 60U, 80U}) {
@@ -133,9 +136,12 @@ TEST_CASE("marks stay in place below a line number of any length", "[terminal]")
 }
 
 TEST_CASE("Markdown for terminals", "[terminal]") {
-  const std::string page = "# Title\n\nSome `code` and **more** words that\ngo on.\n\n```\no1 if [1]\n  G0\n```\n\n| a | b |\n|---|---|\n| one | a cell with `code` in it |\n| two | x |\n\n- first\n- second\n\n1. one\n";
+  const std::string page =
+      "# Title\n\nSome `code` and **more** words that\ngo on.\n\n```\no1 if [1]\n  G0\n```\n\n| a | b |\n|---|---|\n| "
+      "one | a cell with `code` in it |\n| two | x |\n\n- first\n- second\n\n1. one\n";
   CHECK(render_markdown(page, false, 30) ==
-        "Title\n\nSome `code` and more words\nthat go on.\n\n    o1 if [1]\n      G0\n\na    b\n---  ------------------------\none  a cell with `code` in it\ntwo  x\n\n- first\n- second\n\n1. one\n");
+        "Title\n\nSome `code` and more words\nthat go on.\n\n    o1 if [1]\n      G0\n\na    b\n---  "
+        "------------------------\none  a cell with `code` in it\ntwo  x\n\n- first\n- second\n\n1. one\n");
   const std::string colored = render_markdown(page, true, 30);
   CHECK(contains(colored, "\x1b[1;4mTitle\x1b[0m"));
   CHECK(contains(colored, "Some \x1b[36mcode\x1b[0m and \x1b[1mmore\x1b[0m"));
@@ -177,7 +183,8 @@ TEST_CASE("colours are for terminals that have them", "[cli][terminal]") {
 TEST_CASE("what is written is as wide as the terminal", "[cli][terminal]") {
   const Scratch s;
   s.write("bad.ngc", kBad);
-  for (const char* command : {"$OWLINT --isolated --color never bad.ngc", "$OWLINT explain --color never OW208", "$OWLINT check --help", "$OWLINT rules"}) {
+  for (const char* command : {"$OWLINT --isolated --color never bad.ngc", "$OWLINT explain --color never OW208",
+                              "$OWLINT check --help", "$OWLINT rules"}) {
     std::string out = in_terminal(60, command, s.path()).out;
     std::erase(out, '\r');
     INFO(command << "\n" << out);

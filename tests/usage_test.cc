@@ -52,9 +52,12 @@ TEST_CASE("usage errors have one voice", "[cli][usage]") {
   CHECK(said("--linuxcnc 2.6 good.ngc").starts_with("--linuxcnc: `2.6` is none of 2.7, 2.8, 2.9, 2.10, all"));
   CHECK(said("graph --format pgn good.ngc").starts_with("--format: `pgn` is none of dot, mermaid, json, svg"));
   CHECK(said("--select OW1O4 good.ngc") == "--select: there is no rule `OW1O4`, did you mean `OW104`?");
-  CHECK(said("--ignore OW104,if-lable-reused good.ngc") == "--ignore: there is no rule `if-lable-reused`, did you mean `if-label-reused`?");
-  CHECK(said("--severity OW104 good.ngc") == "--severity: `OW104` is not CODE=LEVEL with a level of off, info, warning or error");
-  CHECK(said("--severity OW104=fatal good.ngc") == "--severity: `OW104=fatal` is not CODE=LEVEL with a level of off, info, warning or error");
+  CHECK(said("--ignore OW104,if-lable-reused good.ngc") ==
+        "--ignore: there is no rule `if-lable-reused`, did you mean `if-label-reused`?");
+  CHECK(said("--severity OW104 good.ngc") ==
+        "--severity: `OW104` is not CODE=LEVEL with a level of off, info, warning or error");
+  CHECK(said("--severity OW104=fatal good.ngc") ==
+        "--severity: `OW104=fatal` is not CODE=LEVEL with a level of off, info, warning or error");
   CHECK(said("--severity OW999=off good.ngc") == "--severity: there is no rule `OW999`; `owlint rules` lists them");
   CHECK(said("config --show --check .") == "--show and --check do not go together");
   CHECK(said("--config none.toml good.ngc") == "cannot read none.toml: No such file or directory");
@@ -85,7 +88,9 @@ TEST_CASE("a misspelt command or option names the nearest", "[cli][usage]") {
 TEST_CASE("codes are taken in small letters and as names, wherever codes are taken", "[cli][codes]") {
   const Scratch s;
   const std::string bad = s.write("bad.ngc", "o1 if [1]\no1 endif\no1 if [1]\no1 endif\nM2\n");  // OW104
-  const auto status = [&](const std::string& arguments) { return owlint::test::owlint(words(arguments + " bad.ngc"), "", s.path()).status; };
+  const auto status = [&](const std::string& arguments) {
+    return owlint::test::owlint(words(arguments + " bad.ngc"), "", s.path()).status;
+  };
   CHECK(status("--isolated --select if-label-reused") == 1);
   CHECK(status("--isolated --select ow104") == 1);
   CHECK(status("--isolated --select ow2") == 0);
@@ -93,7 +98,9 @@ TEST_CASE("codes are taken in small letters and as names, wherever codes are tak
   CHECK(status("--isolated --select ow2 --extend-select if-label-reused") == 1);
   CHECK(status("--isolated --severity if-label-reused=warning") == 0);
   CHECK(status("--isolated --severity ow1=info") == 0);
-  for (const char* text : {"ignore = [\"ow104\"]\n", "ignore = [\"if-label-reused\"]\n", "[severity]\nif-label-reused = \"off\"\n", "[[overrides]]\nfiles = [\"*\"]\nignore = [\"ow1\"]\n"}) {
+  for (const char* text :
+       {"ignore = [\"ow104\"]\n", "ignore = [\"if-label-reused\"]\n", "[severity]\nif-label-reused = \"off\"\n",
+        "[[overrides]]\nfiles = [\"*\"]\nignore = [\"ow1\"]\n"}) {
     INFO(text);
     s.write("owlint.toml", text);
     CHECK(status("check") == 0);
@@ -101,12 +108,14 @@ TEST_CASE("codes are taken in small letters and as names, wherever codes are tak
 }
 
 TEST_CASE("help is laid out for people", "[cli][usage]") {
-  for (const char* command : {"", "check", "graph", "explain", "rules", "fmt", "lsp", "config", "audit", "audit list", "audit show", "audit export", "audit diff", "audit merge"}) {
+  for (const char* command : {"", "check", "graph", "explain", "rules", "fmt", "lsp", "config", "audit", "audit list",
+                              "audit show", "audit export", "audit diff", "audit merge"}) {
     const Run run = owlint::test::owlint(words(std::string(command) + " --help"));
     INFO(run.out);
     CHECK(run.status == 0);
     CHECK(run.err.empty());
-    for (const char* rest : {"{", "}", "TEXT:", "[OPTIONS] SUBCOMMAND", "Positionals", "REQUIRED"}) CHECK_FALSE(contains(run.out, rest));
+    for (const char* rest : {"{", "}", "TEXT:", "[OPTIONS] SUBCOMMAND", "Positionals", "REQUIRED"})
+      CHECK_FALSE(contains(run.out, rest));
     std::istringstream lines(run.out);
     for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
   }

@@ -17,7 +17,9 @@ void begin_run(Store& store, const Asked& asked, Outcome& outcome) {
   SQLite::Database& db = store.db();
   db.exec("UPDATE run SET state = 'interrupted' WHERE state = 'running'");  // it was killed: nobody else has the store
   outcome.previous = store.last_complete();
-  SQLite::Statement add(db, "INSERT INTO run (started, state, version, tool, options, roots, shard) VALUES (?, 'running', ?, ?, ?, ?, ?)");
+  SQLite::Statement add(
+      db,
+      "INSERT INTO run (started, state, version, tool, options, roots, shard) VALUES (?, 'running', ?, ?, ?, ?, ?)");
   add.bind(1, fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
   add.bind(2, std::string(kToolVersion));
   add.bind(3, asked.tool);
@@ -29,11 +31,15 @@ void begin_run(Store& store, const Asked& asked, Outcome& outcome) {
 }
 
 void end_run(Store& store, const Outcome& outcome, const char* state) {
-  SQLite::Statement done(store.db(), "UPDATE run SET state = ?, seconds = ?, files = ?, analysed = ?, errors = ?, warnings = ?, infos = ?, new = ?, gone = ? WHERE id = ?");
+  SQLite::Statement done(store.db(),
+                         "UPDATE run SET state = ?, seconds = ?, files = ?, analysed = ?, errors = ?, warnings = ?, "
+                         "infos = ?, new = ?, gone = ? WHERE id = ?");
   done.bind(1, state);
   done.bind(2, outcome.seconds);
   int at = 3;
-  for (const size_t number : {outcome.files, outcome.analysed, outcome.errors, outcome.warnings, outcome.infos, outcome.fresh, outcome.gone}) done.bind(at++, static_cast<int64_t>(number));
+  for (const size_t number :
+       {outcome.files, outcome.analysed, outcome.errors, outcome.warnings, outcome.infos, outcome.fresh, outcome.gone})
+    done.bind(at++, static_cast<int64_t>(number));
   done.bind(at, outcome.run);
   done.exec();
 }
@@ -85,7 +91,8 @@ void assemble(Store& store, std::vector<Item>& items, const std::set<std::string
   std::vector<checking::Checked> checked(files.size());
   for (size_t i = 0; i < order.size(); ++i) checked[order[i]] = records.checked(i);
   std::vector<FileReport> complaints;
-  for (size_t i = order.size(); i < records.size(); ++i) std::ranges::move(records.reports(i), std::back_inserter(complaints));
+  for (size_t i = order.size(); i < records.size(); ++i)
+    std::ranges::move(records.reports(i), std::back_inserter(complaints));
 
   checking::RunResult result = checking::put_together(files, std::move(checked), std::move(complaints), {});
   checking::fold_groups(result.reports, {files, checking::folders_of(roots_of(store, outcome.run))});

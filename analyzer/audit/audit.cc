@@ -7,8 +7,8 @@
 
 #define XXH_INLINE_ALL
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <xxhash.h>
+#include <nlohmann/json.hpp>
 
 #include "analyzer/audit/assembly.h"
 #include "analyzer/audit/checking.h"
@@ -31,7 +31,9 @@ class Run {
     const auto start = Clock::now();
     nlohmann::json roots = nlohmann::json::array();
     for (const std::string& path : job_.line.paths) roots.push_back(printable(file_key(path)));
-    begin_run(store_, {options_text(job_.line), roots.dump(), job_.shard.count == 1 ? "" : job_.shard.text(), tool_hash()}, out_);
+    begin_run(store_,
+              {options_text(job_.line), roots.dump(), job_.shard.count == 1 ? "" : job_.shard.text(), tool_hash()},
+              out_);
     find_items();
     compare_with_store();
     Checking checking(store_, facts_, out_.run);
@@ -56,7 +58,8 @@ class Run {
     checking::WalkOptions options = job_.line.walk;
     options.follow_links = true;
     checking::Configuration configuration(job_.line);
-    checking::Walk found = checking::walk(roots, options, [&](const std::string& folder) { return configuration.patterns_in(folder); });
+    checking::Walk found =
+        checking::walk(roots, options, [&](const std::string& folder) { return configuration.patterns_in(folder); });
     out_.problems = std::move(found.problems);
     if (roots.size() > 1) std::ranges::stable_sort(found.files, {}, &checking::WalkedFile::path);
     configuration.know_without_ini(found.without_ini);
@@ -77,7 +80,8 @@ class Run {
         if (item.settings != last) {
           last_id = settings_number(settings_hash(*item.settings));
           last = item.settings;
-          if (const MachineSetup* setup = last->profile.setup.get(); setup != nullptr && machines.insert(setup).second) machines_.push_back(last);
+          if (const MachineSetup* setup = last->profile.setup.get(); setup != nullptr && machines.insert(setup).second)
+            machines_.push_back(last);
         }
         item.settings_id = last_id;
       }
@@ -95,7 +99,8 @@ class Run {
 
   int64_t settings_number(const std::string& hash) {
     if (const auto known = settings_.find(hash); known != settings_.end()) return known->second;
-    SQLite::Statement add(db_, "INSERT INTO settings (hash) VALUES (?) ON CONFLICT (hash) DO UPDATE SET hash = hash RETURNING id");
+    SQLite::Statement add(
+        db_, "INSERT INTO settings (hash) VALUES (?) ON CONFLICT (hash) DO UPDATE SET hash = hash RETURNING id");
     add.bind(1, hash);
     add.executeStep();
     return settings_[hash] = add.getColumn(0).getInt64();
@@ -149,7 +154,8 @@ class Run {
     for (size_t i = 0; i < items_.size(); ++i) {
       Item& item = items_[i];
       if (item.settings == nullptr) continue;
-      item.analyse = item.hash.empty() || item.hash != known[i].hash || item.settings_id != known[i].settings || item.by_machine != known[i].machine;
+      item.analyse = item.hash.empty() || item.hash != known[i].hash || item.settings_id != known[i].settings ||
+          item.by_machine != known[i].machine;
     }
     const auto walked = [this](const std::string& key) {
       const auto item = std::ranges::lower_bound(items_, key, {}, &Item::key);
@@ -173,22 +179,27 @@ class Run {
 
   void complete(Library& library) {
     std::set<std::string> machines;
-    for (const auto& settings : machines_) machines.insert(record_of(checking::check_machines({settings.get()}, library)));
-    SQLite::Statement since(db_, "SELECT count(*) FROM analysis WHERE run > ?");  // by runs that did not come to their end
+    for (const auto& settings : machines_)
+      machines.insert(record_of(checking::check_machines({settings.get()}, library)));
+    SQLite::Statement since(db_,
+                            "SELECT count(*) FROM analysis WHERE run > ?");  // by runs that did not come to their end
     since.bind(1, out_.previous);
     since.executeStep();
-    const bool same_programs = out_.previous != 0 && came_ == 0 && vanished_ == 0 && out_.analysed == 0 && since.getColumn(0).getInt64() == 0;
+    const bool same_programs =
+        out_.previous != 0 && came_ == 0 && vanished_ == 0 && out_.analysed == 0 && since.getColumn(0).getInt64() == 0;
     since.reset();
     // A program that cannot be read or checked, now or in the run before: what is said of it has changed, or may have.
-    const bool troubles = db_.execAndGet("SELECT count(*) FROM content WHERE until IS NULL AND problem <> ''").getInt() > 0 ||
-                          std::ranges::any_of(items_, [](const Item& item) { return !item.problem.empty(); });
+    const bool troubles =
+        db_.execAndGet("SELECT count(*) FROM content WHERE until IS NULL AND problem <> ''").getInt() > 0 ||
+        std::ranges::any_of(items_, [](const Item& item) { return !item.problem.empty(); });
     if (same_programs && !troubles && machine_records(store_) == machines) {
       take_over(store_, out_);
     } else {
       assemble(store_, items_, machines, out_);
     }
     for (const Item& item : items_) {
-      if (item.settings != nullptr && !item.problem.empty()) out_.problems.push_back(fmt::format("cannot read {}: {}", item.key, item.problem));
+      if (item.settings != nullptr && !item.problem.empty())
+        out_.problems.push_back(fmt::format("cannot read {}: {}", item.key, item.problem));
     }
   }
 
@@ -207,7 +218,9 @@ class Run {
 
 std::string Shard::text() const { return fmt::format("{}/{}", index, count); }
 
-bool Shard::has(const std::string& path) const { return count == 1 || XXH3_64bits(path.data(), path.size()) % count == index - 1; }
+bool Shard::has(const std::string& path) const {
+  return count == 1 || XXH3_64bits(path.data(), path.size()) % count == index - 1;
+}
 
 Outcome run_audit(const Job& job, Store& store) { return Run(job, store).go(); }
 

@@ -37,7 +37,8 @@ struct Outcome {
   bool interrupted = false;
   bool unchanged = false;  ///< everything is as in the previous run
   size_t files = 0, analysed = 0, folders_without = 0;
-  size_t errors = 0, warnings = 0, infos = 0, fresh = 0, gone = 0;  ///< findings; new and gone compared with the previous run
+  size_t errors = 0, warnings = 0, infos = 0, fresh = 0,
+         gone = 0;  ///< findings; new and gone compared with the previous run
   double seconds = 0;
   std::vector<std::string> problems;  ///< files that cannot be read, and errors in the configuration
   std::vector<std::string> notes;

@@ -63,7 +63,8 @@ void Checking::put_away(std::vector<Done>& batch) {
   SQLite::Database& db = store_.db();
   SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement file(db, "UPDATE file SET stamp = ?, hash = ?, settings = ?, machine = ? WHERE path = ?");
-  SQLite::Statement analysis(db, "INSERT OR REPLACE INTO analysis (file, run, seconds, bytes, lines, record) VALUES (?, ?, ?, ?, ?, ?)");
+  SQLite::Statement analysis(
+      db, "INSERT OR REPLACE INTO analysis (file, run, seconds, bytes, lines, record) VALUES (?, ?, ?, ?, ?, ?)");
   SQLite::Statement unreadable(db, "DELETE FROM analysis WHERE file = ?");
   for (Done& done : batch) {
     Item& item = *done.item;
@@ -95,7 +96,8 @@ void Checking::put_away(std::vector<Done>& batch) {
   batch.clear();
 }
 
-size_t Checking::run(std::vector<Item>& items, const std::function<void(size_t done, size_t total)>& progress, const std::atomic<bool>* stop) {
+size_t Checking::run(std::vector<Item>& items, const std::function<void(size_t done, size_t total)>& progress,
+                     const std::atomic<bool>* stop) {
   constexpr size_t kBatch = 256;
   constexpr double kLongest = 0.05;  // seconds that something finished waits to be stored
   std::vector<Item*> todo;

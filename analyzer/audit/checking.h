@@ -18,8 +18,8 @@ namespace owlint::audit {
 struct Item {
   std::string key;  ///< its path, absolute
   uint64_t stamp = 0;
-  int64_t file = 0;  ///< its number in the store; 0: new
-  std::string hash;  ///< of its bytes, if known
+  int64_t file = 0;                                    ///< its number in the store; 0: new
+  std::string hash;                                    ///< of its bytes, if known
   std::shared_ptr<const checking::Settings> settings;  ///< null: they are wrong, and the program is not checked
   int64_t settings_id = 0;
   bool by_machine = false;
@@ -32,7 +32,8 @@ class Checking {
   Checking(Store& store, Facts& facts, int64_t run) : store_(store), facts_(facts), run_(run) {}
 
   /// Analyses the items that need it; returns how many were done before `stop` was set.
-  size_t run(std::vector<Item>& items, const std::function<void(size_t done, size_t total)>& progress, const std::atomic<bool>* stop);
+  size_t run(std::vector<Item>& items, const std::function<void(size_t done, size_t total)>& progress,
+             const std::atomic<bool>* stop);
 
   Library& library() { return library_; }
 

@@ -36,7 +36,8 @@ std::vector<Fact> facts_of(const Inputs& inputs, const std::function<std::string
   std::vector<Fact> facts;
   if (!inputs.answers.empty()) {
     const std::string subject = subject_of(*inputs.search_path);
-    for (const Answer& answer : inputs.answers) facts.push_back({static_cast<int>(answer.question), subject, answer.name, answer.text, 0});
+    for (const Answer& answer : inputs.answers)
+      facts.push_back({static_cast<int>(answer.question), subject, answer.name, answer.text, 0});
   }
   std::set<std::string> files;
   for (const auto& source : inputs.called) {
@@ -59,7 +60,9 @@ Facts::Facts(SQLite::Database& db)
       rest_(db, "INSERT OR IGNORE INTO rests_on (file, fact) VALUES (?, ?)") {
   SQLite::Statement all(db, "SELECT id, kind, subject, name, answer, stamp FROM fact");
   while (all.executeStep()) {
-    Stored stored{all.getColumn(0).getInt64(), {all.getColumn(1).getInt(), all.getColumn(2).getString(), all.getColumn(3).getString(), all.getColumn(4).getString(), static_cast<uint64_t>(all.getColumn(5).getInt64())}};
+    Stored stored{all.getColumn(0).getInt64(),
+                  {all.getColumn(1).getInt(), all.getColumn(2).getString(), all.getColumn(3).getString(),
+                   all.getColumn(4).getString(), static_cast<uint64_t>(all.getColumn(5).getInt64())}};
     ids_.emplace(key_of(stored.fact), stored.id);
     stored_.push_back(std::move(stored));
   }
@@ -74,7 +77,8 @@ std::string Facts::key_of(const Fact& fact) {
   return key;
 }
 
-bool Facts::holds(const Fact& fact, const SearchPath* path, const std::function<std::string(const std::string&)>& walked, uint64_t* stamp) const {
+bool Facts::holds(const Fact& fact, const SearchPath* path,
+                  const std::function<std::string(const std::string&)>& walked, uint64_t* stamp) const {
   if (fact.kind != Fact::kBytes) return ask(*path, static_cast<Answer::Question>(fact.kind), fact.name) == fact.answer;
   if (const std::string hash = walked(fact.subject); !hash.empty()) return hash == fact.answer;
   *stamp = checking::stamp_of(fact.subject);

@@ -42,7 +42,8 @@ class Facts {
     int64_t id;
     Fact fact;
   };
-  bool holds(const Fact& fact, const SearchPath* path, const std::function<std::string(const std::string&)>& walked, uint64_t* stamp) const;
+  bool holds(const Fact& fact, const SearchPath* path, const std::function<std::string(const std::string&)>& walked,
+             uint64_t* stamp) const;
   static std::string key_of(const Fact& fact);
 
   SQLite::Database& db_;

@@ -13,8 +13,11 @@ namespace {
 /// The INI as it was read, with where its folders are.
 std::string machine_text(const MachineSetup& setup) {
   std::string text = setup.path;
-  for (const Ini::Entry& entry : setup.ini.entries()) text += fmt::format("\n{}\n{}\n{}\n{}\n{}", entry.source->path(), entry.span.begin, entry.section, entry.key, entry.value);
-  for (const Ini::Entry& entry : setup.ini.missing_includes()) text += fmt::format("\n{}\n{}", entry.source->path(), entry.value);
+  for (const Ini::Entry& entry : setup.ini.entries())
+    text += fmt::format("\n{}\n{}\n{}\n{}\n{}", entry.source->path(), entry.span.begin, entry.section, entry.key,
+                        entry.value);
+  for (const Ini::Entry& entry : setup.ini.missing_includes())
+    text += fmt::format("\n{}\n{}", entry.source->path(), entry.value);
   for (const SearchFolder& folder : setup.search_path->folders()) text += "\n" + file_key(folder.path);
   // What is complained of may hang on whether a folder is there.
   for (const IniFolder& folder : setup.folders) text += folder.exists ? '+' : '-';
@@ -40,9 +43,11 @@ const std::string& tool_hash() {
 std::string settings_hash(const checking::Settings& settings) {
   const Profile& profile = settings.profile;
   const LintOptions& options = settings.options;
-  std::string text = fmt::format("{}\n{} {} {} {} {}\n", tool_hash(), version_text(profile.version), profile.version_given, options.all_versions,
-                                 profile.feature.has_value() ? fmt::format("{}", *profile.feature) : "-", static_cast<int>(options.detail));
-  text += fmt::format("{}\n{}\n{}\n", fmt::join(options.select, ","), fmt::join(options.extend_select, ","), fmt::join(options.ignore, ","));
+  std::string text = fmt::format(
+      "{}\n{} {} {} {} {}\n", tool_hash(), version_text(profile.version), profile.version_given, options.all_versions,
+      profile.feature.has_value() ? fmt::format("{}", *profile.feature) : "-", static_cast<int>(options.detail));
+  text += fmt::format("{}\n{}\n{}\n", fmt::join(options.select, ","), fmt::join(options.extend_select, ","),
+                      fmt::join(options.ignore, ","));
   for (const auto& [code, severity] : options.severity) text += fmt::format("{}={},", code, severity_text(severity));
   for (const std::string& folder : profile.sub_path) text += "\nsub-path " + file_key(folder);
   if (profile.setup != nullptr) text += "\n" + machine_text(*profile.setup);

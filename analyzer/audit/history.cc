@@ -70,7 +70,8 @@ void bind_place(SQLite::Statement& insert, int at, const Source& source, Span sp
   insert.bind(at + 3, end.column);
 }
 
-void insert_finding(SQLite::Statement& insert, const Row& row, int64_t run, const Source& source, const Finding& f, const std::string& record) {
+void insert_finding(SQLite::Statement& insert, const Row& row, int64_t run, const Source& source, const Finding& f,
+                    const std::string& record) {
   insert.bind(1, row.file);
   insert.bind(2, run);
   insert.bind(3, row.first);
@@ -107,9 +108,12 @@ void write_contents(Store& store, int64_t run, const std::vector<Item>& items) {
   };
   std::unordered_map<int64_t, Old> known;
   SQLite::Statement all(db, "SELECT file, hash, problem FROM content WHERE until IS NULL");
-  while (all.executeStep()) known.emplace(all.getColumn(0).getInt64(), Old{all.getColumn(1).getString(), all.getColumn(2).getString(), false});
+  while (all.executeStep())
+    known.emplace(all.getColumn(0).getInt64(), Old{all.getColumn(1).getString(), all.getColumn(2).getString(), false});
   SQLite::Statement close(db, "UPDATE content SET until = ? WHERE file = ? AND until IS NULL");
-  SQLite::Statement add(db, "INSERT INTO content (file, since, hash, bytes, lines, problem) SELECT ?1, ?2, ?3, coalesce(max(bytes), 0), coalesce(max(lines), 0), ?4 FROM analysis WHERE file = ?1");
+  SQLite::Statement add(db,
+                        "INSERT INTO content (file, since, hash, bytes, lines, problem) SELECT ?1, ?2, ?3, "
+                        "coalesce(max(bytes), 0), coalesce(max(lines), 0), ?4 FROM analysis WHERE file = ?1");
   SQLite::Statement present(db, "UPDATE file SET present = ? WHERE path = ?");
   SQLite::Statement absent(db, "UPDATE file SET present = 0, hash = '', stamp = 0 WHERE id = ?");
   SQLite::Statement unknown(db, "DELETE FROM analysis WHERE file = ?");
@@ -145,10 +149,12 @@ void write_contents(Store& store, int64_t run, const std::vector<Item>& items) {
 
 Changes write_findings(Store& store, int64_t run, const std::vector<FileReport>& reports) {
   SQLite::Database& db = store.db();
-  std::multimap<std::pair<int64_t, std::string>, std::pair<Row, std::string>> known;  // by file and fingerprint: with the record
+  std::multimap<std::pair<int64_t, std::string>, std::pair<Row, std::string>>
+      known;  // by file and fingerprint: with the record
   SQLite::Statement all(db, "SELECT id, file, first, fingerprint, record FROM finding WHERE until IS NULL");
   while (all.executeStep()) {
-    Row row{all.getColumn(0).getInt64(), all.getColumn(1).getInt64(), all.getColumn(2).getInt64(), all.getColumn(3).getString()};
+    Row row{all.getColumn(0).getInt64(), all.getColumn(1).getInt64(), all.getColumn(2).getInt64(),
+            all.getColumn(3).getString()};
     known.emplace(std::pair(row.file, row.fingerprint), std::pair(row, blob_of(all.getColumn(4))));
   }
   struct Came {
@@ -170,7 +176,10 @@ Changes write_findings(Store& store, int64_t run, const std::vector<FileReport>&
       if (same != to) {
         known.erase(same);
       } else {
-        came.push_back({{0, file, 0, prints[i]}, finding.source == nullptr ? report.source.get() : finding.source.get(), &finding, std::move(record)});
+        came.push_back({{0, file, 0, prints[i]},
+                        finding.source == nullptr ? report.source.get() : finding.source.get(),
+                        &finding,
+                        std::move(record)});
       }
     }
   }
@@ -184,7 +193,8 @@ Changes write_findings(Store& store, int64_t run, const std::vector<FileReport>&
   for (Came& one : came) rows.push_back(&one.row);
   const Changes changes = pairing.settle(rows, run);
   SQLite::Statement insert(db,
-                           "INSERT INTO finding (file, since, first, code, rule, severity, line, \"column\", end_line, end_column, message, help, interpreter, stops, reach, "
+                           "INSERT INTO finding (file, since, first, code, rule, severity, line, \"column\", end_line, "
+                           "end_column, message, help, interpreter, stops, reach, "
                            "scope, fingerprint, record) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const Came& one : came) insert_finding(insert, one.row, run, *one.source, *one.finding, one.record);
   return changes;
@@ -193,11 +203,13 @@ Changes write_findings(Store& store, int64_t run, const std::vector<FileReport>&
 Difference difference(Store& a, int64_t run_a, Store& b, int64_t run_b) {
   const auto rows = [](Store& store, int64_t run) {
     std::vector<StoredFinding> all;
-    SQLite::Statement query(store.db(),
-                            "SELECT finding.id, file.path, fingerprint FROM finding JOIN file ON file.id = finding.file "
-                            "WHERE since <= ?1 AND (until IS NULL OR until > ?1) ORDER BY file.path, line, \"column\", code, finding.id");
+    SQLite::Statement query(
+        store.db(),
+        "SELECT finding.id, file.path, fingerprint FROM finding JOIN file ON file.id = finding.file "
+        "WHERE since <= ?1 AND (until IS NULL OR until > ?1) ORDER BY file.path, line, \"column\", code, finding.id");
     query.bind(1, run);
-    while (query.executeStep()) all.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getString(), query.getColumn(2).getString()});
+    while (query.executeStep())
+      all.push_back({query.getColumn(0).getInt64(), query.getColumn(1).getString(), query.getColumn(2).getString()});
     return all;
   };
   // Takes out of both what is the same by a key; the same file first, then the fingerprint alone.

@@ -21,24 +21,32 @@ struct Part {
 };
 
 Part part_of(Store& store) {
-  SQLite::Statement last(store.db(), "SELECT options, roots, shard, tool, analysed FROM run WHERE state = 'complete' ORDER BY id DESC LIMIT 1");
+  SQLite::Statement last(
+      store.db(),
+      "SELECT options, roots, shard, tool, analysed FROM run WHERE state = 'complete' ORDER BY id DESC LIMIT 1");
   if (!last.executeStep()) throw StoreProblem(fmt::format("the store {} has no complete run", store.path()));
-  return {{last.getColumn(0).getString(), last.getColumn(1).getString(), last.getColumn(2).getString(), last.getColumn(3).getString()}, static_cast<size_t>(last.getColumn(4).getInt64())};
+  return {{last.getColumn(0).getString(), last.getColumn(1).getString(), last.getColumn(2).getString(),
+           last.getColumn(3).getString()},
+          static_cast<size_t>(last.getColumn(4).getInt64())};
 }
 
 /// Copies what a store knows of its programs.
 class Importer {
  public:
-  Importer(Store& from, Store& into, Facts& facts, int64_t run) : from_(from.db()), into_(into.db()), facts_(facts), run_(run) {}
+  Importer(Store& from, Store& into, Facts& facts, int64_t run)
+      : from_(from.db()), into_(into.db()), facts_(facts), run_(run) {}
 
   void import(std::vector<Item>& items) {
     read_settings();
     SQLite::Statement files(from_,
-                            "SELECT path, id, stamp, file.hash, settings, machine, content.problem, seconds, analysis.bytes, analysis.lines, record FROM file "
-                            "JOIN content ON content.file = file.id AND content.until IS NULL LEFT JOIN analysis ON analysis.file = file.id WHERE present = 1 ORDER BY path");
+                            "SELECT path, id, stamp, file.hash, settings, machine, content.problem, seconds, "
+                            "analysis.bytes, analysis.lines, record FROM file "
+                            "JOIN content ON content.file = file.id AND content.until IS NULL LEFT JOIN analysis ON "
+                            "analysis.file = file.id WHERE present = 1 ORDER BY path");
     SQLite::Statement put(into_, "UPDATE file SET stamp = ?, hash = ?, settings = ?, machine = ? WHERE id = ?");
     SQLite::Statement known(into_, "SELECT record FROM analysis WHERE file = ?");
-    SQLite::Statement analysis(into_, "INSERT OR REPLACE INTO analysis (file, run, seconds, bytes, lines, record) VALUES (?, ?, ?, ?, ?, ?)");
+    SQLite::Statement analysis(
+        into_, "INSERT OR REPLACE INTO analysis (file, run, seconds, bytes, lines, record) VALUES (?, ?, ?, ?, ?, ?)");
     while (files.executeStep()) {
       Item item;
       item.key = files.getColumn(0).getString();
@@ -76,7 +84,8 @@ class Importer {
  private:
   void read_settings() {
     SQLite::Statement all(from_, "SELECT id, hash FROM settings");
-    SQLite::Statement add(into_, "INSERT INTO settings (hash) VALUES (?) ON CONFLICT (hash) DO UPDATE SET hash = hash RETURNING id");
+    SQLite::Statement add(
+        into_, "INSERT INTO settings (hash) VALUES (?) ON CONFLICT (hash) DO UPDATE SET hash = hash RETURNING id");
     while (all.executeStep()) {
       add.bind(1, all.getColumn(1).getString());
       add.executeStep();
@@ -87,10 +96,13 @@ class Importer {
 
   std::vector<Fact> facts_for(int64_t file) {
     std::vector<Fact> facts;
-    SQLite::Statement query(from_, "SELECT kind, subject, name, answer, stamp FROM fact JOIN rests_on ON rests_on.fact = fact.id WHERE rests_on.file = ?");
+    SQLite::Statement query(from_,
+                            "SELECT kind, subject, name, answer, stamp FROM fact JOIN rests_on ON rests_on.fact = "
+                            "fact.id WHERE rests_on.file = ?");
     query.bind(1, file);
     while (query.executeStep()) {
-      facts.push_back({query.getColumn(0).getInt(), query.getColumn(1).getString(), query.getColumn(2).getString(), query.getColumn(3).getString(), static_cast<uint64_t>(query.getColumn(4).getInt64())});
+      facts.push_back({query.getColumn(0).getInt(), query.getColumn(1).getString(), query.getColumn(2).getString(),
+                       query.getColumn(3).getString(), static_cast<uint64_t>(query.getColumn(4).getInt64())});
     }
     return facts;
   }
@@ -108,12 +120,18 @@ void check_parts(const std::vector<Part>& parts, const std::vector<std::string>&
   size_t count = 0;
   for (size_t i = 0; i < parts.size(); ++i) {
     const Asked& one = parts[i].asked;
-    if (one.shard.empty()) throw StoreProblem(fmt::format("the store {} is no shard's: its run had no --shard", stores[i]));
-    if (one.tool != parts[0].asked.tool) throw StoreProblem(fmt::format("{} and {} were written by different builds of owlint", stores[0], stores[i]));
-    if (one.options != parts[0].asked.options || one.roots != parts[0].asked.roots) throw StoreProblem(fmt::format("{} and {} are of different jobs: their paths or options differ", stores[0], stores[i]));
+    if (one.shard.empty())
+      throw StoreProblem(fmt::format("the store {} is no shard's: its run had no --shard", stores[i]));
+    if (one.tool != parts[0].asked.tool)
+      throw StoreProblem(fmt::format("{} and {} were written by different builds of owlint", stores[0], stores[i]));
+    if (one.options != parts[0].asked.options || one.roots != parts[0].asked.roots)
+      throw StoreProblem(
+          fmt::format("{} and {} are of different jobs: their paths or options differ", stores[0], stores[i]));
     if (!shards.insert(one.shard).second) throw StoreProblem(fmt::format("shard {} is there twice", one.shard));
     const size_t of = std::stoul(one.shard.substr(one.shard.find('/') + 1));
-    if (count != 0 && of != count) throw StoreProblem(fmt::format("{} and {} are of different jobs: {} and {} shards", stores[0], stores[i], count, of));
+    if (count != 0 && of != count)
+      throw StoreProblem(
+          fmt::format("{} and {} are of different jobs: {} and {} shards", stores[0], stores[i], count, of));
     count = of;
   }
   std::vector<std::string> missing;
@@ -121,7 +139,8 @@ void check_parts(const std::vector<Part>& parts, const std::vector<std::string>&
     const std::string shard = fmt::format("{}/{}", i, count);
     if (!shards.contains(shard)) missing.push_back(shard);
   }
-  if (!missing.empty()) throw StoreProblem(fmt::format("not all shards are there: {} missing", fmt::join(missing, ", ")));
+  if (!missing.empty())
+    throw StoreProblem(fmt::format("not all shards are there: {} missing", fmt::join(missing, ", ")));
 }
 
 }  // namespace

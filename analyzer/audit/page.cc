@@ -37,7 +37,8 @@ using Json = nlohmann::ordered_json;
 /// around findings. CAM programs are millions of lines of motion.
 class ShownLines {
  public:
-  ShownLines(const Program& program, const std::vector<Finding>& findings) : source_(*program.source), count_(source_.line_count()) {
+  ShownLines(const Program& program, const std::vector<Finding>& findings)
+      : source_(*program.source), count_(source_.line_count()) {
     if (count_ <= kShort) {
       keep(1, count_, 0);
       return;
@@ -67,11 +68,12 @@ class ShownLines {
  private:
   static constexpr uint32_t kShort = 1500;
   static constexpr size_t kMost = 4000;
-  static constexpr uint32_t kHole = 3;  // as many lines are shown rather than left out
+  static constexpr uint32_t kHole = 3;     // as many lines are shown rather than left out
   static constexpr size_t kWidest = 2000;  // bytes of a line that are shown
 
   void keep(uint32_t first, uint32_t last, uint32_t around) {
-    for (uint32_t line = first > around ? first - around : 1; line <= std::min(count_, last + around); ++line) lines_.insert(line);
+    for (uint32_t line = first > around ? first - around : 1; line <= std::min(count_, last + around); ++line)
+      lines_.insert(line);
   }
 
   std::string text(uint32_t number) const {
@@ -141,11 +143,13 @@ class Page {
   enum Kind { kProgram, kIni, kElsewhere };
 
   void write_element(const std::string& id, const Json& json) { write_packed(id, packed(json.dump())); }
-  void write_packed(const std::string& id, const std::string& data) { out_ << "<script type=\"text/plain\" id=\"" << id << "\">" << data << "</script>\n"; }
+  void write_packed(const std::string& id, const std::string& data) {
+    out_ << "<script type=\"text/plain\" id=\"" << id << "\">" << data << "</script>\n";
+  }
 
   /// Parts of the programs that have findings, then of the others as long as the page stays handy.
   void write_parts() {
-    constexpr size_t kGroup = 192 << 10;       // bytes of programs in a part
+    constexpr size_t kGroup = 192 << 10;         // bytes of programs in a part
     constexpr size_t kHandy = size_t{40} << 20;  // bytes of parts
     std::vector<size_t> order;
     std::unordered_map<size_t, const FileReport*> report_of;
@@ -182,7 +186,8 @@ class Page {
           Json part = Json::object();
           for (const size_t i : groups[g]) {
             const auto report = report_of.find(i);
-            part[std::to_string(i)] = details(i, report == report_of.end() ? nullptr : report->second, settings[i].get());
+            part[std::to_string(i)] =
+                details(i, report == report_of.end() ? nullptr : report->second, settings[i].get());
           }
           return packed(part.dump());
         },
@@ -245,12 +250,23 @@ class Page {
   }
 
   Json index() {
-    Json index{{"schema", "owlint-page-2"}, {"tool", {{"name", kToolName}, {"version", kToolVersion}}}, {"made", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
+    Json index{{"schema", "owlint-page-2"},
+               {"tool", {{"name", kToolName}, {"version", kToolVersion}}},
+               {"made", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))}};
     for (const std::string& root : paths_.roots()) index["roots"].push_back(printable(root));
     for (const RunRow& run : runs_of(store_)) {
       if (run.state != "complete" || run.id > run_) continue;
-      index["runs"].push_back({{"id", run.id}, {"started", run.started}, {"seconds", run.seconds}, {"version", run.version}, {"files", run.files}, {"checked", run.analysed},
-                               {"errors", run.errors}, {"warnings", run.warnings}, {"infos", run.infos}, {"new", run.fresh}, {"gone", run.gone}});
+      index["runs"].push_back({{"id", run.id},
+                               {"started", run.started},
+                               {"seconds", run.seconds},
+                               {"version", run.version},
+                               {"files", run.files},
+                               {"checked", run.analysed},
+                               {"errors", run.errors},
+                               {"warnings", run.warnings},
+                               {"infos", run.infos},
+                               {"new", run.fresh},
+                               {"gone", run.gone}});
     }
     Json rules = Json::array();
     Json found;
@@ -283,7 +299,8 @@ class Page {
     const auto [at, added] = rules_.emplace(code, rules_.size());
     if (added) {
       const Rule* rule = find_rule(code);
-      rules.push_back({{"code", rule->code}, {"name", rule->name}, {"summary", rule->summary}, {"markdown", rule_page(*rule)}});
+      rules.push_back(
+          {{"code", rule->code}, {"name", rule->name}, {"summary", rule->summary}, {"markdown", rule_page(*rule)}});
     }
     return at->second;
   }
@@ -291,7 +308,8 @@ class Page {
   static int level(Severity severity) { return static_cast<int>(severity) - 1; }
 
   void findings(Json& json, Json& rules) {
-    for (const char* column : {"file", "rule", "severity", "line", "column", "message", "fix", "isNew"}) json[column] = Json::array();
+    for (const char* column : {"file", "rule", "severity", "line", "column", "message", "fix", "isNew"})
+      json[column] = Json::array();
     const int64_t before = run_before(store_, run_);
     std::map<std::string, size_t> fresh;  // how often a fingerprint is new
     if (before != 0) {
@@ -340,7 +358,9 @@ class Page {
       json["to"].push_back(to);
     };
     for (const auto& [from, to] : direct_) add(from, to);
-    SQLite::Statement all(store_.db(), "SELECT file.path, fact.subject FROM rests_on JOIN fact ON fact.id = rests_on.fact JOIN file ON file.id = rests_on.file WHERE fact.kind = 4 ORDER BY 1, 2");
+    SQLite::Statement all(store_.db(),
+                          "SELECT file.path, fact.subject FROM rests_on JOIN fact ON fact.id = rests_on.fact JOIN file "
+                          "ON file.id = rests_on.file WHERE fact.kind = 4 ORDER BY 1, 2");
     while (all.executeStep()) {
       const auto from = number_.find(all.getColumn(0).getString());
       const auto to = number_.find(all.getColumn(1).getString());
@@ -389,6 +409,8 @@ class Page {
 
 bool has_page() { return !page_template().empty(); }
 
-void write_page(std::ostream& out, Store& store, int64_t run, const checking::CheckRequest& line) { Page(out, store, run, line).write(); }
+void write_page(std::ostream& out, Store& store, int64_t run, const checking::CheckRequest& line) {
+  Page(out, store, run, line).write();
+}
 
 }  // namespace owlint::audit

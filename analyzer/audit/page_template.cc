@@ -5,7 +5,8 @@
 __asm__(
     ".section .rodata\n"
     "owlint_page_begin:\n"
-    ".incbin \"" OWLINT_PAGE "\"\n"
+    ".incbin \"" OWLINT_PAGE
+    "\"\n"
     "owlint_page_end:\n"
     ".byte 0\n"
     ".previous\n");

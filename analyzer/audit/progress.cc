@@ -31,7 +31,8 @@ void Progress::start_bar(size_t total) {
   ::posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
   ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   const std::string size = std::to_string(total);
-  std::array<const char*, 12> arguments = {"pv", "--line-mode", "--size", size.c_str(), "--progress", "--eta", "--rate", "--bytes", "--name", "programs", nullptr, nullptr};
+  std::array<const char*, 12> arguments = {"pv",     "--line-mode", "--size", size.c_str(), "--progress", "--eta",
+                                           "--rate", "--bytes",     "--name", "programs",   nullptr,      nullptr};
   pid_t pid = -1;
   const int problem = ::posix_spawnp(&pid, "pv", &files, nullptr, const_cast<char**>(arguments.data()), environ);
   ::posix_spawn_file_actions_destroy(&files);

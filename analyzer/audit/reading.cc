@@ -37,14 +37,18 @@ std::vector<FileReport> joined(Records& records) {
 
 std::vector<RunRow> runs_of(Store& store) {
   std::vector<RunRow> runs;
-  SQLite::Statement all(store.db(), "SELECT id, started, state, version, options, roots, shard, seconds, files, analysed, errors, warnings, infos, new, gone FROM run ORDER BY id");
+  SQLite::Statement all(store.db(),
+                        "SELECT id, started, state, version, options, roots, shard, seconds, files, analysed, errors, "
+                        "warnings, infos, new, gone FROM run ORDER BY id");
   while (all.executeStep()) {
     RunRow& run = runs.emplace_back();
     run.id = all.getColumn(0).getInt64();
     int at = 1;
-    for (std::string* text : {&run.started, &run.state, &run.version, &run.options, &run.roots, &run.shard}) *text = all.getColumn(at++).getString();
+    for (std::string* text : {&run.started, &run.state, &run.version, &run.options, &run.roots, &run.shard})
+      *text = all.getColumn(at++).getString();
     run.seconds = all.getColumn(at++).getDouble();
-    for (size_t* count : {&run.files, &run.analysed, &run.errors, &run.warnings, &run.infos, &run.fresh, &run.gone}) *count = number(all.getColumn(at++));
+    for (size_t* count : {&run.files, &run.analysed, &run.errors, &run.warnings, &run.infos, &run.fresh, &run.gone})
+      *count = number(all.getColumn(at++));
   }
   return runs;
 }
@@ -57,7 +61,8 @@ std::optional<int64_t> find_run(Store& store, const std::string& text) {
       if (!given || *given < 0) return std::nullopt;
       back = *given;
     }
-    SQLite::Statement query(store.db(), "SELECT id FROM run WHERE state = 'complete' ORDER BY id DESC LIMIT 1 OFFSET ?");
+    SQLite::Statement query(store.db(),
+                            "SELECT id FROM run WHERE state = 'complete' ORDER BY id DESC LIMIT 1 OFFSET ?");
     query.bind(1, back);
     if (query.executeStep()) return query.getColumn(0).getInt64();
     return std::nullopt;
@@ -79,12 +84,14 @@ int64_t run_before(Store& store, int64_t run) {
 
 std::vector<ProgramRow> programs_of(Store& store, int64_t run) {
   std::vector<ProgramRow> programs;
-  SQLite::Statement all(store.db(),
-                        "SELECT path, content.hash, bytes, lines, problem FROM content JOIN file ON file.id = content.file "
-                        "WHERE since <= ?1 AND (until IS NULL OR until > ?1) ORDER BY path");
+  SQLite::Statement all(
+      store.db(),
+      "SELECT path, content.hash, bytes, lines, problem FROM content JOIN file ON file.id = content.file "
+      "WHERE since <= ?1 AND (until IS NULL OR until > ?1) ORDER BY path");
   all.bind(1, run);
   while (all.executeStep()) {
-    programs.push_back({all.getColumn(0).getString(), all.getColumn(1).getString(), number(all.getColumn(2)), static_cast<uint32_t>(all.getColumn(3).getInt64()), all.getColumn(4).getString()});
+    programs.push_back({all.getColumn(0).getString(), all.getColumn(1).getString(), number(all.getColumn(2)),
+                        static_cast<uint32_t>(all.getColumn(3).getInt64()), all.getColumn(4).getString()});
   }
   return programs;
 }
@@ -92,7 +99,8 @@ std::vector<ProgramRow> programs_of(Store& store, int64_t run) {
 std::vector<FileReport> reports_of(Store& store, int64_t run, bool all) {
   Records records;
   SQLite::Statement query(store.db(),
-                          "SELECT record FROM finding JOIN file ON file.id = finding.file WHERE since <= ?1 AND (until IS NULL OR until > ?1) "
+                          "SELECT record FROM finding JOIN file ON file.id = finding.file WHERE since <= ?1 AND (until "
+                          "IS NULL OR until > ?1) "
                           "ORDER BY path, line, \"column\", code, finding.id");
   query.bind(1, run);
   while (query.executeStep()) records.add(blob_of(query.getColumn(0)));
@@ -101,9 +109,11 @@ std::vector<FileReport> reports_of(Store& store, int64_t run, bool all) {
   std::map<std::string, bool> reported;
   for (const FileReport& report : reports) reported.emplace(report.source->path(), true);
   for (const ProgramRow& program : programs_of(store, run)) {
-    if (program.problem.empty() && !reported.contains(program.path)) reports.push_back({Source::excerpt(program.path, {}, program.lines), {}, {}});
+    if (program.problem.empty() && !reported.contains(program.path))
+      reports.push_back({Source::excerpt(program.path, {}, program.lines), {}, {}});
   }
-  std::ranges::stable_sort(reports, {}, [](const FileReport& report) -> const std::string& { return report.source->path(); });
+  std::ranges::stable_sort(reports, {},
+                           [](const FileReport& report) -> const std::string& { return report.source->path(); });
   return reports;
 }
 

@@ -30,7 +30,8 @@ class Writer {
   }
 
   Json program(const ProgramReport& program) {
-    return {{"own", report(program.own)}, {"called", list(program.called)}, {"calls", program.calls}, {"python", program.python},
+    return {{"own", report(program.own)},   {"called", list(program.called)},
+            {"calls", program.calls},       {"python", program.python},
             {"sub_file", program.sub_file}, {"only_definitions", program.only_definitions}};
   }
 
@@ -89,10 +90,26 @@ class Writer {
     }
     Json consequences = Json::array();
     for (const Consequence& c : f.consequences) consequences.push_back({c.code, place(in, c.span), c.interpreter});
-    return {{"code", f.code}, {"severity", static_cast<int>(f.severity)}, {"span", place(in, f.span)}, {"source", f.source == nullptr ? Json(nullptr) : Json(source(in))},
-            {"scope", f.scope}, {"message", f.message}, {"help", f.help}, {"interpreter", f.interpreter}, {"reach", static_cast<int>(f.reach)},
-            {"stops", f.stops}, {"unproven", f.unproven}, {"never_ends", f.never_ends}, {"runs_other", f.runs_other}, {"group", f.group}, {"related", related(in, f.related)}, {"path", related(in, f.path)},
-            {"fixes", std::move(fixes)}, {"consequences", std::move(consequences)}, {"block_delete", f.block_delete}, {"versions", f.versions}};
+    return {{"code", f.code},
+            {"severity", static_cast<int>(f.severity)},
+            {"span", place(in, f.span)},
+            {"source", f.source == nullptr ? Json(nullptr) : Json(source(in))},
+            {"scope", f.scope},
+            {"message", f.message},
+            {"help", f.help},
+            {"interpreter", f.interpreter},
+            {"reach", static_cast<int>(f.reach)},
+            {"stops", f.stops},
+            {"unproven", f.unproven},
+            {"never_ends", f.never_ends},
+            {"runs_other", f.runs_other},
+            {"group", f.group},
+            {"related", related(in, f.related)},
+            {"path", related(in, f.path)},
+            {"fixes", std::move(fixes)},
+            {"consequences", std::move(consequences)},
+            {"block_delete", f.block_delete},
+            {"versions", f.versions}};
   }
 
   std::vector<std::pair<const Source*, std::set<uint32_t>>> sources_;
@@ -114,7 +131,9 @@ auto whole(const Work& work) {
 
 Span span_of(const Json& json) { return {json.at(0).get<uint64_t>(), json.at(1).get<uint64_t>()}; }
 
-std::shared_ptr<const Source> source_at(const Json& json, const Sources& sources) { return json.is_null() ? nullptr : sources.at(json.get<size_t>()); }
+std::shared_ptr<const Source> source_at(const Json& json, const Sources& sources) {
+  return json.is_null() ? nullptr : sources.at(json.get<size_t>());
+}
 
 std::vector<Related> related_of(const Json& json, const Sources& sources) {
   std::vector<Related> all;

@@ -37,7 +37,8 @@ class Records {
   checking::Checked read_checked(const nlohmann::json& record);
   std::vector<std::shared_ptr<const Source>> sources_of(const nlohmann::json& record);
   FileReport report(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;
-  std::vector<FileReport> list(const nlohmann::json& json, const std::vector<std::shared_ptr<const Source>>& sources) const;
+  std::vector<FileReport> list(const nlohmann::json& json,
+                               const std::vector<std::shared_ptr<const Source>>& sources) const;
 
   std::vector<nlohmann::json> records_;
   std::map<std::string, Kept> kept_;

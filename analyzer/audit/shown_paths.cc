@@ -12,7 +12,8 @@ namespace {
 /// The last `count` parts of a path, without a slash at its end.
 std::string_view tail(std::string_view path, size_t count) {
   size_t at = path.size();
-  for (; count > 0 && at != std::string_view::npos; --count) at = at == 0 ? std::string_view::npos : path.rfind('/', at - 1);
+  for (; count > 0 && at != std::string_view::npos; --count)
+    at = at == 0 ? std::string_view::npos : path.rfind('/', at - 1);
   return at == std::string_view::npos ? path : path.substr(at + 1);
 }
 
@@ -47,12 +48,13 @@ std::string outside(std::string_view path) {
   return "…/" + std::string(end.substr(end.starts_with('/') ? 1 : 0));
 }
 
-constexpr size_t kLongest = 4096;                      // bytes of a path
+constexpr size_t kLongest = 4096;                        // bytes of a path
 constexpr std::string_view kEnds = "/ \t\n,;:|)]>`'\"";  // what may follow a part of one
 
 bool starts_path(std::string_view words, size_t at) {
   constexpr std::string_view kBefore = " \t\n`'\"(:=,;|<[";
-  if (words[at] != '/' || (at > 0 && kBefore.find(words[at - 1]) == std::string_view::npos) || at + 1 == words.size()) return false;
+  if (words[at] != '/' || (at > 0 && kBefore.find(words[at - 1]) == std::string_view::npos) || at + 1 == words.size())
+    return false;
   const auto next = static_cast<unsigned char>(words[at + 1]);
   return std::isalpha(next) != 0 || next == '_' || next == '.' || next >= 0x80;  // `/ M30` and `[#1 /2]` are none
 }
@@ -60,7 +62,11 @@ bool starts_path(std::string_view words, size_t at) {
 /// Where a path ends that starts at `at`: at the quote or bracket that closes it, or else at the next blank.
 size_t path_end(std::string_view words, size_t at) {
   const char before = at == 0 ? ' ' : words[at - 1];
-  const std::string_view ends = before == '`' ? "`" : before == '"' ? "\"" : before == '\'' ? "'" : before == '(' ? ")" : " \t\n,;:|)]>`'\"";
+  const std::string_view ends = before == '`' ? "`"
+      : before == '"'                         ? "\""
+      : before == '\''                        ? "'"
+      : before == '('                         ? ")"
+                                              : " \t\n,;:|)]>`'\"";
   return std::min(words.find_first_of(ends, at), words.size());
 }
 
@@ -85,8 +91,10 @@ void ShownPaths::know(const std::string& path) {
 std::string ShownPaths::path(const std::string& path) const {
   const std::string key = file_key(path);
   if (const auto self = roots_.find(key); self != roots_.end()) return self->second;
-  for (size_t slash = 0; slash != std::string::npos; slash = key.find('/', slash + 1)) {  // the outermost root names what is in it
-    if (const auto root = roots_.find(key.substr(0, slash)); root != roots_.end()) return below(root->second) + key.substr(slash + 1);
+  for (size_t slash = 0; slash != std::string::npos;
+       slash = key.find('/', slash + 1)) {  // the outermost root names what is in it
+    if (const auto root = roots_.find(key.substr(0, slash)); root != roots_.end())
+      return below(root->second) + key.substr(slash + 1);
   }
   return outside(key);
 }

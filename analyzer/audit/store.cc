@@ -29,11 +29,14 @@ bool is_other_file(const std::string& path) {
 
 }  // namespace
 
-std::string blob_of(const SQLite::Column& column) { return {static_cast<const char*>(column.getBlob()), static_cast<size_t>(column.getBytes())}; }
+std::string blob_of(const SQLite::Column& column) {
+  return {static_cast<const char*>(column.getBlob()), static_cast<size_t>(column.getBytes())};
+}
 
 std::string words_of(const SQLite::Exception& problem, const std::string& path) {
   switch (problem.getErrorCode()) {
-    case SQLITE_FULL: return fmt::format("cannot write the store {}: no space left; what was committed before is safe", path);
+    case SQLITE_FULL:
+      return fmt::format("cannot write the store {}: no space left; what was committed before is safe", path);
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB: return fmt::format("{} is not an owlint store, or is damaged: {}", path, problem.what());
     case SQLITE_BUSY:
@@ -59,8 +62,9 @@ Store::Hold::Hold(const std::string& path, bool wait) : fd_(::open(path.c_str(),
   const bool held = errno == EAGAIN || errno == EACCES;
   const std::string why = std::strerror(errno);
   ::close(fd_);
-  throw StoreProblem(held ? fmt::format("another audit is using the store {}: wait until it has finished, or use --wait", path)
-                          : fmt::format("cannot lock the store {}: {}", path, why));
+  throw StoreProblem(
+      held ? fmt::format("another audit is using the store {}: wait until it has finished, or use --wait", path)
+           : fmt::format("cannot lock the store {}: {}", path, why));
 }
 
 Store::Hold::~Hold() { ::close(fd_); }
@@ -70,16 +74,20 @@ Store Store::open(const std::string& path, For use, bool wait) {
   store.path_ = path;
   std::error_code problem;
   const bool writing = use == For::kWriting;
-  if (!writing && !std::filesystem::exists(path, problem)) throw StoreProblem(fmt::format("there is no store {}: `owlint audit PATH… --store FILE` makes one", path));
+  if (!writing && !std::filesystem::exists(path, problem))
+    throw StoreProblem(fmt::format("there is no store {}: `owlint audit PATH… --store FILE` makes one", path));
   const auto kind = std::filesystem::status(path, problem).type();
   using Type = std::filesystem::file_type;
-  if (kind != Type::regular && kind != Type::directory && kind != Type::not_found && kind != Type::none) throw StoreProblem(fmt::format("{} is not an owlint store: it is not a file", path));
+  if (kind != Type::regular && kind != Type::directory && kind != Type::not_found && kind != Type::none)
+    throw StoreProblem(fmt::format("{} is not an owlint store: it is not a file", path));
   if (is_other_file(path)) throw StoreProblem(fmt::format("{} is not an owlint store", path));
   if (writing) store.hold_ = std::make_unique<Hold>(path, wait);
   try {
     // A reader that may write as well takes SQLite's files beside the store away when it is the last to close it.
     const bool writable = writing || ::access(path.c_str(), W_OK) == 0;
-    store.db_ = std::make_unique<SQLite::Database>(path, writable ? SQLite::OPEN_READWRITE | (writing ? SQLite::OPEN_CREATE : 0) : SQLite::OPEN_READONLY, kPatienceMs);
+    store.db_ = std::make_unique<SQLite::Database>(
+        path, writable ? SQLite::OPEN_READWRITE | (writing ? SQLite::OPEN_CREATE : 0) : SQLite::OPEN_READONLY,
+        kPatienceMs);
     if (!writing) store.db_->exec("PRAGMA query_only = 1");
     store.migrate(writing);
   } catch (const SQLite::Exception& e) {
@@ -92,11 +100,14 @@ void Store::migrate(bool writing) {
   const int version = db_->execAndGet("PRAGMA user_version").getInt();
   const int application = db_->execAndGet("PRAGMA application_id").getInt();
   const bool fresh = db_->execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
-  if (!fresh && application != kApplicationId) throw StoreProblem(fmt::format("{} is a database, but not an owlint store", path_));
+  if (!fresh && application != kApplicationId)
+    throw StoreProblem(fmt::format("{} is a database, but not an owlint store", path_));
   const auto wanted = static_cast<int>(kSteps.size());
   if (version > wanted) throw StoreProblem(fmt::format("the store {} was written by a newer owlint", path_));
   if (!writing) {
-    if (version < wanted) throw StoreProblem(fmt::format("the store {} was written by an older owlint: the next `owlint audit` updates it", path_));
+    if (version < wanted)
+      throw StoreProblem(
+          fmt::format("the store {} was written by an older owlint: the next `owlint audit` updates it", path_));
     return;
   }
   // A network file system may refuse WAL; then SQLite keeps its old way, which is as safe.
@@ -111,6 +122,8 @@ void Store::migrate(bool writing) {
   }
 }
 
-int64_t Store::last_complete() { return db_->execAndGet("SELECT coalesce(max(id), 0) FROM run WHERE state = 'complete'").getInt64(); }
+int64_t Store::last_complete() {
+  return db_->execAndGet("SELECT coalesce(max(id), 0) FROM run WHERE state = 'complete'").getInt64();
+}
 
 }  // namespace owlint::audit

@@ -14,9 +14,11 @@ constexpr int kEvents = IN_CLOSE_WRITE | IN_MOVED_FROM | IN_MOVED_TO | IN_CREATE
 }  // namespace
 
 Watch::Watch(const std::vector<std::string>& folders) {
-  if (!::inotifytools_initialize()) throw std::runtime_error(std::string("cannot watch folders: ") + std::strerror(::inotifytools_error()));
+  if (!::inotifytools_initialize())
+    throw std::runtime_error(std::string("cannot watch folders: ") + std::strerror(::inotifytools_error()));
   for (const std::string& folder : folders) {
-    if (!::inotifytools_watch_recursively(folder.c_str(), kEvents)) throw std::runtime_error("cannot watch " + folder + ": " + std::strerror(::inotifytools_error()));
+    if (!::inotifytools_watch_recursively(folder.c_str(), kEvents))
+      throw std::runtime_error("cannot watch " + folder + ": " + std::strerror(::inotifytools_error()));
   }
 }
 
@@ -35,7 +37,8 @@ bool Watch::wait(const std::atomic<bool>& stop) {
     const std::string_view name = event->len > 0 ? std::string_view(event->name) : std::string_view();
     if ((event->mask & IN_ISDIR) != 0 && (event->mask & (IN_CREATE | IN_MOVED_TO)) != 0) {
       const char* folder = ::inotifytools_filename_from_wd(event->wd);
-      if (folder != nullptr) ::inotifytools_watch_recursively((std::string(folder) + std::string(name)).c_str(), kEvents);
+      if (folder != nullptr)
+        ::inotifytools_watch_recursively((std::string(folder) + std::string(name)).c_str(), kEvents);
     }
     if (!name.starts_with('.')) changed = true;
   }

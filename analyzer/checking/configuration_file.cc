@@ -14,7 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kKeys = {"ini", "find-ini", "sub-path", "feature", "linuxcnc", "select", "ignore", "extend-select", "severity", "fail-on", "exclude", "include", "overrides"};
+const std::vector<std::string> kKeys = {"ini",     "find-ini", "sub-path",      "feature",  "linuxcnc",
+                                        "select",  "ignore",   "extend-select", "severity", "fail-on",
+                                        "exclude", "include",  "overrides"};
 const std::vector<std::string> kOverrideKeys = {"files", "select", "ignore", "extend-select", "severity"};
 
 using Texts = std::optional<std::vector<std::string>>;
@@ -27,7 +29,8 @@ class Reader {
     read_text(table, "ini", "mill.ini", &file->ini);
     read_text(table, "linuxcnc", "2.9", &file->linuxcnc);
     if (file->linuxcnc && *file->linuxcnc != "all" && !version_from_text(*file->linuxcnc)) {
-      wrong(*table.get("linuxcnc"), fmt::format("`linuxcnc` must be one of 2.7, 2.8, 2.9, 2.10, all, not `{}`", *file->linuxcnc));
+      wrong(*table.get("linuxcnc"),
+            fmt::format("`linuxcnc` must be one of 2.7, 2.8, 2.9, 2.10, all, not `{}`", *file->linuxcnc));
     }
     read_list(table, "sub-path", "folders", &file->sub_path);
     read_list(table, "exclude", "patterns", &file->exclude);
@@ -40,7 +43,8 @@ class Reader {
     }
     if (const toml::node* node = table.get("fail-on")) {
       Severity severity{};
-      if (!severity_from_text(node->value_or(std::string()), &severity) || severity == Severity::kOff) wrong(*node, "`fail-on` is one of info, warning, error");
+      if (!severity_from_text(node->value_or(std::string()), &severity) || severity == Severity::kOff)
+        wrong(*node, "`fail-on` is one of info, warning, error");
       file->fail_on = severity;
     }
     read_overrides(table, file);
@@ -66,7 +70,8 @@ class Reader {
     }
   }
 
-  void read_text(const toml::table& table, std::string_view key, std::string_view example, std::optional<std::string>* text) {
+  void read_text(const toml::table& table, std::string_view key, std::string_view example,
+                 std::optional<std::string>* text) {
     const toml::node* node = table.get(key);
     if (node == nullptr) return;
     *text = node->value_exact<std::string>();
@@ -80,9 +85,11 @@ class Reader {
     list->emplace();
     const toml::array* array = node->as_array();
     for (size_t i = 0; array != nullptr && i < array->size(); ++i) {
-      if (auto text = array->get(i)->value_exact<std::string>(); text && !text->empty()) (*list)->push_back(std::move(*text));
+      if (auto text = array->get(i)->value_exact<std::string>(); text && !text->empty())
+        (*list)->push_back(std::move(*text));
     }
-    if (array == nullptr || (*list)->size() != array->size()) wrong(*node, fmt::format("`{}` must be a list of {}", key, what));
+    if (array == nullptr || (*list)->size() != array->size())
+      wrong(*node, fmt::format("`{}` must be a list of {}", key, what));
   }
 
   void read_codes(const toml::table& table, std::string_view key, Texts* codes) {
@@ -107,7 +114,8 @@ class Reader {
       std::string error;
       Severity severity{};
       if (!take_code(&code, &error)) wrong(value, error);
-      if (!severity_from_text(value.value_or(std::string()), &severity)) wrong(value, fmt::format("the severity of `{}` must be one of off, info, warning, error", code));
+      if (!severity_from_text(value.value_or(std::string()), &severity))
+        wrong(value, fmt::format("the severity of `{}` must be one of off, info, warning, error", code));
       selection->severity[code] = severity;
     }
   }
@@ -116,7 +124,8 @@ class Reader {
     const toml::node* node = table.get("feature");
     if (node == nullptr) return;
     const auto number = node->value_exact<int64_t>();
-    file->feature = number && *number >= 0 ? std::optional(static_cast<uint32_t>(*number)) : parse_mask(node->value_or(std::string()));
+    file->feature = number && *number >= 0 ? std::optional(static_cast<uint32_t>(*number))
+                                           : parse_mask(node->value_or(std::string()));
     if (!file->feature) wrong(*node, "`feature` is a number, as 32 or 0x20");
   }
 
@@ -124,14 +133,16 @@ class Reader {
     const toml::node* node = table.get("overrides");
     if (node == nullptr) return;
     const toml::array* list = node->as_array();
-    if (list == nullptr || !list->is_array_of_tables()) return wrong(*node, "`overrides` must be a list of tables, written `[[overrides]]`");
+    if (list == nullptr || !list->is_array_of_tables())
+      return wrong(*node, "`overrides` must be a list of tables, written `[[overrides]]`");
     for (size_t i = 0; i < list->size(); ++i) {
       const toml::table& entry = *list->get(i)->as_table();
       check_keys(entry, kOverrideKeys);
       Texts files;
       read_list(entry, "files", "patterns", &files);
       if ((!files || files->empty()) && problem_.empty()) wrong(entry, "an override needs `files`, a list of patterns");
-      ConfigurationFile::Override& override = file->overrides.emplace_back(ConfigurationFile::Override{files.value_or(std::vector<std::string>()), {}, entry.source().begin.line});
+      ConfigurationFile::Override& override = file->overrides.emplace_back(
+          ConfigurationFile::Override{files.value_or(std::vector<std::string>()), {}, entry.source().begin.line});
       read_selection(entry, &override.selection);
     }
   }
@@ -148,7 +159,9 @@ IgnorePatterns patterns_of(const Texts& list) {
 
 }  // namespace
 
-std::string ConfigurationFile::place_of(std::string_view key) const { return fmt::format("{}:{}", path, lines.find(key)->second); }
+std::string ConfigurationFile::place_of(std::string_view key) const {
+  return fmt::format("{}:{}", path, lines.find(key)->second);
+}
 
 std::shared_ptr<const ConfigurationFile> read_configuration_file(const std::string& path, std::string* error) {
   const auto source = Source::map(path, error);
@@ -174,7 +187,9 @@ std::shared_ptr<const ConfigurationFile> read_configuration_file(const std::stri
     *error = path + ": " + reader.problem();
     return nullptr;
   }
-  if (file->exclude || file->include) file->patterns = std::make_shared<FilePatterns>(FilePatterns{file->folder, patterns_of(file->exclude), patterns_of(file->include)});
+  if (file->exclude || file->include)
+    file->patterns = std::make_shared<FilePatterns>(
+        FilePatterns{file->folder, patterns_of(file->exclude), patterns_of(file->include)});
   return file;
 }
 

@@ -20,8 +20,8 @@ struct Selection {
 };
 
 struct ConfigurationFile {
-  std::string path;    ///< as seen from the working folder
-  std::string folder;  ///< absolute; everything that the file names is seen from here
+  std::string path;                                    ///< as seen from the working folder
+  std::string folder;                                  ///< absolute; everything that the file names is seen from here
   std::map<std::string, uint32_t, std::less<>> lines;  ///< of its keys
   std::optional<std::string> ini, linuxcnc;
   std::optional<std::vector<std::string>> sub_path, exclude, include;

@@ -13,7 +13,8 @@ constexpr int kMaxRounds = 50;
 
 class Fixer {
  public:
-  Fixer(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe)
+  Fixer(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read,
+        bool unsafe)
       : files_(files), settings_(settings), read_(read), unsafe_(unsafe) {
     for (size_t i = 0; i < files.size(); ++i) place_.emplace(file_key(files[i]), i);
   }
@@ -95,15 +96,16 @@ class Fixer {
   const std::vector<const Settings*>& settings_;
   const Read& read_;
   bool unsafe_;
-  std::map<std::string, size_t> place_;            // of a file, by its key
-  std::map<size_t, FixedFile> fixed_;              // by place
-  std::vector<std::vector<std::string>> calls_;    // by place
-  std::set<std::string> called_;                   // keys of files that some program calls
+  std::map<std::string, size_t> place_;          // of a file, by its key
+  std::map<size_t, FixedFile> fixed_;            // by place
+  std::vector<std::vector<std::string>> calls_;  // by place
+  std::set<std::string> called_;                 // keys of files that some program calls
 };
 
 }  // namespace
 
-FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe) {
+FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
+                      const Read& read, bool unsafe) {
   return Fixer(files, settings, read, unsafe).run();
 }
 

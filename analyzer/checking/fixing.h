@@ -25,6 +25,7 @@ struct FixResult {
 
 /// Like run_checks(), but makes the fixes of all findings: the safe ones, or with `unsafe` all. Programs that call a fixed
 /// file are checked with the fixed text.
-FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read, bool unsafe);
+FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
+                      const Read& read, bool unsafe);
 
 }  // namespace owlint::checking

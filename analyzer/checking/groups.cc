@@ -66,7 +66,9 @@ class Folder {
   /// Whether a finding is one more place of a group.
   bool joins(size_t report, size_t place, Finding& f) {
     const std::shared_ptr<const Source>& source = reports_[report].source;
-    const auto [entry, first] = groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group}, Group{report, place, 1, {}, {}, {}});
+    const auto [entry, first] =
+        groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group},
+                            Group{report, place, 1, {}, {}, {}});
     Group& group = entry->second;
     group.files.insert(source.get());
     if (first) return false;
@@ -80,7 +82,8 @@ class Folder {
     FileReport& report = reports_[group.report];
     Finding& f = report.findings[group.finding];
     if (group.places > 1) {
-      f.message += group.files.size() == 1 ? fmt::format(" ({} places)", group.places) : fmt::format(" ({} places in {} files)", group.places, group.files.size());
+      f.message += group.files.size() == 1 ? fmt::format(" ({} places)", group.places)
+                                           : fmt::format(" ({} places in {} files)", group.places, group.files.size());
     }
     for (Related& other : group.others) {
       if (other.source == report.source) other.source = nullptr;
@@ -90,20 +93,26 @@ class Folder {
       const std::string folder = file->substr(0, file->rfind('/') + 1);
       const std::string shown = folder.size() > 1 ? folder.substr(0, folder.size() - 1) : folder.empty() ? "." : folder;
       group.found_in = shown;
-      f.help = fmt::format("if `{}` is meant, say `--sub-path {}`, or `sub-path = [\"{}\"]` in owlint.toml, or `--ini FILE` with the machine's INI", *file, shown, shown);
+      f.help = fmt::format(
+          "if `{}` is meant, say `--sub-path {}`, or `sub-path = [\"{}\"]` in owlint.toml, or `--ini FILE` with the "
+          "machine's INI",
+          *file, shown, shown);
     }
   }
 
   /// Names that are all in one folder lack one setting: the first speaks for them.
   void fold_by_folder() {
-    std::map<std::tuple<std::string, std::string, std::string>, std::vector<std::pair<std::string, Group*>>> missing;  // by folder of the run, code, folder
+    std::map<std::tuple<std::string, std::string, std::string>, std::vector<std::pair<std::string, Group*>>>
+        missing;  // by folder of the run, code, folder
     for (auto& [key, group] : groups_) {
-      if (!group.found_in.empty()) missing[{std::get<0>(key), std::get<1>(key), group.found_in}].emplace_back(std::get<2>(key), &group);
+      if (!group.found_in.empty())
+        missing[{std::get<0>(key), std::get<1>(key), group.found_in}].emplace_back(std::get<2>(key), &group);
     }
     std::map<size_t, std::set<size_t>> folded;  // findings, by report
     for (auto& [key, groups] : missing) {
       if (groups.size() == 1) continue;
-      std::ranges::sort(groups, {}, [](const auto& named) { return std::pair(named.second->report, named.second->finding); });
+      std::ranges::sort(groups, {},
+                        [](const auto& named) { return std::pair(named.second->report, named.second->finding); });
       const Group& first = *groups[0].second;
       Finding& f = reports_[first.report].findings[first.finding];
       constexpr size_t kNamed = 3;
@@ -112,15 +121,19 @@ class Folder {
         const Group& other = *groups[i].second;
         const Finding& moved = reports_[other.report].findings[other.finding];
         if (names.size() < kNamed) names.push_back("`" + groups[i].first + "`");
-        if (f.related.size() < kMaxPlaces) f.related.push_back({moved.span, "`" + groups[i].first + "` is called here", other.report == first.report ? nullptr : reports_[other.report].source});
+        if (f.related.size() < kMaxPlaces)
+          f.related.push_back({moved.span, "`" + groups[i].first + "` is called here",
+                               other.report == first.report ? nullptr : reports_[other.report].source});
         folded[other.report].insert(other.finding);
       }
       const size_t more = groups.size() - 1 - names.size();
-      f.message += fmt::format("; nor {}{}: all are in `{}`", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "", std::get<2>(key));
+      f.message += fmt::format("; nor {}{}: all are in `{}`", fmt::join(names, ", "),
+                               more > 0 ? fmt::format(" and {} more", more) : "", std::get<2>(key));
     }
     for (const auto& of_report : folded) {
       size_t at = 0;
-      std::erase_if(reports_[of_report.first].findings, [&](const Finding&) { return of_report.second.contains(at++); });
+      std::erase_if(reports_[of_report.first].findings,
+                    [&](const Finding&) { return of_report.second.contains(at++); });
     }
   }
 

@@ -18,7 +18,9 @@ std::vector<std::string> split(std::string_view path) {
   return parts;
 }
 
-bool fits_part(const std::string& pattern, const std::string& part) { return ::fnmatch(pattern.c_str(), part.c_str(), 0) == 0; }
+bool fits_part(const std::string& pattern, const std::string& part) {
+  return ::fnmatch(pattern.c_str(), part.c_str(), 0) == 0;
+}
 
 /// Parts of a pattern against parts of a path. As with `*` in a text, only the last `**` has to be tried again.
 bool fits(const std::vector<std::string>& pattern, const std::vector<std::string>& path) {

@@ -13,8 +13,8 @@
 #include <sstream>
 #include <vector>
 
-#include <dtl/dtl.hpp>
 #include <fmt/format.h>
+#include <dtl/dtl.hpp>
 
 #include "analyzer/text/source.h"
 
@@ -77,7 +77,8 @@ bool replace_file(const std::string& path, std::string_view text, std::string* e
   }
   // Its owner stays where that is allowed.
   [[maybe_unused]] const int owned = ::fchown(fd, info.st_uid, info.st_gid);
-  const bool good = ::fchmod(fd, info.st_mode & 07777) == 0 && write_all(fd, text) && ::fsync(fd) == 0 && std::rename(fresh.c_str(), target.c_str()) == 0;
+  const bool good = ::fchmod(fd, info.st_mode & 07777) == 0 && write_all(fd, text) && ::fsync(fd) == 0 &&
+      std::rename(fresh.c_str(), target.c_str()) == 0;
   if (!good) {
     *error = std::strerror(errno);
     ::unlink(fresh.c_str());
@@ -117,7 +118,8 @@ std::string unified_diff(const std::string& path, std::string_view before, std::
   while (tail < shorter - head && before[before.size() - 1 - tail] == after[after.size() - 1 - tail]) ++tail;
   const auto end_of = [&](std::string_view text) {
     size_t end = text.size() - tail;
-    for (int lines = 0; lines <= kContext && end < text.size(); ++lines) end = std::min(text.find('\n', end), text.size() - 1) + 1;
+    for (int lines = 0; lines <= kContext && end < text.size(); ++lines)
+      end = std::min(text.find('\n', end), text.size() - 1) + 1;
     return end;
   };
   const size_t skipped = static_cast<size_t>(std::ranges::count(before.substr(0, head), '\n'));
@@ -129,9 +131,11 @@ std::string unified_diff(const std::string& path, std::string_view before, std::
   std::ostringstream out;
   out << fmt::format("--- {}\n+++ {}\n", path, path);
   for (auto hunk : diff.getUniHunks()) {
-    out << fmt::format("@@ -{},{} +{},{} @@\n", hunk.a + static_cast<long long>(skipped), hunk.b, hunk.c + static_cast<long long>(skipped), hunk.d);
+    out << fmt::format("@@ -{},{} +{},{} @@\n", hunk.a + static_cast<long long>(skipped), hunk.b,
+                       hunk.c + static_cast<long long>(skipped), hunk.d);
     const auto write = [&out](const auto& lines) {
-      for (const auto& [line, info] : lines) out << (info.type == dtl::SES_ADD ? '+' : info.type == dtl::SES_DELETE ? '-' : ' ') << line << '\n';
+      for (const auto& [line, info] : lines)
+        out << (info.type == dtl::SES_ADD ? '+' : info.type == dtl::SES_DELETE ? '-' : ' ') << line << '\n';
     };
     write(hunk.common[0]);
     write(hunk.change);

@@ -26,10 +26,11 @@ void drop_guesses(FileReport& report) {
 bool among_subs(const std::string& path, const Settings& settings) {
   const std::string file = file_key(path);
   const std::string_view folder = folder_of(file);
-  if (std::ranges::any_of(settings.profile.sub_path, [&](const std::string& f) { return file_key(f) == folder; })) return true;
-  return settings.profile.setup != nullptr && std::ranges::any_of(settings.profile.setup->folders, [&](const IniFolder& f) {
-    return f.key == "SUBROUTINE_PATH" && file_key(f.path) == folder;
-  });
+  if (std::ranges::any_of(settings.profile.sub_path, [&](const std::string& f) { return file_key(f) == folder; }))
+    return true;
+  return settings.profile.setup != nullptr &&
+      std::ranges::any_of(settings.profile.setup->folders,
+                          [&](const IniFolder& f) { return f.key == "SUBROUTINE_PATH" && file_key(f.path) == folder; });
 }
 
 /// What is true of a program only: a file that is called and lacks its sub is none either, nor is one of definitions
@@ -56,11 +57,14 @@ std::set<std::string> called_by_machines(const std::vector<const Settings*>& set
   return files;
 }
 
-Checked check_file(const std::shared_ptr<const Source>& source, const Settings& settings, Library& library, bool by_machine) {
+Checked check_file(const std::shared_ptr<const Source>& source, const Settings& settings, Library& library,
+                   bool by_machine) {
   const auto program = library.load(source);
   Checked checked;
-  checked.report = lint(program, settings.profile, settings.options, library, by_machine ? Role::kSubFile : Role::kByContent);
-  if (checked.report.role_matters) checked.as_sub = lint(program, settings.profile, settings.options, library, Role::kSubFile);
+  checked.report =
+      lint(program, settings.profile, settings.options, library, by_machine ? Role::kSubFile : Role::kByContent);
+  if (checked.report.role_matters)
+    checked.as_sub = lint(program, settings.profile, settings.options, library, Role::kSubFile);
   checked.among_subs = among_subs(source->path(), settings);
   return checked;
 }
@@ -75,8 +79,8 @@ std::vector<FileReport> check_machines(const std::vector<const Settings*>& setti
   return reports;
 }
 
-RunResult put_together(const std::vector<std::string>& files, std::vector<Checked> checked, std::vector<FileReport> machines,
-                       std::set<std::string> called) {
+RunResult put_together(const std::vector<std::string>& files, std::vector<Checked> checked,
+                       std::vector<FileReport> machines, std::set<std::string> called) {
   RunResult result;
   // Files that other files call are not programs, whatever else is in them.
   for (size_t i = 0; i < files.size(); ++i) {
@@ -114,15 +118,17 @@ RunResult put_together(const std::vector<std::string>& files, std::vector<Checke
   for (FileReport& report : machines) add(std::move(report));
   for (auto& [key, report] : others) result.reports.push_back(std::move(report));
   if (!python.empty()) {
-    result.notes.push_back(fmt::format("neither a sub nor a file, so assumed to be functions of the INI's [PYTHON] module: {}", fmt::join(python, ", ")));
+    result.notes.push_back(
+        fmt::format("neither a sub nor a file, so assumed to be functions of the INI's [PYTHON] module: {}",
+                    fmt::join(python, ", ")));
   }
   return result;
 }
 
-RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
-                     const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-                     Library& library, const std::set<std::string>& called_elsewhere,
-                     const std::function<void(size_t done)>& checked) {
+RunResult run_checks(
+    const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
+    const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
+    Library& library, const std::set<std::string>& called_elsewhere, const std::function<void(size_t done)>& checked) {
   library.name_files(files);
   std::vector<std::string> errors(files.size());
   const std::set<std::string> by_machines = called_by_machines(settings);
@@ -135,7 +141,8 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
       checked(done++);
     }
     if (settings[i] == nullptr) return;
-    if (const auto source = read(files[i], &errors[i])) all[i] = check_file(source, *settings[i], library, by_machines.contains(file_key(files[i])));
+    if (const auto source = read(files[i], &errors[i]))
+      all[i] = check_file(source, *settings[i], library, by_machines.contains(file_key(files[i])));
   });
   RunResult result = put_together(files, std::move(all), check_machines(settings, library), called_elsewhere);
   result.errors = std::move(errors);

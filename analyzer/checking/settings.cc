@@ -112,7 +112,8 @@ std::vector<std::string> Configuration::machine_inis(const std::string& folder) 
   std::vector<std::string> out;
   if (without_ini_ != nullptr && without_ini_->contains(folder)) return out;
   std::error_code ignored;
-  for (fs::directory_iterator entry(folder, ignored); !ignored && entry != fs::directory_iterator(); entry.increment(ignored)) {
+  for (fs::directory_iterator entry(folder, ignored); !ignored && entry != fs::directory_iterator();
+       entry.increment(ignored)) {
     if (entry->path().extension() == ".ini" && is_machine_ini(entry->path())) out.push_back(entry->path().string());
   }
   std::ranges::sort(out);
@@ -151,19 +152,27 @@ std::string Configuration::ini_above(const std::string& program) {
 std::vector<std::string> Configuration::notes() const {
   const auto some = [](const std::vector<std::string>& names) {
     const size_t most = 3;
-    const std::string text = fmt::format("{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most)), ", "));
+    const std::string text = fmt::format(
+        "{}",
+        fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most)), ", "));
     return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
   };
   std::vector<std::string> notes = notes_;
   if (used_inis_.size() == 1) {
     notes.push_back(fmt::format("using the machine INI {} (--no-find-ini turns this off)", used_inis_[0]));
   } else if (used_inis_.size() > 1) {
-    notes.push_back(fmt::format("using {} machine INIs, each for the programs in and below its folder: {} (--no-find-ini turns this off)", used_inis_.size(), some(used_inis_)));
+    notes.push_back(fmt::format(
+        "using {} machine INIs, each for the programs in and below its folder: {} (--no-find-ini turns this off)",
+        used_inis_.size(), some(used_inis_)));
   }
   if (undecided_.size() == 1) {
-    notes.push_back(fmt::format("{} machine INIs in {}, none is used: choose one with --ini", first_undecided_, undecided_[0]));
+    notes.push_back(
+        fmt::format("{} machine INIs in {}, none is used: choose one with --ini", first_undecided_, undecided_[0]));
   } else if (undecided_.size() > 1) {
-    notes.push_back(fmt::format("{} folders have several machine INIs each, so none of them is used: {}; choose one with --ini, or with `ini` in an owlint.toml there", undecided_.size(), some(undecided_)));
+    notes.push_back(
+        fmt::format("{} folders have several machine INIs each, so none of them is used: {}; choose one with --ini, or "
+                    "with `ini` in an owlint.toml there",
+                    undecided_.size(), some(undecided_)));
   }
   return notes;
 }
@@ -173,7 +182,8 @@ std::string Configuration::shown_path(const std::string& path, const std::string
   return request_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
 }
 
-bool Configuration::find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings, std::string* error) const {
+bool Configuration::find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings,
+                                  std::string* error) const {
   std::vector<std::string>& folders = settings->profile.sub_path;
   const auto add = [&](const std::string& path, const std::string& from) {
     std::error_code problem;
@@ -221,7 +231,8 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     codes("select", selection.select);
     codes("extend-select", selection.extend_select);
     codes("ignore", selection.ignore);
-    for (const auto& [code, level] : selection.severity) note("severity." + code, std::string(severity_text(level)), where("severity"));
+    for (const auto& [code, level] : selection.severity)
+      note("severity." + code, std::string(severity_text(level)), where("severity"));
   };
   const auto line_of = [&](std::string_view key) { return file->place_of(key); };
   std::optional<std::string> ini = request_.ini;
@@ -250,9 +261,11 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     std::error_code ignored;
     const std::string relative = fs::absolute(path, ignored).lexically_relative(file->folder).string();
     for (const ConfigurationFile::Override& entry : file->overrides) {
-      if (std::ranges::any_of(entry.files, [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {
+      if (std::ranges::any_of(entry.files,
+                              [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {
         apply(entry.selection, &options);
-        note_selection(entry.selection, [&](const char*) { return fmt::format("{}:{} [[overrides]]", file->path, entry.line); });
+        note_selection(entry.selection,
+                       [&](const char*) { return fmt::format("{}:{} [[overrides]]", file->path, entry.line); });
       }
     }
   }
@@ -293,7 +306,9 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     *into = std::move(codes);
     return true;
   };
-  if (!take(request_.select, &given.select) || !take(request_.extend_select, &given.extend_select) || !take(request_.ignore, &given.ignore)) return false;
+  if (!take(request_.select, &given.select) || !take(request_.extend_select, &given.extend_select) ||
+      !take(request_.ignore, &given.ignore))
+    return false;
   note_selection(given, [](const char*) { return "command line"; });
   if (request_.linuxcnc) note("linuxcnc", *request_.linuxcnc, "command line");
   if (request_.feature) note("feature", *request_.feature, "command line");

@@ -76,7 +76,8 @@ class Configuration {
   std::string nearest(const std::string& program);
   bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
   /// The folders of `--sub-path`, then those of the configuration file.
-  bool find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings, std::string* error) const;
+  bool find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings,
+                     std::string* error) const;
   std::vector<std::string> machine_inis(const std::string& folder) const;
   std::string ini_above(const std::string& program);
   /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
@@ -89,12 +90,13 @@ class Configuration {
   std::shared_ptr<const Settings> last_shared_;
   std::map<std::string, std::shared_ptr<const ConfigurationFile>> files_;
   std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
-  std::map<std::pair<std::string, std::vector<std::string>>, std::shared_ptr<const MachineSetup>> inis_;  // by path and sub-path
+  std::map<std::pair<std::string, std::vector<std::string>>, std::shared_ptr<const MachineSetup>>
+      inis_;                                       // by path and sub-path
   std::map<std::string, std::string> inis_above_;  // folder -> INI, "" for none
-  std::vector<std::string> used_inis_;  // found above programs
-  std::vector<std::string> undecided_;  // folders with several INIs
-  size_t first_undecided_ = 0;          // how many the first of them has
-  std::vector<std::string> notes_;      // what else there is to say
+  std::vector<std::string> used_inis_;             // found above programs
+  std::vector<std::string> undecided_;             // folders with several INIs
+  size_t first_undecided_ = 0;                     // how many the first of them has
+  std::vector<std::string> notes_;                 // what else there is to say
 };
 
 }  // namespace owlint::checking

@@ -33,7 +33,9 @@ uint64_t stamp(const struct stat& info) {
   constexpr time_t kCoarse = 2;
   const time_t now = ::time(nullptr);
   if (info.st_mtim.tv_sec + kCoarse >= now || info.st_ctim.tv_sec + kCoarse >= now) return 0;
-  const std::array<int64_t, 6> all = {info.st_size, static_cast<int64_t>(info.st_ino), info.st_mtim.tv_sec, info.st_mtim.tv_nsec, info.st_ctim.tv_sec, info.st_ctim.tv_nsec};
+  const std::array<int64_t, 6> all = {info.st_size,        static_cast<int64_t>(info.st_ino),
+                                      info.st_mtim.tv_sec, info.st_mtim.tv_nsec,
+                                      info.st_ctim.tv_sec, info.st_ctim.tv_nsec};
   return XXH3_64bits(all.data(), sizeof(all)) | 1;
 }
 
@@ -50,12 +52,16 @@ using FileId = std::pair<dev_t, ino_t>;
 /// Patterns, and how a path that is walked looks from the folder that they are seen from.
 class View {
  public:
-  View(std::shared_ptr<const FilePatterns> patterns, const std::string& root) : patterns_(std::move(patterns)), prefix_(root.size()) {
-    const std::string from = fs::path(file_key(root.empty() ? "." : root)).lexically_relative(patterns_->folder).string();
+  View(std::shared_ptr<const FilePatterns> patterns, const std::string& root)
+      : patterns_(std::move(patterns)), prefix_(root.size()) {
+    const std::string from =
+        fs::path(file_key(root.empty() ? "." : root)).lexically_relative(patterns_->folder).string();
     if (from != ".") lead_ = from.ends_with('/') ? from : from + '/';
   }
 
-  std::optional<bool> excludes(std::string_view path, bool folder) const { return decide(patterns_->exclude, path, folder); }
+  std::optional<bool> excludes(std::string_view path, bool folder) const {
+    return decide(patterns_->exclude, path, folder);
+  }
   /// Whether a file or one of the folders that it lies in is left out.
   bool excludes_from_above(std::string_view file) const {
     const std::string path = lead_ + std::string(file.substr(prefix_));
@@ -79,7 +85,7 @@ class View {
 
 /// All that hold in a folder.
 struct Views {
-  std::vector<View> given;         ///< by options: they decide first
+  std::vector<View> given;  ///< by options: they decide first
   std::optional<View> configured;
 
   std::optional<bool> excludes(std::string_view path, bool folder) const {
@@ -89,7 +95,8 @@ struct Views {
     return configured ? configured->excludes(path, folder) : std::nullopt;
   }
   bool includes(std::string_view path) const {
-    return std::ranges::any_of(given, [&](const View& view) { return view.includes(path); }) || (configured && configured->includes(path));
+    return std::ranges::any_of(given, [&](const View& view) { return view.includes(path); }) ||
+        (configured && configured->includes(path));
   }
 };
 
@@ -118,7 +125,9 @@ struct Folder {
   }
 };
 
-bool is_program(const std::string& file, const Views& views) { return has_program_ending(std::string_view(file).substr(file.rfind('/') + 1)) || views.includes(file); }
+bool is_program(const std::string& file, const Views& views) {
+  return has_program_ending(std::string_view(file).substr(file.rfind('/') + 1)) || views.includes(file);
+}
 
 struct Link {
   std::string path;
@@ -156,7 +165,8 @@ struct Listing {
 /// Walks one tree after the other, the folders of a level over all cores; remembers what it has seen.
 class Walker {
  public:
-  Walker(const WalkOptions& options, const PatternsIn& patterns, Walk& out) : options_(options), patterns_(patterns), out_(out) {}
+  Walker(const WalkOptions& options, const PatternsIn& patterns, Walk& out)
+      : options_(options), patterns_(patterns), out_(out) {}
 
   void tree(const std::string& root) {
     const size_t before = out_.files.size();
@@ -174,9 +184,12 @@ class Walker {
     }
     links_.clear();
     // Folder by folder they are nearly in order: merging is faster than partitioning.
-    std::ranges::stable_sort(out_.files.begin() + static_cast<std::ptrdiff_t>(before), out_.files.end(), {}, &WalkedFile::path);
+    std::ranges::stable_sort(out_.files.begin() + static_cast<std::ptrdiff_t>(before), out_.files.end(), {},
+                             &WalkedFile::path);
     if (out_.files.size() == before && !options_.allow_empty) {
-      out_.problems.push_back("no programs in " + root + " (*.ngc *.nc *.tap *.cnc *.gcode); `--include` adds other names, and `--allow-empty` allows a folder without programs");
+      out_.problems.push_back("no programs in " + root +
+                              " (*.ngc *.nc *.tap *.cnc *.gcode); `--include` adds other names, and `--allow-empty` "
+                              "allows a folder without programs");
     }
   }
 
@@ -185,7 +198,7 @@ class Walker {
     const std::string folder = file.substr(0, file.rfind('/') + 1);
     const auto views = views_in(folder, given_views(folder));
     return std::ranges::any_of(views->given, [&](const View& view) { return view.excludes_from_above(file); }) ||
-           (views->configured && views->configured->excludes_from_above(file));
+        (views->configured && views->configured->excludes_from_above(file));
   }
 
  private:
@@ -193,7 +206,8 @@ class Walker {
   std::shared_ptr<const Views> views_in(const std::string& folder, std::vector<View> given) {
     auto views = std::make_shared<Views>(Views{std::move(given), std::nullopt});
     const std::lock_guard lock(asking_);
-    if (auto patterns = patterns_ ? patterns_(folder.empty() ? "." : folder) : nullptr) views->configured.emplace(std::move(patterns), folder);
+    if (auto patterns = patterns_ ? patterns_(folder.empty() ? "." : folder) : nullptr)
+      views->configured.emplace(std::move(patterns), folder);
     return views;
   }
 
@@ -205,7 +219,8 @@ class Walker {
     for (const std::string& pattern : options_.include) given.include.add(pattern);
     FilePatterns below = given;
     below.folder = file_key(root.empty() ? "." : root);
-    return {View(std::make_shared<FilePatterns>(std::move(below)), root), View(std::make_shared<FilePatterns>(std::move(given)), root)};
+    return {View(std::make_shared<FilePatterns>(std::move(below)), root),
+            View(std::make_shared<FilePatterns>(std::move(given)), root)};
   }
 
   void walk_tree(const std::string& root) {
@@ -243,7 +258,10 @@ class Walker {
     if (listing.has_configuration) folder.views = views_in(folder.path, folder.views->given);
     for (const Listing::Entry& entry : listing.entries) take(folder, ::dirfd(open), entry, &content);
     ::closedir(open);
-    if (!listing.has_ini) content.without_ini = file_key(folder.path.size() > 1 ? folder.path.substr(0, folder.path.size() - 1) : folder.path.empty() ? "." : folder.path);
+    if (!listing.has_ini)
+      content.without_ini = file_key(folder.path.size() > 1    ? folder.path.substr(0, folder.path.size() - 1)
+                                         : folder.path.empty() ? "."
+                                                               : folder.path);
     return content;
   }
 
@@ -252,7 +270,10 @@ class Walker {
     struct stat info {};
     if (type == DT_UNKNOWN) {  // some file systems do not say
       if (::fstatat(fd, entry.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) return;
-      type = S_ISDIR(info.st_mode) ? DT_DIR : S_ISLNK(info.st_mode) ? DT_LNK : S_ISREG(info.st_mode) ? DT_REG : DT_UNKNOWN;
+      type = S_ISDIR(info.st_mode) ? DT_DIR
+          : S_ISLNK(info.st_mode)  ? DT_LNK
+          : S_ISREG(info.st_mode)  ? DT_REG
+                                   : DT_UNKNOWN;
     }
     if (type != DT_REG && type != DT_DIR && type != DT_LNK) return;
     std::string path = folder.path + entry.name;
@@ -284,7 +305,8 @@ class Walker {
       std::error_code problem;
       const std::string target = fs::canonical(link.path, problem).string();
       if (known_.empty()) {
-        for (const WalkedFile& file : out_.files) known_.insert(fs::weakly_canonical(file_key(file.path), problem).string());
+        for (const WalkedFile& file : out_.files)
+          known_.insert(fs::weakly_canonical(file_key(file.path), problem).string());
       }
       if (!known_.insert(target).second) return;
     }

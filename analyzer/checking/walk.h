@@ -13,10 +13,10 @@
 namespace owlint::checking {
 
 struct WalkOptions {
-  bool follow_links = false;         ///< links to folders are followed; what they lead to is taken once
-  bool ignore_files = true;          ///< `.gitignore` and `.owlintignore` in the folders are heeded
-  bool allow_empty = false;          ///< a folder without programs is no problem
-  bool force_exclude = false;        ///< what is excluded is left out also where it is named
+  bool follow_links = false;   ///< links to folders are followed; what they lead to is taken once
+  bool ignore_files = true;    ///< `.gitignore` and `.owlintignore` in the folders are heeded
+  bool allow_empty = false;    ///< a folder without programs is no problem
+  bool force_exclude = false;  ///< what is excluded is left out also where it is named
   /// Patterns as in an ignore file, seen from the folder that is walked and from the working folder: what is left out, and
   /// which files are programs as well.
   std::vector<std::string> exclude, include;
@@ -39,8 +39,9 @@ struct WalkedFile {
 };
 
 struct Walk {
-  std::vector<WalkedFile> files;      ///< in the order in which they are reported; each once
-  std::vector<std::string> problems;  ///< messages for people, about paths that cannot be read and folders without programs
+  std::vector<WalkedFile> files;  ///< in the order in which they are reported; each once
+  std::vector<std::string>
+      problems;  ///< messages for people, about paths that cannot be read and folders without programs
   std::unordered_set<std::string> without_ini;  ///< folders that were read and have no *.ini, by their file_key
 };
 

@@ -46,7 +46,9 @@ std::string grouped(size_t number) {
   return text;
 }
 
-std::string plural(size_t n, std::string_view what) { return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s"); }
+std::string plural(size_t n, std::string_view what) {
+  return fmt::format("{} {}{}", grouped(n), what, n == 1 ? "" : "s");
+}
 
 std::string counts(size_t errors, size_t warnings, size_t infos) {
   std::string text = plural(errors, "error") + ", " + plural(warnings, "warning");
@@ -63,7 +65,9 @@ ReportStyle style_of(const CommandLine& line) {
 
 size_t count_from(const std::vector<FileReport>& reports, Severity level) {
   size_t count = 0;
-  for (const FileReport& report : reports) count += static_cast<size_t>(std::ranges::count_if(report.findings, [&](const Finding& f) { return f.severity >= level; }));
+  for (const FileReport& report : reports)
+    count += static_cast<size_t>(
+        std::ranges::count_if(report.findings, [&](const Finding& f) { return f.severity >= level; }));
   return count;
 }
 
@@ -73,7 +77,8 @@ Severity fail_on(const CommandLine& line) {
   Severity strictest = Severity::kError;
   for (const std::string& path : line.paths) {
     std::error_code ignored;
-    strictest = std::min(strictest, configuration.fail_on(std::filesystem::is_directory(path, ignored) ? path + "/program.ngc" : path));
+    strictest = std::min(
+        strictest, configuration.fail_on(std::filesystem::is_directory(path, ignored) ? path + "/program.ngc" : path));
   }
   return line.paths.empty() ? configuration.fail_on(".") : strictest;
 }
@@ -149,7 +154,8 @@ class AuditRun {
       // A server that is not mounted must not look like a shop without programs.
       if (!std::filesystem::exists(path, problem)) {
         const std::string near = rules::nearest(path, {"list", "show", "export", "diff", "merge"});
-        complain(fmt::format("there is no {}{}", path, near.empty() ? ": nothing was audited" : ", did you mean `owlint audit " + near + "`?"));
+        complain(fmt::format("there is no {}{}", path,
+                             near.empty() ? ": nothing was audited" : ", did you mean `owlint audit " + near + "`?"));
         return false;
       }
     }
@@ -163,7 +169,8 @@ class AuditRun {
     const char* const end = begin + line_.shard.size();
     const auto index = std::from_chars(begin, begin + slash, shard_.index);
     const auto count = std::from_chars(begin + slash + 1, end, shard_.count);
-    return index.ptr == begin + slash && count.ptr == end && index.ec == std::errc() && count.ec == std::errc() && shard_.index >= 1 && shard_.index <= shard_.count;
+    return index.ptr == begin + slash && count.ptr == end && index.ec == std::errc() && count.ec == std::errc() &&
+        shard_.index >= 1 && shard_.index <= shard_.count;
   }
 
   int once(Store& store) {
@@ -185,7 +192,8 @@ class AuditRun {
   }
 
   int tell_interrupted(const Outcome& outcome) {
-    std::cerr << fmt::format("stopped: {} of this run are in the store; the next run goes on from there\n", plural(outcome.analysed, "program"));
+    std::cerr << fmt::format("stopped: {} of this run are in the store; the next run goes on from there\n",
+                             plural(outcome.analysed, "program"));
     if (line_.watch) return kClean;
     std::cout.flush();
     ::signal(SIGINT, SIG_DFL);
@@ -196,16 +204,22 @@ class AuditRun {
   /// What there is, and what is new; how many findings make the audit fail.
   size_t tell(Store& store, const Outcome& outcome) {
     if (!line_.check.quiet) {
-      std::cerr << fmt::format("run {}: {}, {} analysed, {}in {}\n", outcome.run, plural(outcome.files, "program"), outcome.analysed == outcome.files ? "all" : grouped(outcome.analysed),
-                                outcome.seconds < 1 ? "" : fmt::format("{:.1f} s, ", outcome.seconds), line_.store);
+      std::cerr << fmt::format("run {}: {}, {} analysed, {}in {}\n", outcome.run, plural(outcome.files, "program"),
+                               outcome.analysed == outcome.files ? "all" : grouped(outcome.analysed),
+                               outcome.seconds < 1 ? "" : fmt::format("{:.1f} s, ", outcome.seconds), line_.store);
       std::cerr << counts(outcome.errors, outcome.warnings, outcome.infos);
-      if (outcome.previous != 0) std::cerr << fmt::format("; {} new, {} gone since run {}", grouped(outcome.fresh), grouped(outcome.gone), outcome.previous);
+      if (outcome.previous != 0)
+        std::cerr << fmt::format("; {} new, {} gone since run {}", grouped(outcome.fresh), grouped(outcome.gone),
+                                 outcome.previous);
       std::cerr << '\n';
     }
     const Severity level = fail_on(line_.check);
-    const size_t failing = outcome.errors + (level <= Severity::kWarning ? outcome.warnings : 0) + (level <= Severity::kInfo ? outcome.infos : 0);
+    const size_t failing = outcome.errors + (level <= Severity::kWarning ? outcome.warnings : 0) +
+        (level <= Severity::kInfo ? outcome.infos : 0);
     if (outcome.previous == 0) {
-      if (!line_.check.quiet && outcome.errors + outcome.warnings + outcome.infos > 0) std::cerr << fmt::format("`owlint audit show{}` lists them\n", line_.store == AuditLine().store ? "" : " --store " + line_.store);
+      if (!line_.check.quiet && outcome.errors + outcome.warnings + outcome.infos > 0)
+        std::cerr << fmt::format("`owlint audit show{}` lists them\n",
+                                 line_.store == AuditLine().store ? "" : " --store " + line_.store);
       return line_.fail_on_new ? 0 : failing;
     }
     if (outcome.fresh == 0 && outcome.gone == 0) return line_.fail_on_new ? 0 : failing;
@@ -257,7 +271,10 @@ NamedRun open_run(const std::string& text, const std::string& store) {
   }
   Store opened = Store::open(path, Store::For::kReading);
   const auto found = audit::find_run(opened, run);
-  if (!found) throw audit::StoreProblem(fmt::format("{} has no complete run `{}`: use a number from `owlint audit list`, `last`, `last-1`, or STORE:RUN", path, run));
+  if (!found)
+    throw audit::StoreProblem(fmt::format(
+        "{} has no complete run `{}`: use a number from `owlint audit list`, `last`, `last-1`, or STORE:RUN", path,
+        run));
   return {std::move(opened), *found};
 }
 
@@ -270,10 +287,13 @@ int audit_command(const AuditLine& line) {
 int audit_list_command(const AuditLine& line) {
   return guarded(line.store, [&] {
     Store store = Store::open(line.store, Store::For::kReading);
-    std::cout << fmt::format("{:>4}  {:<20}  {:>9}  {:>9}  {:>8}  {:>8}  {:>6}  {:>6}  {:>8}\n", "run", "started (UTC)", "programs", "analysed", "errors", "warnings", "new", "gone", "seconds");
+    std::cout << fmt::format("{:>4}  {:<20}  {:>9}  {:>9}  {:>8}  {:>8}  {:>6}  {:>6}  {:>8}\n", "run", "started (UTC)",
+                             "programs", "analysed", "errors", "warnings", "new", "gone", "seconds");
     for (const audit::RunRow& run : audit::runs_of(store)) {
       const std::string kind = run.state == "complete" ? (run.shard.empty() ? "" : "shard " + run.shard) : run.state;
-      std::string row = fmt::format("{:>4}  {:<20}  {:>9}  {:>9}  {:>8}  {:>8}  {:>6}  {:>6}  {:>8.1f}  {}", run.id, run.started, run.files, run.analysed, run.errors, run.warnings, run.fresh, run.gone, run.seconds, kind);
+      std::string row =
+          fmt::format("{:>4}  {:<20}  {:>9}  {:>9}  {:>8}  {:>8}  {:>6}  {:>6}  {:>8.1f}  {}", run.id, run.started,
+                      run.files, run.analysed, run.errors, run.warnings, run.fresh, run.gone, run.seconds, kind);
       row.erase(row.find_last_not_of(' ') + 1);
       std::cout << row << '\n';
     }
@@ -303,7 +323,9 @@ int audit_show_command(const AuditLine& line) {
     }
     if (format.for_people && !line.check.quiet) {
       const Summary summary = summarize(reports);
-      std::cerr << fmt::format("run {}: {} in {} with findings\n", named.run, counts(summary.errors, summary.warnings, summary.infos), plural(summary.files, "program"));
+      std::cerr << fmt::format("run {}: {} in {} with findings\n", named.run,
+                               counts(summary.errors, summary.warnings, summary.infos),
+                               plural(summary.files, "program"));
     }
     return kClean;
   });
@@ -325,7 +347,8 @@ int audit_diff_command(const AuditLine& line) {
     list("new", fresh, difference.fresh.size());
     list("gone", gone, difference.gone.size());
     std::cout.flush();
-    if (!line.check.quiet) std::cerr << fmt::format("{} new, {} gone\n", grouped(difference.fresh.size()), grouped(difference.gone.size()));
+    if (!line.check.quiet)
+      std::cerr << fmt::format("{} new, {} gone\n", grouped(difference.fresh.size()), grouped(difference.gone.size()));
     return count_from(fresh, fail_on(line.check)) > 0 ? kFindings : kClean;
   });
 }
@@ -335,8 +358,12 @@ int audit_merge_command(const AuditLine& line) {
     Store store = Store::open(line.store, Store::For::kWriting, line.wait);
     const Outcome outcome = audit::merge(store, line.stores);
     if (!line.check.quiet) {
-      std::cerr << fmt::format("run {}: {} from {}, in {}\n{}", outcome.run, plural(outcome.files, "program"), plural(line.stores.size(), "store"), line.store, counts(outcome.errors, outcome.warnings, outcome.infos));
-      if (outcome.previous != 0) std::cerr << fmt::format("; {} new, {} gone since run {}", grouped(outcome.fresh), grouped(outcome.gone), outcome.previous);
+      std::cerr << fmt::format("run {}: {} from {}, in {}\n{}", outcome.run, plural(outcome.files, "program"),
+                               plural(line.stores.size(), "store"), line.store,
+                               counts(outcome.errors, outcome.warnings, outcome.infos));
+      if (outcome.previous != 0)
+        std::cerr << fmt::format("; {} new, {} gone since run {}", grouped(outcome.fresh), grouped(outcome.gone),
+                                 outcome.previous);
       std::cerr << '\n';
     }
     return kClean;

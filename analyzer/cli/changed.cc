@@ -19,9 +19,11 @@ bool changed_since(const std::string& revision, std::set<std::string>* files, st
   std::string changed;
   std::string fresh;
   // The revision is one argument, and cannot be taken for an option.
-  if (!git({"rev-parse", "--show-toplevel"}, &top) || !git({"diff", "--name-only", "-z", "--diff-filter=d", "--end-of-options", revision, "--"}, &changed) ||
+  if (!git({"rev-parse", "--show-toplevel"}, &top) ||
+      !git({"diff", "--name-only", "-z", "--diff-filter=d", "--end-of-options", revision, "--"}, &changed) ||
       !git({"ls-files", "--others", "--exclude-standard", "--full-name", "-z", ":/"}, &fresh)) {
-    if (error->empty()) *error = fmt::format("--since {}: git failed; is this a git repository, and does the revision exist?", revision);
+    if (error->empty())
+      *error = fmt::format("--since {}: git failed; is this a git repository, and does the revision exist?", revision);
     return false;
   }
   if (top.ends_with('\n')) top.pop_back();

@@ -40,7 +40,8 @@ class Check {
     if (fixes) {
       FixResult result = run_and_fix(files_, wanted_, read_, line_.unsafe);
       result_ = std::move(result.run);
-      for (const std::string& path : result.unfinished) trouble(fmt::format("{} was not changed: each fix leads to another one", path));
+      for (const std::string& path : result.unfinished)
+        trouble(fmt::format("{} was not changed: each fix leads to another one", path));
       if (line_.diff) return print_diffs(result.fixed);
       if (!write_fixed(result.fixed)) result_ = run_checks(files_, wanted_, read_, library_);
     } else {
@@ -71,16 +72,19 @@ class Check {
       if (is) complain(message);
       return is;
     };
-    return !wrong(line_.unsafe && !line_.fix && !line_.diff && !line_.fix_only, "--unsafe goes with --fix, --fix-only or --diff") &&
-           !wrong(line_.update_baseline && line_.baseline.empty(), "--update-baseline needs --baseline FILE") &&
-           !wrong(line_.add_suppressions && line_.reason.empty(), "--add-suppressions needs --reason TEXT, which is written into each comment") &&
-           !wrong(!line_.add_suppressions && !line_.reason.empty(), "--reason goes with --add-suppressions") &&
-           !wrong(line_.add_suppressions && line_.reason.find('\n') != std::string::npos, "--reason is one line");
+    return !wrong(line_.unsafe && !line_.fix && !line_.diff && !line_.fix_only,
+                  "--unsafe goes with --fix, --fix-only or --diff") &&
+        !wrong(line_.update_baseline && line_.baseline.empty(), "--update-baseline needs --baseline FILE") &&
+        !wrong(line_.add_suppressions && line_.reason.empty(),
+               "--add-suppressions needs --reason TEXT, which is written into each comment") &&
+        !wrong(!line_.add_suppressions && !line_.reason.empty(), "--reason goes with --add-suppressions") &&
+        !wrong(line_.add_suppressions && line_.reason.find('\n') != std::string::npos, "--reason is one line");
   }
 
   /// Files, their settings, and how they are read.
   bool find_files() {
-    Walk found = walk(line_.paths, line_.walk, [this](const std::string& folder) { return configuration_.patterns_in(folder); });
+    Walk found =
+        walk(line_.paths, line_.walk, [this](const std::string& folder) { return configuration_.patterns_in(folder); });
     for (const std::string& problem : found.problems) trouble(problem);
     for (WalkedFile& file : found.files) files_.push_back(std::move(file.path));
     without_ini_ = std::move(found.without_ini);
@@ -111,7 +115,9 @@ class Check {
       if (!usable && error != last_error) trouble(error);  // once, not for every file below it
       last_error = usable ? last_error : error;
     }
-    read_ = [this](const std::string& path, std::string* error) { return stdin_ != nullptr && path == line_.stdin_filename ? stdin_ : Source::map(path, error); };
+    read_ = [this](const std::string& path, std::string* error) {
+      return stdin_ != nullptr && path == line_.stdin_filename ? stdin_ : Source::map(path, error);
+    };
     return true;
   }
 
@@ -139,7 +145,8 @@ class Check {
     }
     if (stdin_ != nullptr) std::cout << stdin_->bytes();
     const bool whole = files == fixed.size();
-    if (!line_.quiet && (whole || files > 0)) std::cerr << fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file"));
+    if (!line_.quiet && (whole || files > 0))
+      std::cerr << fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file"));
     return whole;
   }
 
@@ -182,7 +189,8 @@ class Check {
         complain(fmt::format("cannot write {}: {}", line_.baseline, error));
         return false;
       }
-      if (!line_.quiet) std::cerr << fmt::format("{} in {} from now on\n", plural(known, "known finding"), line_.baseline);
+      if (!line_.quiet)
+        std::cerr << fmt::format("{} in {} from now on\n", plural(known, "known finding"), line_.baseline);
       return true;
     }
     Baseline baseline;
@@ -194,7 +202,9 @@ class Check {
     for (FileReport& report : result_.reports) known += baseline.take_out(*report.source, report.findings);
     if (line_.quiet) return true;
     if (known > 0) std::cerr << fmt::format("{} not shown: in {}\n", plural(known, "known finding"), line_.baseline);
-    if (const size_t gone = baseline.gone(); gone > 0) std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` removes them\n", plural(gone, "finding"), line_.baseline);
+    if (const size_t gone = baseline.gone(); gone > 0)
+      std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` removes them\n", plural(gone, "finding"),
+                               line_.baseline);
     return true;
   }
 
@@ -221,7 +231,8 @@ class Check {
     const int stream = !line_.output.empty() ? -1 : program_is_out ? STDERR_FILENO : STDOUT_FILENO;
     std::error_code ignored;
     const Format& format = *find_format(line_.format);
-    format.write(out, result_.reports, {use_color(line_.color, stream), std::filesystem::current_path(ignored).string(), columns_of(stream)});
+    format.write(out, result_.reports,
+                 {use_color(line_.color, stream), std::filesystem::current_path(ignored).string(), columns_of(stream)});
     file.close();
     if (!line_.output.empty() && !file) {
       complain(fmt::format("cannot write {}: {}", line_.output, std::strerror(errno)));
@@ -237,7 +248,9 @@ class Check {
       fixable.unsafe += one.unsafe;
     }
     if (fixable.safe > 0) std::cerr << fmt::format("{} can be fixed with --fix\n", fixable.safe);
-    if (fixable.unsafe > 0) std::cerr << fmt::format("{} can be fixed with --fix --unsafe, which may change what the program does\n", fixable.unsafe);
+    if (fixable.unsafe > 0)
+      std::cerr << fmt::format("{} can be fixed with --fix --unsafe, which may change what the program does\n",
+                               fixable.unsafe);
     return true;
   }
 

@@ -107,7 +107,10 @@ std::string bash_completion(const CLI::App& app) {
   std::vector<std::string> names;
   for (const Command& command : commands_of(app)) names.push_back(command.path);
   out += fmt::format("  local options= commands= codes='{}'\n", code_words());
-  out += fmt::format("  [[ ' {} ' == *\" $command \"* ]] || command=check  # it may be left out\n  case \"$command ${{COMP_WORDS[2]}}\" in\n", fmt::join(names, " "));
+  out += fmt::format(
+      "  [[ ' {} ' == *\" $command \"* ]] || command=check  # it may be left out\n  case \"$command "
+      "${{COMP_WORDS[2]}}\" in\n",
+      fmt::join(names, " "));
   for (const Command& one : commands) {
     if (one.path.find(' ') != std::string::npos) out += fmt::format("    '{0}') command='{0}' ;;\n", one.path);
   }
@@ -115,10 +118,13 @@ std::string bash_completion(const CLI::App& app) {
   for (const Command& one : commands) {
     std::vector<std::string> own;
     for (const Command& sub : commands_of(*one.app)) own.push_back(sub.path);
-    const std::string offered = own.empty() ? "" : fmt::format(" ; [[ $COMP_CWORD -eq 2 ]] && commands='{}'", fmt::join(own, " "));
-    out += fmt::format("    '{}') options='{}'{}{} ;;\n", one.path, all_spellings(*one.app), takes_codes(*one.app) ? " ; [[ $current != -* ]] && kind=codes" : "", offered);
+    const std::string offered =
+        own.empty() ? "" : fmt::format(" ; [[ $COMP_CWORD -eq 2 ]] && commands='{}'", fmt::join(own, " "));
+    out += fmt::format("    '{}') options='{}'{}{} ;;\n", one.path, all_spellings(*one.app),
+                       takes_codes(*one.app) ? " ; [[ $current != -* ]] && kind=codes" : "", offered);
   }
-  out += fmt::format("  esac\n  [[ $COMP_CWORD -eq 1 ]] && commands='{}' options+=' {}'\n", fmt::join(names, " "), all_spellings(app));
+  out += fmt::format("  esac\n  [[ $COMP_CWORD -eq 1 ]] && commands='{}' options+=' {}'\n", fmt::join(names, " "),
+                     all_spellings(app));
   std::map<std::string, std::string> values;  // by command and option
   for (const Command& one : commands) {
     for (const CLI::Option* option : options_of(*one.app)) {
@@ -129,13 +135,13 @@ std::string bash_completion(const CLI::App& app) {
         // Behind a code and `=` the option is two words further away than behind its own.
         case Kind::kCodeLevels:
           values[key] = "kind=codes";
-          values["*:OW*"] = fmt::format("[[ ${{COMP_WORDS[COMP_CWORD]}} == = || ${{COMP_WORDS[COMP_CWORD-1]}} == = ]] && kind=words words='{}'", kLevels);
+          values["*:OW*"] = fmt::format(
+              "[[ ${{COMP_WORDS[COMP_CWORD]}} == = || ${{COMP_WORDS[COMP_CWORD-1]}} == = ]] && kind=words words='{}'",
+              kLevels);
           break;
         case Kind::kFolders: values[key] = "kind=folders"; break;
         case Kind::kAny: values[key] = "kind=any"; break;
-        case Kind::kFiles:
-          values[key] = "kind=files commands=";
-          break;
+        case Kind::kFiles: values[key] = "kind=files commands="; break;
         case Kind::kNothing: break;
       }
     }
@@ -149,20 +155,28 @@ std::string zsh_completion(const CLI::App& app) {
   const Commands commands = all_commands(app);
   const auto is_own = [](const Command& one) { return one.path.find(' ') != std::string::npos; };
   const auto plain = [](std::string text) {
-    for (const char* special : {"[", "]", ":"}) text = CLI::detail::find_and_replace(text, special, std::string("\\") + special);
+    for (const char* special : {"[", "]", ":"})
+      text = CLI::detail::find_and_replace(text, special, std::string("\\") + special);
     return text;
   };
   std::string out = "#compdef owlint\n# made by `owlint generate`\n_owlint_codes() {\n  local -a codes\n  codes=(\n";
   for (const auto& [code, what] : codes()) out += fmt::format("    {}\n", quoted(code + ":" + what));
   out += "  )\n  compset -P '*,'\n  _describe -t codes 'rule' codes -M 'm:{a-z}={A-Z}' \"$@\"\n}\n";
-  out += fmt::format("_owlint_levels() {{\n  if compset -P '*='; then\n    compadd {}\n  else\n    _owlint_codes -S =\n  fi\n}}\n", kLevels);
+  out += fmt::format(
+      "_owlint_levels() {{\n  if compset -P '*='; then\n    compadd {}\n  else\n    _owlint_codes -S =\n  fi\n}}\n",
+      kLevels);
   out += "_owlint() {\n  local -a commands\n  commands=(\n";
   for (const Command& one : commands) {
     if (!is_own(one)) out += fmt::format("    {}\n", quoted(one.path + ":" + one.app->get_description()));
   }
-  out += "  )\n  if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n    _describe command commands\n    _files\n    return\n  fi\n  local command=$words[2]\n  if [[ -z ${(M)commands:#$command:*} ]]; then\n    words=($words[1] check ${words[2,-1]}); (( CURRENT++ )); command=check  # it may be left out\n  fi\n  case \"$words[2] $words[3]\" in\n";
+  out +=
+      "  )\n  if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n    _describe command commands\n    _files\n    "
+      "return\n  fi\n  local command=$words[2]\n  if [[ -z ${(M)commands:#$command:*} ]]; then\n    words=($words[1] "
+      "check ${words[2,-1]}); (( CURRENT++ )); command=check  # it may be left out\n  fi\n  case \"$words[2] "
+      "$words[3]\" in\n";
   for (const Command& one : commands) {
-    if (is_own(one)) out += fmt::format("    '{}') command='{}'; shift words; (( CURRENT-- )) ;;\n", one.path, one.path);
+    if (is_own(one))
+      out += fmt::format("    '{}') command='{}'; shift words; (( CURRENT-- )) ;;\n", one.path, one.path);
   }
   out += "  esac\n  case $command in\n";
   for (const Command& one : commands) {
@@ -180,7 +194,9 @@ std::string zsh_completion(const CLI::App& app) {
         case Kind::kAny: value = title + " "; break;
       }
       const std::string again = option->get_items_expected_max() > 1 ? "*" : "";
-      for (const std::string& name : spellings(*option)) out += fmt::format("        {} \\\n", quoted(again + name + "[" + plain(option->get_description()) + "]" + value));
+      for (const std::string& name : spellings(*option))
+        out +=
+            fmt::format("        {} \\\n", quoted(again + name + "[" + plain(option->get_description()) + "]" + value));
     }
     std::string own;
     for (const Command& sub : commands_of(*one.app)) own += " " + sub.path;
@@ -192,21 +208,29 @@ std::string zsh_completion(const CLI::App& app) {
 
 std::string fish_completion(const CLI::App& app) {
   const Commands commands = all_commands(app);
-  std::string out = "# fish completion for owlint; made by `owlint generate`\nfunction __owlint_codes\n"
-                    "    set -l before (string match -r '^.*,' -- (commandline -ct | string replace -r '^--[^=]*=' ''))\n    printf \"$before%s\\n\"";
+  std::string out =
+      "# fish completion for owlint; made by `owlint generate`\nfunction __owlint_codes\n"
+      "    set -l before (string match -r '^.*,' -- (commandline -ct | string replace -r '^--[^=]*=' ''))\n    printf "
+      "\"$before%s\\n\"";
   for (const auto& [code, what] : codes()) out += fmt::format(" \\\n        {}\\t{}", code, quoted(what));
   out += "\nend\n";
-  out += fmt::format("function __owlint_levels\n    for code in (__owlint_codes | string replace -r '\\t.*' '')\n        printf '%s\\n' $code={{{}}}\n    end\nend\n", CLI::detail::find_and_replace(kLevels, " ", ","));
+  out += fmt::format(
+      "function __owlint_levels\n    for code in (__owlint_codes | string replace -r '\\t.*' '')\n        printf "
+      "'%s\\n' $code={{{}}}\n    end\nend\n",
+      CLI::detail::find_and_replace(kLevels, " ", ","));
   for (const Command& one : commands) {
     const size_t blank = one.path.find(' ');
-    const std::string when = blank == std::string::npos ? "__fish_use_subcommand" : "__fish_seen_subcommand_from " + one.path.substr(0, blank);
-    out += fmt::format("complete -c owlint -n '{}' -a {} -d {}\n", when, one.app->get_name(), quoted(one.app->get_description()));
+    const std::string when = blank == std::string::npos ? "__fish_use_subcommand"
+                                                        : "__fish_seen_subcommand_from " + one.path.substr(0, blank);
+    out += fmt::format("complete -c owlint -n '{}' -a {} -d {}\n", when, one.app->get_name(),
+                       quoted(one.app->get_description()));
   }
   std::string others;
   for (const Command& one : commands_of(app)) others += one.path == "check" ? "" : " " + one.path;
   for (const Command& one : commands) {
     std::string when;
-    for (const std::string& word : CLI::detail::split(one.path, ' ')) when += (when.empty() ? "" : "; and ") + std::string("__fish_seen_subcommand_from ") + word;
+    for (const std::string& word : CLI::detail::split(one.path, ' '))
+      when += (when.empty() ? "" : "; and ") + std::string("__fish_seen_subcommand_from ") + word;
     if (one.path == "check") when = "not __fish_seen_subcommand_from" + others;  // it may be left out
     if (takes_codes(*one.app)) out += fmt::format("complete -c owlint -n '{}' -f -a '(__owlint_codes)'\n", when);
     for (const CLI::Option* option : options_of(*one.app)) {

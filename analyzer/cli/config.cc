@@ -23,7 +23,8 @@ int check_files(const std::vector<std::string>& paths) {
     std::error_code problem;
     std::string file = path;
     for (const char* name : {"/owlint.toml", "/.owlint.toml"}) {
-      if (std::filesystem::is_directory(path, problem) && std::filesystem::is_regular_file(path + name, problem)) file = path + name;
+      if (std::filesystem::is_directory(path, problem) && std::filesystem::is_regular_file(path + name, problem))
+        file = path + name;
     }
     std::string error;
     if (std::filesystem::is_directory(file, problem)) {
@@ -61,13 +62,19 @@ int config_command(const CommandLine& line, bool check) {
       continue;
     }
     std::vector<Origin>& origins = settings.origins;
-    const auto given = [&](std::string_view key) { return std::ranges::find(origins, key, &Origin::key) != origins.end(); };
+    const auto given = [&](std::string_view key) {
+      return std::ranges::find(origins, key, &Origin::key) != origins.end();
+    };
     const Profile& profile = settings.profile;
     if (!given("ini")) origins.push_back({"ini", "none", "default"});
     if (!given("fail-on")) origins.push_back({"fail-on", "error", "default"});
     if (!given("linuxcnc")) origins.push_back({"linuxcnc", std::string(version_text(profile.version)), "default"});
-    origins.push_back({"FEATURE 0x20", profile.warn_only() ? "in effect" : "not in effect", given("feature") ? "feature" : profile.setup != nullptr ? "INI" : "default"});
-    const auto rules = std::ranges::count_if(catalogue(), [&](const Rule* rule) { return selected(*rule, settings.options); });
+    origins.push_back({"FEATURE 0x20", profile.warn_only() ? "in effect" : "not in effect",
+                       given("feature")               ? "feature"
+                           : profile.setup != nullptr ? "INI"
+                                                      : "default"});
+    const auto rules =
+        std::ranges::count_if(catalogue(), [&](const Rule* rule) { return selected(*rule, settings.options); });
     origins.push_back({"rules", fmt::format("{} of {}", rules, catalogue().size()), "select, extend-select, ignore"});
     std::cout << path << '\n';
     for (const Origin& o : origins) std::cout << fmt::format("  {:<16} {:<24} # {}\n", o.key, o.value, o.from);

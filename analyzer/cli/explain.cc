@@ -28,7 +28,9 @@ size_t text_width() {
 
 }  // namespace
 
-void complain(const std::string& message) { std::cerr << "owlint: " << printable_text(message) << '\n'; }  // names of files may steer terminals
+void complain(const std::string& message) {
+  std::cerr << "owlint: " << printable_text(message) << '\n';
+}  // names of files may steer terminals
 
 int explain_command(const std::string& code_or_name, const std::string& color) {
   const Rule* rule = find_rule(code_or_name);
@@ -51,11 +53,22 @@ int rules_command(const std::string& format) {
   if (format == "json") {
     auto list = nlohmann::ordered_json::array();
     for (const Rule* rule : catalogue()) {
-      list.push_back({{"code", rule->code}, {"name", rule->name}, {"summary", rule->summary}, {"group", group_title(rule->group)},
-                      {"severity", severity_text(rule->level)}, {"default", rule->level != Severity::kInfo},
-                      {"what", rule->page.what}, {"why", rule->page.why}, {"bad", rule->page.bad}, {"good", rule->page.good},
-                      {"fix", rule->page.fix}, {"level_reason", rule->page.level_reason}, {"options", rule->page.options}, {"interpreter", rule->page.interpreter},
-                      {"moves", rule->page.moves}, {"moves_good", rule->page.moves_good}});
+      list.push_back({{"code", rule->code},
+                      {"name", rule->name},
+                      {"summary", rule->summary},
+                      {"group", group_title(rule->group)},
+                      {"severity", severity_text(rule->level)},
+                      {"default", rule->level != Severity::kInfo},
+                      {"what", rule->page.what},
+                      {"why", rule->page.why},
+                      {"bad", rule->page.bad},
+                      {"good", rule->page.good},
+                      {"fix", rule->page.fix},
+                      {"level_reason", rule->page.level_reason},
+                      {"options", rule->page.options},
+                      {"interpreter", rule->page.interpreter},
+                      {"moves", rule->page.moves},
+                      {"moves_good", rule->page.moves_good}});
     }
     std::cout << list.dump(2) << '\n';
     return kClean;
@@ -68,18 +81,22 @@ int rules_command(const std::string& format) {
       group = group_title(rule->group);
       std::cout << (first ? "" : "\n");
       if (markdown) {
-        std::cout << fmt::format("## OW{}xx {}\n\n| code | name | severity | finds |\n|---|---|---|---|\n", rule->code.substr(2, 1), group);
+        std::cout << fmt::format("## OW{}xx {}\n\n| code | name | severity | finds |\n|---|---|---|---|\n",
+                                 rule->code.substr(2, 1), group);
       } else {
         std::cout << fmt::format("{}\n", group);
       }
     }
     if (markdown) {
-      std::cout << fmt::format("| {} | {} | {} | {} |\n", rule->code, rule->name, severity_text(rule->level), rule->summary);
+      std::cout << fmt::format("| {} | {} | {} | {} |\n", rule->code, rule->name, severity_text(rule->level),
+                               rule->summary);
     } else {
       const std::string row = fmt::format("  {}  {:<25} {:<8} ", rule->code, rule->name, severity_text(rule->level));
       const size_t width = columns_of(STDOUT_FILENO);
-      const std::string indent(width < 2 * row.size() ? 9 : row.size(), ' ');  // below the name, where there is no room beside it
-      std::cout << row << (indent.size() < row.size() && width > 0 ? "\n" + indent : "") << wrapped(rule->summary, width, indent, indent.size()) << '\n';
+      const std::string indent(width < 2 * row.size() ? 9 : row.size(),
+                               ' ');  // below the name, where there is no room beside it
+      std::cout << row << (indent.size() < row.size() && width > 0 ? "\n" + indent : "")
+                << wrapped(rule->summary, width, indent, indent.size()) << '\n';
     }
   }
   return kClean;
@@ -103,7 +120,8 @@ int graph_command(const CommandLine& line, const std::string& format) {
   const auto program = library.load(source);
   const Linked linked(program, settings.profile, library);
   const bool marks = format == "svg" || format == "dot";
-  const std::vector<Finding> findings = marks ? lint(program, settings.profile, settings.options, library).own.findings : std::vector<Finding>();
+  const std::vector<Finding> findings =
+      marks ? lint(program, settings.profile, settings.options, library).own.findings : std::vector<Finding>();
   if (format == "json") {
     write_graph_json(std::cout, linked);
   } else if (format == "mermaid") {

@@ -15,7 +15,8 @@ namespace owlint::cli {
 
 int format_command(const CommandLine& line, bool check, bool diff) {
   Configuration configuration(line);
-  const Walk found = walk(line.paths, line.walk, [&](const std::string& folder) { return configuration.patterns_in(folder); });
+  const Walk found =
+      walk(line.paths, line.walk, [&](const std::string& folder) { return configuration.patterns_in(folder); });
   int status = kClean;
   const auto trouble = [&](const std::string& message) {
     complain(message);
@@ -26,7 +27,8 @@ int format_command(const CommandLine& line, bool check, bool diff) {
   for (const auto& [path, stamp, bytes] : found.files) {
     std::string error;
     const bool standard = path == "-";
-    const auto source = standard ? Source::own("<stdin>", std::string{std::istreambuf_iterator<char>(std::cin), {}}) : Source::map(path, &error);
+    const auto source = standard ? Source::own("<stdin>", std::string{std::istreambuf_iterator<char>(std::cin), {}})
+                                 : Source::map(path, &error);
     if (source == nullptr) {
       trouble("cannot read " + path + ": " + error);
       continue;

@@ -25,11 +25,13 @@ std::string version_text() {
   constexpr std::string_view kCompiler = "g++ " __VERSION__;
 #endif
   const bool is_static = ::getauxval(AT_BASE) == 0;  // no dynamic linker was loaded
-  return fmt::format("owlint {}\nbuilt with {}, {}, linked {}; fast path: {}", kToolVersion, kCompiler, OWLINT_BUILD_TYPE, is_static ? "statically" : "dynamically", bulk_variants().front().name);
+  return fmt::format("owlint {}\nbuilt with {}, {}, linked {}; fast path: {}", kToolVersion, kCompiler,
+                     OWLINT_BUILD_TYPE, is_static ? "statically" : "dynamically", bulk_variants().front().name);
 }
 
 bool is_command(CLI::App& app, const std::string& name) {
-  return std::ranges::any_of(app.get_subcommands(nullptr), [&](const CLI::App* command) { return command->get_name() == name; });
+  return std::ranges::any_of(app.get_subcommands(nullptr),
+                             [&](const CLI::App* command) { return command->get_name() == name; });
 }
 
 int wrong_usage(const std::string& message) {

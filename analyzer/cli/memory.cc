@@ -8,8 +8,8 @@
 
 namespace {
 
-constexpr std::size_t kHugePage = 2 << 20;          // bytes; where pages are of another size, nothing is lost
-constexpr std::size_t kLarge = 2 * kHugePage;       // smaller blocks would waste too much of their last page
+constexpr std::size_t kHugePage = 2 << 20;     // bytes; where pages are of another size, nothing is lost
+constexpr std::size_t kLarge = 2 * kHugePage;  // smaller blocks would waste too much of their last page
 
 void* allocate(std::size_t size) {
   if (size < kLarge) return std::malloc(size == 0 ? 1 : size);

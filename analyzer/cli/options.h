@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analyzer/cli/command_line.h"
 #include "analyzer/cli/audit.h"
+#include "analyzer/cli/command_line.h"
 
 namespace owlint::cli {
 

@@ -39,8 +39,10 @@ std::string unknown_option(const CLI::App& app, const Meant& meant, const std::s
   const size_t of_command = names.size();
   add_spellings(app, names);  // such as `--version`, which no command has
   const std::string near = rules::nearest(text.substr(0, text.find('=')), names);
-  if (near.empty()) return fmt::format("unknown option `{}`; `--help` lists all, and what comes after `--` is a path", text);
-  const bool without_command = std::ranges::find(names, near) - names.begin() >= static_cast<std::ptrdiff_t>(of_command);
+  if (near.empty())
+    return fmt::format("unknown option `{}`; `--help` lists all, and what comes after `--` is a path", text);
+  const bool without_command =
+      std::ranges::find(names, near) - names.begin() >= static_cast<std::ptrdiff_t>(of_command);
   return fmt::format("unknown option `{}`, did you mean `{}{}`?", text, without_command ? "owlint " : "", near);
 }
 
@@ -69,14 +71,19 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& problem) {
   }
   const std::string text = problem.what();
   for (const CLI::Option* option : meant.app->get_options()) {
-    if (dynamic_cast<const CLI::RequiredError*>(&problem) != nullptr && option->get_required() && option->count() == 0) {
-      return fmt::format("`{}` needs {}: {}", meant.name, option->get_positional() ? option->get_name(true) : option->get_name(), description_of(*option));
+    if (dynamic_cast<const CLI::RequiredError*>(&problem) != nullptr && option->get_required() &&
+        option->count() == 0) {
+      return fmt::format("`{}` needs {}: {}", meant.name,
+                         option->get_positional() ? option->get_name(true) : option->get_name(),
+                         description_of(*option));
     }
     for (const std::string& name : spellings(*option)) {
-      if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr && is_about(text, name)) return wrong_count(*option, name);
+      if (dynamic_cast<const CLI::ArgumentMismatch*>(&problem) != nullptr && is_about(text, name))
+        return wrong_count(*option, name);
     }
   }
-  if (!left.empty()) return fmt::format("`{}` does not take `{}`; see `{} --help`", meant.name, left.front(), meant.name);
+  if (!left.empty())
+    return fmt::format("`{}` does not take `{}`; see `{} --help`", meant.name, left.front(), meant.name);
   return text;
 }
 
@@ -95,7 +102,8 @@ std::string misspelt_command(const CLI::App& app, const std::string& argument) {
   // What other programs call them.
   if (argument == "lint") near = "check";
   if (argument == "format") near = "fmt";
-  return near.empty() ? near : fmt::format("there is no command and no file `{}`, did you mean `owlint {}`?", argument, near);
+  return near.empty() ? near
+                      : fmt::format("there is no command and no file `{}`, did you mean `owlint {}`?", argument, near);
 }
 
 }  // namespace owlint::cli

@@ -20,7 +20,8 @@ CLI::Validator one_of(std::vector<std::string> words) {
   const auto check = [words = std::move(words)](std::string& value) {
     if (std::ranges::find(words, value) != words.end()) return std::string();
     const std::string near = rules::nearest(value, words);
-    return fmt::format("`{}` is none of {}{}", value, fmt::join(words, ", "), near.empty() ? "" : "; did you mean `" + near + "`?");
+    return fmt::format("`{}` is none of {}{}", value, fmt::join(words, ", "),
+                       near.empty() ? "" : "; did you mean `" + near + "`?");
   };
   return CLI::Validator(check, description);
 }
@@ -55,17 +56,23 @@ CLI::Validator count() {
   const auto check = [](std::string& value) {
     unsigned number = 0;
     const auto [end, problem] = std::from_chars(value.data(), value.data() + value.size(), number);
-    return problem == std::errc() && end == value.data() + value.size() && number > 0 ? std::string() : fmt::format("`{}` is not a number such as 4", value);
+    return problem == std::errc() && end == value.data() + value.size() && number > 0
+        ? std::string()
+        : fmt::format("`{}` is not a number such as 4", value);
   };
   return CLI::Validator(check, "");
 }
 
 CLI::Validator mask() {
-  const auto check = [](std::string& value) { return parse_mask(value) ? std::string() : fmt::format("`{}` is not a number such as 32 or 0x20", value); };
+  const auto check = [](std::string& value) {
+    return parse_mask(value) ? std::string() : fmt::format("`{}` is not a number such as 32 or 0x20", value);
+  };
   return CLI::Validator(check, "");
 }
 
-bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0 && option.get_type_size() != 0; }
+bool takes_value(const CLI::Option& option) {
+  return option.get_items_expected_max() > 0 && option.get_type_size() != 0;
+}
 
 std::string value_name(const CLI::Option& option) {
   const std::string type = option.get_type_name();  // behind it the validators
@@ -75,7 +82,8 @@ std::string value_name(const CLI::Option& option) {
 std::vector<std::string> words_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const size_t colon = type.find(':');
-  return colon == std::string::npos || colon + 1 == type.size() ? std::vector<std::string>() : CLI::detail::split(type.substr(colon + 1), '|');
+  return colon == std::string::npos || colon + 1 == type.size() ? std::vector<std::string>()
+                                                                : CLI::detail::split(type.substr(colon + 1), '|');
 }
 
 std::vector<std::string> spellings(const CLI::Option& option) {
@@ -106,7 +114,8 @@ std::vector<const CLI::Option*> positionals_of(const CLI::App& command) {
 
 Commands commands_of(const CLI::App& app, const std::string& path) {
   Commands out;
-  for (const CLI::App* one : app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); })) {
+  for (const CLI::App* one :
+       app.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); })) {
     out.push_back({path + (path.empty() ? "" : " ") + one->get_name(), one});
   }
   return out;

@@ -23,12 +23,16 @@ bool Baseline::read(const std::string& path, std::string* error) {
     return false;
   }
   const auto json = nlohmann::json::parse(file, nullptr, false);
-  if (!json.is_object() || json.value("schema", nlohmann::json()) != kSchema || !json.contains("findings") || !json["findings"].is_array()) {
+  if (!json.is_object() || json.value("schema", nlohmann::json()) != kSchema || !json.contains("findings") ||
+      !json["findings"].is_array()) {
     *error = fmt::format("{} is not a baseline: `--update-baseline` writes one", path);
     return false;
   }
   for (const auto& entry : json["findings"]) {
-    const auto text = [&](const char* key) { return entry.is_object() && entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>() : std::string(); };
+    const auto text = [&](const char* key) {
+      return entry.is_object() && entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>()
+                                                                                : std::string();
+    };
     Identity identity{text("file"), text("code"), text("scope"), text("text")};
     const bool counted = entry.is_object() && entry.contains("count") && entry["count"].is_number_unsigned();
     if (identity.file.empty() || identity.code.empty()) {
@@ -43,7 +47,8 @@ bool Baseline::read(const std::string& path, std::string* error) {
 void Baseline::write(std::ostream& out) const {
   nlohmann::ordered_json entries = nlohmann::ordered_json::array();
   for (const auto& [identity, count] : known_) {
-    nlohmann::ordered_json entry{{"file", identity.file}, {"code", identity.code}, {"scope", identity.scope}, {"text", identity.text}};
+    nlohmann::ordered_json entry{
+        {"file", identity.file}, {"code", identity.code}, {"scope", identity.scope}, {"text", identity.text}};
     if (count > 1) entry["count"] = count;
     entries.push_back(std::move(entry));
   }

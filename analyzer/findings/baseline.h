@@ -27,7 +27,7 @@ class Baseline {
  private:
   std::map<Identity, size_t> known_;  // how often
   std::map<Identity, size_t> met_;
-  std::set<std::string> seen_;        // files, by the last part of their path
+  std::set<std::string> seen_;  // files, by the last part of their path
 };
 
 }  // namespace owlint

@@ -59,25 +59,26 @@ struct Finding {
   std::string_view code;
   std::string_view rule;
   Severity severity = Severity::kWarning;
-  Span span;                 ///< bytes of the file
+  Span span;                             ///< bytes of the file
   std::shared_ptr<const Source> source;  ///< the file, if it is not the report's
-  std::string scope;         ///< the sub and the block that its line belongs to, `o<probe> o100`; empty in the main program
-  std::string message;       ///< what is wrong; lower case, no full stop
-  std::string help;          ///< how to fix it; may be empty
-  std::string interpreter;   ///< the message that LinuxCNC prints; may be empty
+  std::string scope;    ///< the sub and the block that its line belongs to, `o<probe> o100`; empty in the main program
+  std::string message;  ///< what is wrong; lower case, no full stop
+  std::string help;     ///< how to fix it; may be empty
+  std::string interpreter;  ///< the message that LinuxCNC prints; may be empty
   Reach reach = Reach::kMaybe;
-  bool stops = false;        ///< the interpreter stops here with this error on some path
-  bool unproven = false;     ///< it may not happen on the real machine: never more than a warning
-  bool uncertain = false;    ///< unproven, and it depends on what only the program's author knows: info
-  bool never_ends = false;   ///< it hangs or crashes here on some path
-  bool runs_other = false;   ///< on some path other lines run here than those that are written
+  bool stops = false;       ///< the interpreter stops here with this error on some path
+  bool unproven = false;    ///< it may not happen on the real machine: never more than a warning
+  bool uncertain = false;   ///< unproven, and it depends on what only the program's author knows: info
+  bool never_ends = false;  ///< it hangs or crashes here on some path
+  bool runs_other = false;  ///< on some path other lines run here than those that are written
   Weight weight = Weight::kFull;
   std::vector<Related> related;
-  std::vector<Related> path;  ///< the branch outcomes that lead here, or the line that keeps every run away; shown behind `related`
+  std::vector<Related>
+      path;  ///< the branch outcomes that lead here, or the line that keeps every run away; shown behind `related`
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
-  std::string group;         ///< findings of one rule and group, wherever they are in a run, are one mistake: see cli/groups.h
-  std::string block_delete;  ///< `on` or `off` if it is about runs with that setting only; empty: both
+  std::string group;  ///< findings of one rule and group, wherever they are in a run, are one mistake: see cli/groups.h
+  std::string block_delete;           ///< `on` or `off` if it is about runs with that setting only; empty: both
   std::vector<std::string> versions;  ///< the LinuxCNC versions that have it, if not all that were checked
 };
 

@@ -31,7 +31,8 @@ Round round_of_fixes(const std::vector<Finding>& findings, bool unsafe) {
   Taken taken;
   for (const Finding& finding : findings) {
     const Fix* fix = first_fix(finding, unsafe);
-    if (fix == nullptr || std::ranges::any_of(fix->edits, [&](const Edit& e) { return taken.clashes(e.span); })) continue;
+    if (fix == nullptr || std::ranges::any_of(fix->edits, [&](const Edit& e) { return taken.clashes(e.span); }))
+      continue;
     for (const Edit& edit : fix->edits) taken.add(edit.span);
     round.edits.insert(round.edits.end(), fix->edits.begin(), fix->edits.end());
     ++round.made;

@@ -34,7 +34,8 @@ Identity identity_of(const Source& own, const Finding& finding) {
   constexpr size_t kLongest = 300;  // a line that LinuxCNC reads is shorter
   const Span line = source.line(source.position(finding.span.begin).line);
   const std::string& path = source.path();
-  return {printable(path.substr(path.rfind('/') + 1)), std::string(finding.code), printable(finding.scope), printable(squeezed(source.slice({line.begin, std::min(line.end, line.begin + kLongest)})))};
+  return {printable(path.substr(path.rfind('/') + 1)), std::string(finding.code), printable(finding.scope),
+          printable(squeezed(source.slice({line.begin, std::min(line.end, line.begin + kLongest)})))};
 }
 
 std::vector<std::string> fingerprints(const Source& source, const std::vector<Finding>& findings) {
@@ -43,7 +44,8 @@ std::vector<std::string> fingerprints(const Source& source, const std::vector<Fi
   for (const Finding& finding : findings) {
     const Identity identity = identity_of(source, finding);
     const size_t number = seen[identity]++;
-    const std::string all = fmt::format("{}\n{}\n{}\n{}\n{}", identity.file, identity.code, identity.scope, identity.text, number);
+    const std::string all =
+        fmt::format("{}\n{}\n{}\n{}\n{}", identity.file, identity.code, identity.scope, identity.text, number);
     const XXH128_hash_t hash = XXH3_128bits(all.data(), all.size());
     out.push_back(fmt::format("{:016x}{:016x}", hash.high64, hash.low64));
   }

@@ -34,7 +34,8 @@ Severity decide_severity(const Finding& finding, Severity level, bool abort_list
   }
   if (finding.weight == Weight::kAside) severity = std::min(severity, Severity::kInfo);
   if (finding.weight == Weight::kRemark) {
-    const bool wanted = std::ranges::any_of(policy.selected, [&](const std::string& prefix) { return finding.code.starts_with(prefix); });
+    const bool wanted = std::ranges::any_of(
+        policy.selected, [&](const std::string& prefix) { return finding.code.starts_with(prefix); });
     severity = wanted ? Severity::kInfo : Severity::kOff;
   }
   size_t longest = 0;

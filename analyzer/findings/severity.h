@@ -11,7 +11,7 @@ namespace owlint {
 
 /// What severity depends on besides the finding itself.
 struct SeverityPolicy {
-  bool warn_only = false;  ///< FEATURE 0x20 is in effect
+  bool warn_only = false;                                  ///< FEATURE 0x20 is in effect
   std::map<std::string, Severity, std::less<>> overrides;  ///< by code or prefix; the longest that matches wins
   std::vector<std::string> selected;  ///< codes or prefixes that the user named: their remarks are wanted
 };

@@ -36,7 +36,8 @@ std::vector<Word> words_of(std::string_view text, uint64_t offset) {
 
 }  // namespace
 
-std::vector<Suppression> parse_suppressions(const Source& source, Span words, uint32_t line, bool own_line, const CodeOf& code_of) {
+std::vector<Suppression> parse_suppressions(const Source& source, Span words, uint32_t line, bool own_line,
+                                            const CodeOf& code_of) {
   std::vector<Suppression> out;
   const std::vector<Word> list = words_of(source.slice(words), words.begin);
   Suppression base;
@@ -82,7 +83,8 @@ void apply_suppressions(const Source& source, std::vector<Suppression>& suppress
   });
 }
 
-std::vector<Edit> suppression_comments(const Source& source, const std::vector<Finding>& findings, const std::string& reason) {
+std::vector<Edit> suppression_comments(const Source& source, const std::vector<Finding>& findings,
+                                       const std::string& reason) {
   std::map<uint32_t, std::set<std::string_view>> codes;  // by line
   for (const Finding& f : findings) {
     if (f.source == nullptr) codes[source.position(f.span.begin).line].insert(f.code);
@@ -95,11 +97,15 @@ std::vector<Edit> suppression_comments(const Source& source, const std::vector<F
     const std::string_view text = source.slice(line);
     const std::string_view before = source.bytes().substr(0, line.begin);
     // With anything above it, the `%` that begins a program begins none any more: then a comment below is for the whole file.
-    const bool below = text.starts_with('%') && before.find_first_not_of(" \t\r\n") == std::string_view::npos && line.end < source.bytes().size();
+    const bool below = text.starts_with('%') && before.find_first_not_of(" \t\r\n") == std::string_view::npos &&
+        line.end < source.bytes().size();
     const uint64_t at = below ? line.end + 1 : line.begin;
     const std::string_view indent = text.substr(0, std::min(text.find_first_not_of(" \t"), text.size()));
-    const std::string words = fmt::format("owlint: {} {} because {}", below ? "ignore-file" : "ignore", fmt::join(list, " "), reason);
-    edits.push_back({{at, at}, fmt::format("{}{}{}", indent, brackets ? "; " + words : "(" + words + ")", text.ends_with('\r') ? "\r\n" : "\n")});
+    const std::string words =
+        fmt::format("owlint: {} {} because {}", below ? "ignore-file" : "ignore", fmt::join(list, " "), reason);
+    edits.push_back({{at, at},
+                     fmt::format("{}{}{}", indent, brackets ? "; " + words : "(" + words + ")",
+                                 text.ends_with('\r') ? "\r\n" : "\n")});
   }
   return edits;
 }

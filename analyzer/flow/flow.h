@@ -23,7 +23,7 @@ struct Elsewhere {
 /// The outcome of one condition on the way to a stop.
 struct Decision {
   StatementId statement = kNoStatement;
-  bool taken = false;  ///< the condition was true (a `repeat` had a pass left)
+  bool taken = false;                ///< the condition was true (a `repeat` had a pass left)
   const Program* program = nullptr;  ///< where, if in another file
 };
 
@@ -32,8 +32,9 @@ struct FlowStop {
   StatementId statement = kNoStatement;  ///< for ends of file: the line that causes it (see `kind`)
   StopKind kind = StopKind::kNone;
   Reach reach = Reach::kMaybe;
-  bool unproven = false;  ///< depends on something that owlint cannot know: files elsewhere, how deep a recursion with an exit goes
-  StatementId end_of = kNoStatement;     ///< for ends of file: that end
+  bool unproven =
+      false;  ///< depends on something that owlint cannot know: files elsewhere, how deep a recursion with an exit goes
+  StatementId end_of = kNoStatement;  ///< for ends of file: that end
   StatementId other = kNoStatement;   ///< the line that the message names (first definition, opener)
   StatementId call = kNoStatement;    ///< the call in which it happens, if in a sub
   Elsewhere other_elsewhere;          ///< instead of `other`, in another file
@@ -46,8 +47,21 @@ struct FlowStop {
 
 /// Something that runs, but not as written.
 enum class HazardKind : uint8_t {
-  kStaleBreak, kStaleRepeatCount, kArgumentNotPassed, kEndlessLoop, kStaleContinue, kContinueMeetsBreak,
-  kValueAtDefinition, kCrash, kLookupCrash, kHang, kWarned, kValueNotReturned, kValueCleared, kRepeatCount, kEndsInSub,
+  kStaleBreak,
+  kStaleRepeatCount,
+  kArgumentNotPassed,
+  kEndlessLoop,
+  kStaleContinue,
+  kContinueMeetsBreak,
+  kValueAtDefinition,
+  kCrash,
+  kLookupCrash,
+  kHang,
+  kWarned,
+  kValueNotReturned,
+  kValueCleared,
+  kRepeatCount,
+  kEndsInSub,
   kOtherHelper,  ///< a call runs `other`, a sub of another file, and not the one of its own file
   kSubInCall,    ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
   kRunsIntoSub,  ///< the main program runs on into a Fanuc sub at `statement`, to the M99 at `other`
@@ -60,17 +74,17 @@ struct Hazard {
   StatementId other = kNoStatement;      ///< where it shows
   uint32_t number = 0;                   ///< the parameter's number
   Reach reach = Reach::kMaybe;
-  StopKind warned = StopKind::kNone;     ///< under FEATURE 0x20: the error that became a message
+  StopKind warned = StopKind::kNone;  ///< under FEATURE 0x20: the error that became a message
   std::string interpreter;
-  Elsewhere other_elsewhere;             ///< instead of `other`, in another file
-  std::string detail;                    ///< the number of passes that a `repeat` is given
-  bool not_always = false;               ///< other runs execute these lines without a problem
-  bool unproven = false;                 ///< seen only where paths were joined: it may be that no run does it
+  Elsewhere other_elsewhere;  ///< instead of `other`, in another file
+  std::string detail;         ///< the number of passes that a `repeat` is given
+  bool not_always = false;    ///< other runs execute these lines without a problem
+  bool unproven = false;      ///< seen only where paths were joined: it may be that no run does it
 };
 
 struct FlowStatistics {
-  uint64_t steps = 0;   ///< states processed
-  uint64_t merges = 0;  ///< states that were joined with loss of precision
+  uint64_t steps = 0;     ///< states processed
+  uint64_t merges = 0;    ///< states that were joined with loss of precision
   uint64_t recalled = 0;  ///< calls that were known before
 };
 
@@ -79,17 +93,17 @@ class KnownCalls;
 class Trace;
 struct LearnedCall;
 struct Structure;
-}
+}  // namespace flow
 
 struct FlowResult {
-  std::vector<FlowStop> stops;    ///< ordered by statement
-  std::vector<Hazard> hazards;    ///< ordered by statement
-  std::vector<bool> executed;     ///< by statement: some run executes it (and does not only skip it)
-  bool ends = false;              ///< some run gets to a program end without an error
+  std::vector<FlowStop> stops;  ///< ordered by statement
+  std::vector<Hazard> hazards;  ///< ordered by statement
+  std::vector<bool> executed;   ///< by statement: some run executes it (and does not only skip it)
+  bool ends = false;            ///< some run gets to a program end without an error
   FlowStatistics statistics;
   std::shared_ptr<const flow::Trace> trace;
-  StatementId first = 0;          ///< number of this file's first statement in the trace
-  std::shared_ptr<const flow::Structure> structure;  ///< of this file's own lines, if it was analysed alone
+  StatementId first = 0;                                    ///< number of this file's first statement in the trace
+  std::shared_ptr<const flow::Structure> structure;         ///< of this file's own lines, if it was analysed alone
   std::shared_ptr<std::vector<flow::LearnedCall>> learned;  ///< calls for KnownCalls, if there are any
 
   /// Whether runs get to a statement and execute it: never, on some runs, on every run.
@@ -106,7 +120,8 @@ enum class Detail : uint8_t {
 /// Runs the machine through all files of `linked`, and adds files whose names only the run knows. One result for each
 /// file, in the order of `linked.files()`; statement numbers are those of the file's own program. `known`: calls from
 /// earlier analyses; remember() adds those of this one.
-std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail = Detail::kBySize, flow::KnownCalls* known = nullptr);
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail = Detail::kBySize,
+                                     flow::KnownCalls* known = nullptr);
 
 /// Call this when you need nothing more from a result of analyze_flow() with `known`: it keeps the calls for the next
 /// analysis. Returns false if you asked about lines that were not analysed: then the answers are not valid, nothing is

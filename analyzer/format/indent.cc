@@ -48,7 +48,8 @@ std::vector<Edit> indentation(const Program& program, const IndentStyle& style) 
     const size_t text = line.size() - blanks;
     // Blank lines and lines with other carriage returns than the one at their end stay as they are.
     const size_t cr = line.find('\r');
-    const bool plain = text > 0 && line.substr(blanks) != "\r" && (cr == std::string_view::npos || cr + 1 == line.size());
+    const bool plain =
+        text > 0 && line.substr(blanks) != "\r" && (cr == std::string_view::npos || cr + 1 == line.size());
     if (plain && text <= kLineLimit) {
       const size_t wanted = static_cast<size_t>(depth) * (style.spaces ? style.width : 1);
       std::string indent(std::min(wanted, kLineLimit - text), style.spaces ? ' ' : '\t');

@@ -20,7 +20,9 @@ Json text_edits(const Document& document, const std::vector<Edit>& edits) {
 
 Json workspace_edit(const Document& document, Json edits) {
   const Json version = document.version ? Json(*document.version) : Json(nullptr);
-  return {{"documentChanges", Json::array({{{"textDocument", {{"uri", document.uri()}, {"version", version}}}, {"edits", std::move(edits)}}})}};
+  return {{"documentChanges",
+           Json::array(
+               {{{"textDocument", {{"uri", document.uri()}, {"version", version}}}, {"edits", std::move(edits)}}})}};
 }
 
 bool wanted(const Json& context, std::string_view kind) {
@@ -60,16 +62,24 @@ Json code_action(Workspace& workspace, const Json& params) {
     };
     bool first = true;
     for (const Fix& fix : f.fixes) {
-      add({{"title", printable(fix.title)}, {"isPreferred", first && fix.safe}, {"edit", workspace_edit(document, text_edits(document, fix.edits))}});
+      add({{"title", printable(fix.title)},
+           {"isPreferred", first && fix.safe},
+           {"edit", workspace_edit(document, text_edits(document, fix.edits))}});
       first = false;
     }
-    add({{"title", fmt::format("suppress {} here", f.code)}, {"edit", workspace_edit(document, text_edits(document, suppression_comments(*document.source(), {f}, "reason")))}});
+    add({{"title", fmt::format("suppress {} here", f.code)},
+         {"edit",
+          workspace_edit(document, text_edits(document, suppression_comments(*document.source(), {f}, "reason")))}});
     add({{"title", fmt::format("explain {} {}", f.code, f.rule)},
-         {"command", {{"title", fmt::format("explain {}", f.code)}, {"command", "owlint.explain"}, {"arguments", {f.code}}}}});
+         {"command",
+          {{"title", fmt::format("explain {}", f.code)}, {"command", "owlint.explain"}, {"arguments", {f.code}}}}});
   }
   if (wanted(context, "source.fixAll.owlint")) {
     const std::vector<Edit> edits = round_of_fixes(checked.findings, false).edits;
-    if (!edits.empty()) out.push_back({{"title", "fix everything that owlint can fix safely"}, {"kind", "source.fixAll.owlint"}, {"edit", workspace_edit(document, text_edits(document, edits))}});
+    if (!edits.empty())
+      out.push_back({{"title", "fix everything that owlint can fix safely"},
+                     {"kind", "source.fixAll.owlint"},
+                     {"edit", workspace_edit(document, text_edits(document, edits))}});
   }
   return out;
 }

@@ -14,8 +14,11 @@ enum Kind { kFunction = 3, kValue = 12, kKeyword = 14, kSnippet = 15 };
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-Json item(const Document& document, const std::string& label, Kind kind, const std::string& text, Span replaced, const std::string& detail) {
-  Json out{{"label", label}, {"kind", static_cast<int>(kind)}, {"textEdit", {{"range", document.range(replaced)}, {"newText", text}}}};
+Json item(const Document& document, const std::string& label, Kind kind, const std::string& text, Span replaced,
+          const std::string& detail) {
+  Json out{{"label", label},
+           {"kind", static_cast<int>(kind)},
+           {"textEdit", {{"range", document.range(replaced)}, {"newText", text}}}};
   if (!detail.empty()) out["detail"] = detail;
   return out;
 }
@@ -32,7 +35,8 @@ std::vector<BlockId> open_blocks(const Program& p, uint64_t offset, RegionId reg
 }
 
 std::string end_line(const Program& p, const Block& b) {
-  return label_text(p.name(b.label)) + " " + std::string(spelling(end_of(b.kind))) + (b.kind == Keyword::kDo ? " []" : "");
+  return label_text(p.name(b.label)) + " " + std::string(spelling(end_of(b.kind))) +
+      (b.kind == Keyword::kDo ? " []" : "");
 }
 
 std::string fresh_number(const Program& p) {
@@ -46,14 +50,21 @@ std::string fresh_number(const Program& p) {
 class Completion {
  public:
   Completion(Workspace& workspace, const Document& document, uint64_t offset)
-      : workspace_(workspace), document_(document), program_(document.program()), offset_(offset), line_(document.line_at(offset)),
-        region_(region_at(document, line_.begin)), before_(std::string_view(document.text()).substr(line_.begin, offset - line_.begin)) {}
+      : workspace_(workspace),
+        document_(document),
+        program_(document.program()),
+        offset_(offset),
+        line_(document.line_at(offset)),
+        region_(region_at(document, line_.begin)),
+        before_(std::string_view(document.text()).substr(line_.begin, offset - line_.begin)) {}
 
   Json run() {
     size_t at = 0;
     while (at < before_.size() && is_blank(before_[at])) ++at;
     if (at < before_.size() && (before_[at] | 0x20) == 'n') {
-      for (++at; at < before_.size() && (is_blank(before_[at]) || std::isdigit(static_cast<unsigned char>(before_[at])) != 0);) ++at;
+      for (++at; at < before_.size() &&
+           (is_blank(before_[at]) || std::isdigit(static_cast<unsigned char>(before_[at])) != 0);)
+        ++at;
     }
     if (at == before_.size()) {
       line_start(at);
@@ -100,7 +111,8 @@ class Completion {
     if (open.empty()) return;
     const Block& b = program_.blocks[open.back()];
     const std::string text = end_line(program_, b);
-    Json end = item(document_, text, kSnippet, text, from(begin), "ends `" + program_.head_of(b) + "` on line " + std::to_string(program_.at(b.opener).line));
+    Json end = item(document_, text, kSnippet, text, from(begin),
+                    "ends `" + program_.head_of(b) + "` on line " + std::to_string(program_.at(b.opener).line));
     end["sortText"] = "0";
     end["preselect"] = true;
     out_.push_back(std::move(end));
@@ -143,7 +155,8 @@ class Completion {
     }
     for (const std::string& name : workspace_.callable_files(document_)) {
       if (out_.size() >= kMost) break;
-      const Document* file = known.contains(name) ? nullptr : workspace_.document_of_path(workspace_.called_file(document_, name));
+      const Document* file =
+          known.contains(name) ? nullptr : workspace_.document_of_path(workspace_.called_file(document_, name));
       if (file != nullptr && defines_own_name(file->program())) add(name, name + ".ngc");
     }
   }
@@ -156,9 +169,11 @@ class Completion {
       if (b.label != id) continue;
       fitting.push_back(end_of(b.kind));
       if (b.kind == Keyword::kIf) fitting.insert(fitting.end(), {Keyword::kElseif, Keyword::kElse});
-      if (b.kind == Keyword::kWhile || b.kind == Keyword::kDo) fitting.insert(fitting.end(), {Keyword::kBreak, Keyword::kContinue});
+      if (b.kind == Keyword::kWhile || b.kind == Keyword::kDo)
+        fitting.insert(fitting.end(), {Keyword::kBreak, Keyword::kContinue});
     }
-    if (region_ != kMainRegion && program_.regions[region_].name == id && id != kNoName) fitting.insert(fitting.end(), {Keyword::kReturn, Keyword::kEndsub});
+    if (region_ != kMainRegion && program_.regions[region_].name == id && id != kNoName)
+      fitting.insert(fitting.end(), {Keyword::kReturn, Keyword::kEndsub});
     if (fitting.empty()) {
       fitting = {Keyword::kIf, Keyword::kWhile, Keyword::kDo, Keyword::kRepeat, Keyword::kCall};
       if (region_ == kMainRegion) fitting.push_back(Keyword::kSub);
@@ -166,8 +181,10 @@ class Completion {
     }
     for (const Keyword k : fitting) {
       const std::string word(spelling(k));
-      const bool condition = k == Keyword::kIf || k == Keyword::kElseif || k == Keyword::kWhile || k == Keyword::kRepeat;
-      Json keyword = item(document_, word, kKeyword, condition ? word + " []" : word, from(begin), std::string(meaning(k)));
+      const bool condition =
+          k == Keyword::kIf || k == Keyword::kElseif || k == Keyword::kWhile || k == Keyword::kRepeat;
+      Json keyword =
+          item(document_, word, kKeyword, condition ? word + " []" : word, from(begin), std::string(meaning(k)));
       keyword["filterText"] = word;
       out_.push_back(std::move(keyword));
     }

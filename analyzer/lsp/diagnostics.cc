@@ -6,7 +6,9 @@
 namespace owlint::lsp {
 namespace {
 
-int severity_number(Severity severity) { return severity == Severity::kError ? 1 : severity == Severity::kWarning ? 2 : 3; }
+int severity_number(Severity severity) {
+  return severity == Severity::kError ? 1 : severity == Severity::kWarning ? 2 : 3;
+}
 
 /// The rule's own page where it is installed, else LinuxCNC's page about O-words.
 std::string page_of(std::string_view code) {
@@ -24,7 +26,8 @@ Json related_json(const Document& document, const Finding& f) {
       out.push_back({{"location", document.location(r.span)}, {"message", printable(r.message)}});
       return;
     }
-    const Document other(uri_of_path(file_key(r.source->path())), r.source->path(), std::string(r.source->bytes()), document.encoding());
+    const Document other(uri_of_path(file_key(r.source->path())), r.source->path(), std::string(r.source->bytes()),
+                         document.encoding());
     out.push_back({{"location", other.location(r.span)}, {"message", printable(r.message)}});
   };
   for (const Related& r : f.related) add(r);
@@ -65,18 +68,22 @@ Json document_diagnostic(Workspace& workspace, const Json& params) {
   if (workspace.checked(uri) == nullptr && workspace.find_open(uri) != nullptr) workspace.check(uri);
   const Checked* known = workspace.checked(uri);
   const Checked checked = known != nullptr ? *known : workspace.check_alone(document.path());
-  if (params.value("previousResultId", "") == checked.result_id) return {{"kind", "unchanged"}, {"resultId", checked.result_id}};
+  if (params.value("previousResultId", "") == checked.result_id)
+    return {{"kind", "unchanged"}, {"resultId", checked.result_id}};
   return {{"kind", "full"}, {"resultId", checked.result_id}, {"items", diagnostics_of(document, checked.findings)}};
 }
 
 Json workspace_diagnostic(Workspace& workspace, const Json& params) {
   std::map<std::string, std::string> previous;
-  for (const Json& entry : params.value("previousResultIds", Json::array())) previous[entry.at("uri")] = entry.at("value");
+  for (const Json& entry : params.value("previousResultIds", Json::array()))
+    previous[entry.at("uri")] = entry.at("value");
   Json items = Json::array();
   for (const auto& [path, checked] : workspace.check_everything()) {
     const Document* document = workspace.document_of_path(path);
     if (document == nullptr) continue;
-    Json item{{"uri", document->uri()}, {"version", document->version ? Json(*document->version) : Json(nullptr)}, {"resultId", checked.result_id}};
+    Json item{{"uri", document->uri()},
+              {"version", document->version ? Json(*document->version) : Json(nullptr)},
+              {"resultId", checked.result_id}};
     const auto before = previous.find(document->uri());
     if (before != previous.end() && before->second == checked.result_id) {
       item["kind"] = "unchanged";

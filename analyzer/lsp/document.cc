@@ -47,7 +47,9 @@ Json Document::position(uint64_t offset) const {
 Json Document::range(Span span) const { return {{"start", position(span.begin)}, {"end", position(span.end)}}; }
 
 uint64_t Document::offset(const Json& position) const {
-  const auto part = [&](const char* name) { return static_cast<uint32_t>(std::min<uint64_t>(position.at(name).get<uint64_t>(), UINT32_MAX)); };
+  const auto part = [&](const char* name) {
+    return static_cast<uint32_t>(std::min<uint64_t>(position.at(name).get<uint64_t>(), UINT32_MAX));
+  };
   return lines_.offset(text_, {part("line"), part("character")}, encoding_);
 }
 
@@ -70,7 +72,9 @@ std::string path_of_uri(const std::string& uri) {
   std::string path;
   const size_t begin = uri.find('/', kScheme.size());
   for (size_t i = begin == std::string::npos ? uri.size() : begin; i < uri.size(); ++i) {
-    const auto hex = [](char c) { return c >= '0' && c <= '9' ? c - '0' : (c | 0x20) >= 'a' && (c | 0x20) <= 'f' ? (c | 0x20) - 'a' + 10 : -1; };
+    const auto hex = [](char c) {
+      return c >= '0' && c <= '9' ? c - '0' : (c | 0x20) >= 'a' && (c | 0x20) <= 'f' ? (c | 0x20) - 'a' + 10 : -1;
+    };
     if (uri[i] == '%' && i + 2 < uri.size() && hex(uri[i + 1]) >= 0 && hex(uri[i + 2]) >= 0) {
       path.push_back(static_cast<char>(hex(uri[i + 1]) * 16 + hex(uri[i + 2])));
       i += 2;

@@ -70,7 +70,8 @@ Json selection_range(Workspace& workspace, const Json& params) {
       // The branch: the lines between two parts.
       StatementId from = b.opener;
       StatementId to = b.end;
-      for (const StatementId part : p.parts[id]) (p.at(part).offset <= offset ? from : to) = p.at(part).offset <= offset ? part : std::min(to, part);
+      for (const StatementId part : p.parts[id])
+        (p.at(part).offset <= offset ? from : to) = p.at(part).offset <= offset ? part : std::min(to, part);
       const Span branch{std::min<uint64_t>(p.at(from).end() + 1, document.text().size()), p.at(to).offset};
       if (branch.begin <= offset && offset < branch.end) spans.push_back(branch);
     }
@@ -79,7 +80,9 @@ Json selection_range(Workspace& workspace, const Json& params) {
     Json range;
     Span around{0, UINT64_MAX};
     for (const Span span : spans) {
-      if (span.begin < around.begin || span.end > around.end || span == around || offset < span.begin || offset > span.end) continue;
+      if (span.begin < around.begin || span.end > around.end || span == around || offset < span.begin ||
+          offset > span.end)
+        continue;
       Json inner{{"range", document.range(span)}};
       if (!range.is_null()) inner["parent"] = std::move(range);
       range = std::move(inner);

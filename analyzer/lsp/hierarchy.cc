@@ -13,10 +13,15 @@ Json item(const Document& document, RegionId region) {
   const Region& r = p.regions[region];
   const bool main = r.opener == kNoStatement;
   const std::string file = document.path().substr(document.path().rfind('/') + 1);
-  const Span span = main ? Span{0, document.text().size()} : Span{p.at(r.opener).offset, p.at(std::max<StatementId>(r.last, r.opener + 1) - 1).end()};
+  const Span span = main ? Span{0, document.text().size()}
+                         : Span{p.at(r.opener).offset, p.at(std::max<StatementId>(r.last, r.opener + 1) - 1).end()};
   const Span selection = main ? Span{0, 0} : p.at(r.opener).head_span();
-  return {{"name", main ? file : label_text(p.name(r.name))}, {"kind", main ? 1 : 12}, {"detail", file}, {"uri", document.uri()},
-          {"range", document.range(span)}, {"selectionRange", document.range(selection)},
+  return {{"name", main ? file : label_text(p.name(r.name))},
+          {"kind", main ? 1 : 12},
+          {"detail", file},
+          {"uri", document.uri()},
+          {"range", document.range(span)},
+          {"selectionRange", document.range(selection)},
           {"data", {{"uri", document.uri()}, {"sub", main ? "" : p.name(r.name)}}}};
 }
 
@@ -36,7 +41,8 @@ Json prepare_call_hierarchy(Workspace& workspace, const Json& params) {
   const auto target = target_at(document, offset);
   if (target && target->kind == Target::Kind::kSub) {
     const Sub sub = find_sub(workspace, document, target->name);
-    if (sub.document != nullptr) return Json::array({item(*sub.document, sub.document->program().region_of[sub.opener])});
+    if (sub.document != nullptr)
+      return Json::array({item(*sub.document, sub.document->program().region_of[sub.opener])});
   }
   return nullptr;
 }
@@ -52,9 +58,11 @@ Json incoming_calls(Workspace& workspace, const Json& params) {
     if (at == kNoStatement) continue;
     const Statement& s = o.document->program().at(at);
     if (!s.calls()) continue;
-    callers.try_emplace({o.document, o.document->program().region_of[at]}, Json::array()).first->second.push_back(o.document->range(o.span));
+    callers.try_emplace({o.document, o.document->program().region_of[at]}, Json::array())
+        .first->second.push_back(o.document->range(o.span));
   }
-  for (const auto& [caller, ranges] : callers) out.push_back({{"from", item(*caller.first, caller.second)}, {"fromRanges", ranges}});
+  for (const auto& [caller, ranges] : callers)
+    out.push_back({{"from", item(*caller.first, caller.second)}, {"fromRanges", ranges}});
   return out;
 }
 
@@ -66,7 +74,8 @@ Json outgoing_calls(Workspace& workspace, const Json& params) {
   std::map<NameId, Json> callees;
   for (const Call& call : p.calls) {
     if (call.caller != region || call.callee == kNoName) continue;
-    callees.try_emplace(call.callee, Json::array()).first->second.push_back(document.range(p.at(call.statement).label_span()));
+    callees.try_emplace(call.callee, Json::array())
+        .first->second.push_back(document.range(p.at(call.statement).label_span()));
   }
   Json out = Json::array();
   for (const auto& [callee, ranges] : callees) {

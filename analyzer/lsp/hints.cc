@@ -41,7 +41,8 @@ Json signature_help(Workspace& workspace, const Json& params) {
   const std::vector<Span> given = arguments_of(document, s);
   size_t active = 0;
   while (active + 1 < given.size() && offset >= given[active + 1].begin) ++active;
-  const uint32_t count = std::max<uint32_t>(arguments_read(*sub.document, sub.opener), static_cast<uint32_t>(given.size()));
+  const uint32_t count =
+      std::max<uint32_t>(arguments_read(*sub.document, sub.opener), static_cast<uint32_t>(given.size()));
   std::string label = label_text(name) + " call";
   Json parameters = Json::array();
   for (uint32_t n = 1; n <= count; ++n) {
@@ -67,22 +68,34 @@ Json inlay_hint(Workspace& workspace, const Json& params) {
     if (s->is(Keyword::kCall) && s->label != kNoName) {
       uint32_t n = 0;
       const Sub sub = find_sub(workspace, document, p.name(s->label));
-      const flow::Summary* summary = sub.document == nullptr ? nullptr : &sub.document->data().of(sub.document->program().region_of[sub.opener]);
+      const flow::Summary* summary =
+          sub.document == nullptr ? nullptr : &sub.document->data().of(sub.document->program().region_of[sub.opener]);
       for (const Span argument : arguments_of(document, *s)) {
         ++n;
-        const bool unread = summary != nullptr && summary->known && !summary->any_number && n < 31 && (summary->arguments >> n & 1) == 0;
-        out.push_back({{"position", document.position(argument.begin)}, {"label", "#" + std::to_string(n) + (unread ? " (not read) =" : " =")}, {"kind", static_cast<int>(kParameter)}, {"paddingRight", true}});
+        const bool unread = summary != nullptr && summary->known && !summary->any_number && n < 31 &&
+            (summary->arguments >> n & 1) == 0;
+        out.push_back({{"position", document.position(argument.begin)},
+                       {"label", "#" + std::to_string(n) + (unread ? " (not read) =" : " =")},
+                       {"kind", static_cast<int>(kParameter)},
+                       {"paddingRight", true}});
       }
     }
     if (s->is(Keyword::kSub)) {
       const std::string summary = summary_text(p, document.data().of(p.region_of[id]));
-      if (!summary.empty()) out.push_back({{"position", document.position(s->head_span().end)}, {"label", summary}, {"kind", static_cast<int>(kType)}, {"paddingLeft", true}});
+      if (!summary.empty())
+        out.push_back({{"position", document.position(s->head_span().end)},
+                       {"label", summary},
+                       {"kind", static_cast<int>(kType)},
+                       {"paddingLeft", true}});
     }
     const BlockId block = p.block_of[id];
     if (block == kNoBlock || p.blocks[block].end != id || !ends_block(s->keyword)) continue;
     const std::string condition = condition_text(document, p.blocks[block].opener);
     if (condition.empty()) continue;
-    out.push_back({{"position", document.position(s->head_span().end)}, {"label", std::string(spelling(p.blocks[block].kind)) + " " + condition}, {"kind", static_cast<int>(kType)}, {"paddingLeft", true}});
+    out.push_back({{"position", document.position(s->head_span().end)},
+                   {"label", std::string(spelling(p.blocks[block].kind)) + " " + condition},
+                   {"kind", static_cast<int>(kType)},
+                   {"paddingLeft", true}});
   }
   return out;
 }

@@ -13,13 +13,17 @@ std::string line_of(const Document& document, StatementId id) { return std::to_s
 
 std::string about_sub(Workspace& workspace, const Document& document, const std::string& name) {
   const Sub sub = find_sub(workspace, document, name);
-  if (sub.document == nullptr) return fmt::format("`{}` is not defined here, and owlint finds no file for it.", label_text(name));
-  std::string out = sub.document == &document ? fmt::format("`{} sub` begins on line {}.", label_text(name), line_of(document, sub.opener))
-                                              : fmt::format("`{} sub` is in `{}`, line {}.", label_text(name), sub.document->path(), line_of(*sub.document, sub.opener));
+  if (sub.document == nullptr)
+    return fmt::format("`{}` is not defined here, and owlint finds no file for it.", label_text(name));
+  std::string out = sub.document == &document
+      ? fmt::format("`{} sub` begins on line {}.", label_text(name), line_of(document, sub.opener))
+      : fmt::format("`{} sub` is in `{}`, line {}.", label_text(name), sub.document->path(),
+                    line_of(*sub.document, sub.opener));
   const std::string comment = leading_comment(*sub.document, sub.opener);
   if (!comment.empty()) out += "\n\n```\n" + comment + "\n```";
   const Program& p = sub.document->program();
-  if (const std::string summary = summary_text(p, sub.document->data().of(p.region_of[sub.opener])); !summary.empty()) return out + "\n\nIt " + summary + ".";
+  if (const std::string summary = summary_text(p, sub.document->data().of(p.region_of[sub.opener])); !summary.empty())
+    return out + "\n\nIt " + summary + ".";
   const uint32_t arguments = arguments_read(*sub.document, sub.opener);
   out += arguments == 0 ? "\n\nIt reads no arguments." : fmt::format("\n\nIt reads arguments up to `#{}`.", arguments);
   return out;
@@ -29,7 +33,8 @@ std::string about_block(const Document& document, BlockId id) {
   const Program& p = document.program();
   const Block& b = p.blocks[id];
   std::string out = fmt::format("`{}` begins on line {}", p.head_of(b), line_of(document, b.opener));
-  if (const std::string condition = condition_text(document, b.opener); !condition.empty()) out += fmt::format(" with `{}`", condition);
+  if (const std::string condition = condition_text(document, b.opener); !condition.empty())
+    out += fmt::format(" with `{}`", condition);
   out += b.end == kNoStatement ? " and is not closed." : fmt::format(" and ends on line {}.", line_of(document, b.end));
   return out;
 }
@@ -41,9 +46,10 @@ std::string about_parameter(const Document& document, uint64_t offset, const std
   const bool named = name[0] == '<';
   const bool global = named ? name.starts_with("<_") : name.size() > 2 || std::stoi(name) > 30;
   const std::string kind = named ? (global ? "a global name" : "a name of this sub only")
-                           : global ? "a global number"
-                                    : "an argument, or a number of this sub only";
-  return fmt::format("`#{}` is {}: assigned {} times, read {} times {}.", name, kind, writes, all.size() - writes, global ? "in this file" : "in this sub");
+      : global                   ? "a global number"
+                                 : "an argument, or a number of this sub only";
+  return fmt::format("`#{}` is {}: assigned {} times, read {} times {}.", name, kind, writes, all.size() - writes,
+                     global ? "in this file" : "in this sub");
 }
 
 }  // namespace
@@ -63,9 +69,9 @@ Json hover(Workspace& workspace, const Json& params) {
     if (s.kind != LineKind::kOWord && !s.calls()) return nullptr;
     span = s.head_span();
     if (offset < span.begin || offset > span.end) return nullptr;
-    text = s.kind == LineKind::kM98       ? "**M98** calls a Fanuc-style sub by its number."
-           : s.kind == LineKind::kContour ? "**Q** is the number of the sub whose moves are the contour."
-                                          : fmt::format("**{}** {}.", document.program().head(id), meaning(s.keyword));
+    text = s.kind == LineKind::kM98    ? "**M98** calls a Fanuc-style sub by its number."
+        : s.kind == LineKind::kContour ? "**Q** is the number of the sub whose moves are the contour."
+                                       : fmt::format("**{}** {}.", document.program().head(id), meaning(s.keyword));
     if (target && target->kind == Target::Kind::kSub) text += "\n\n" + about_sub(workspace, document, target->name);
     if (target && target->kind == Target::Kind::kBlock) text += "\n\n" + about_block(document, target->block);
   }

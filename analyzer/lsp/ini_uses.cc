@@ -91,7 +91,8 @@ uint32_t line_of_kept_number(const MachineSetup& machine, const std::string& num
 
 std::string text_of(const Ini::Entry& entry) {
   const fs::path path = entry.source->path();
-  return "`" + entry.key + "` on line " + std::to_string(entry.source->position(entry.span.begin).line) + " of " + path.filename().string();
+  return "`" + entry.key + "` on line " + std::to_string(entry.source->position(entry.span.begin).line) + " of " +
+      path.filename().string();
 }
 
 }  // namespace owlint::lsp

@@ -11,9 +11,11 @@ inline std::string_view meaning(Keyword keyword) {
   switch (keyword) {
     case Keyword::kSub: return "begins a sub; the program skips it up to its `endsub`";
     case Keyword::kEndsub: return "ends a sub; a call returns here";
-    case Keyword::kCall: return "calls a sub of this program, or the file of that name; arguments in brackets become #1, #2 …";
+    case Keyword::kCall:
+      return "calls a sub of this program, or the file of that name; arguments in brackets become #1, #2 …";
     case Keyword::kDo: return "begins a loop that runs at least once; `while` with the same label ends it";
-    case Keyword::kWhile: return "runs its lines while the condition is true; after a `do` with the same label it ends that loop";
+    case Keyword::kWhile:
+      return "runs its lines while the condition is true; after a `do` with the same label it ends that loop";
     case Keyword::kRepeat: return "runs its lines as many times as its number says";
     case Keyword::kIf: return "runs its lines if the condition is true (not 0)";
     case Keyword::kElseif: return "runs its lines if no branch before it has run and its condition is true";

@@ -12,7 +12,8 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-constexpr std::array<std::string_view, 10> kWordOperators = {"mod", "eq", "ne", "gt", "ge", "lt", "le", "and", "or", "xor"};
+constexpr std::array<std::string_view, 10> kWordOperators = {"mod", "eq", "ne",  "gt", "ge",
+                                                             "lt",  "le", "and", "or", "xor"};
 
 class Lexer {
  public:
@@ -53,7 +54,8 @@ class Lexer {
       if (c == '[') ++depth_;
       if (c == ']' && depth_ > 0) --depth_;
       at_ += c == '*' && peek(1) == '*' ? 2 : 1;
-      if (std::string_view("+-*/=").find(c) != std::string_view::npos && (c != '/' || started_)) add(TokenKind::kOperator, begin);
+      if (std::string_view("+-*/=").find(c) != std::string_view::npos && (c != '/' || started_))
+        add(TokenKind::kOperator, begin);
     }
   }
 
@@ -78,7 +80,8 @@ class Lexer {
     if (depth_ > 0) {
       skip(is_letter);
       const std::string word = small_letters(line_.substr(begin, at_ - begin));
-      add(std::ranges::find(kWordOperators, word) != kWordOperators.end() ? TokenKind::kOperator : TokenKind::kFunction, begin);
+      add(std::ranges::find(kWordOperators, word) != kWordOperators.end() ? TokenKind::kOperator : TokenKind::kFunction,
+          begin);
       return;
     }
     if (c == 'o' && !started_) return o_word();

@@ -13,7 +13,9 @@ namespace {
 
 constexpr long kLastFreeNumber = 5000;  // what follows is LinuxCNC's: positions, offsets, tool data
 
-bool is_number(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; }
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
 bool is_block_label(const Statement& s) { return s.kind == LineKind::kOWord && !global_label(s.keyword); }
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
@@ -86,7 +88,8 @@ std::vector<Occurrence> Naming::uses(const std::string& name) const {
 void Naming::require_free(const std::string& name) const {
   require_ours(name);
   const std::vector<Occurrence> taken = uses(name);
-  if (!taken.empty()) refuse("`" + text(name) + "` is used on " + place(*taken.front().document, taken.front().span.begin) + " already");
+  if (!taken.empty())
+    refuse("`" + text(name) + "` is used on " + place(*taken.front().document, taken.front().span.begin) + " already");
   if (target_.kind != Target::Kind::kSub) return;
   const std::string file = workspace_.called_file(*sub_.document, name);
   if (!file.empty()) refuse("the file " + file + " exists already");
@@ -94,15 +97,14 @@ void Naming::require_free(const std::string& name) const {
   // Calls that find nothing now would find the file.
   for (const Document* in : workspace_.documents_around(*sub_.document)) {
     const std::vector<Occurrence> labels = sub_labels(*in, name);
-    if (!labels.empty() && definition_in(*in, name) == kNoStatement) refuse("`" + text(name) + "` is used on " + place(*in, labels.front().span.begin) + " already");
+    if (!labels.empty() && definition_in(*in, name) == kNoStatement)
+      refuse("`" + text(name) + "` is used on " + place(*in, labels.front().span.begin) + " already");
   }
 }
 
 void Naming::require_ours(const std::string& name) const {
   switch (target_.kind) {
-    case Target::Kind::kBlock:
-      require_no_computed_label(name);
-      break;
+    case Target::Kind::kBlock: require_no_computed_label(name); break;
     case Target::Kind::kSub:
       require_no_computed_label(name);
       require_no_other_call(name);
@@ -138,7 +140,8 @@ void Naming::find_block() {
   require_ours(target_.name);
   for (const Occurrence& o : uses(target_.name)) {
     const StatementId at = document_.statement_at(o.span.begin);
-    if (p.block_of[at] == kNoBlock) refuse("`" + p.head(at) + "` on " + place(document_, o.span.begin) + " belongs to no block: correct it first");
+    if (p.block_of[at] == kNoBlock)
+      refuse("`" + p.head(at) + "` on " + place(document_, o.span.begin) + " belongs to no block: correct it first");
     if (p.block_of[at] == target_.block) places_.push_back(o);
   }
 }
@@ -164,14 +167,16 @@ void Naming::find_sub_of_run() {
   sub_ = find_sub(workspace_, document_, name);
   documents_ = workspace_.documents_run_with(sub_.document == nullptr ? document_ : *sub_.document);
   std::vector<const Document*> definers;
-  std::ranges::copy_if(documents_, std::back_inserter(definers), [&](const Document* in) { return definition_in(*in, name) != kNoStatement; });
+  std::ranges::copy_if(documents_, std::back_inserter(definers),
+                       [&](const Document* in) { return definition_in(*in, name) != kNoStatement; });
   if (sub_.document == nullptr) {
     // A helper of another file, which is known once that file has been called.
     if (definers.size() != 1) refuse("the definition of " + label + " is not known");
     sub_ = {name, definers.front(), definition_in(*definers.front(), name), false};
     documents_ = workspace_.documents_run_with(*sub_.document);
   }
-  if (sub_.own_file && !workspace_.renames_files) refuse("the editor cannot rename files, and " + file_name(sub_.document->path()) + " is named after its sub");
+  if (sub_.own_file && !workspace_.renames_files)
+    refuse("the editor cannot rename files, and " + file_name(sub_.document->path()) + " is named after its sub");
   require_ours(name);
   for (const Document* in : documents_) {
     const std::vector<Occurrence> labels = sub_labels(*in, name);
@@ -182,7 +187,9 @@ void Naming::find_sub_of_run() {
       const std::string file = workspace_.called_file(*in, name);
       std::string other = file.empty() || file_key(file) == file_key(sub_.document->path()) ? "" : file;
       if (other.empty() && definers.size() > 1) other = definers[definers[0] == sub_.document ? 1 : 0]->path();
-      if (!other.empty()) refuse(label + " on " + place(*in, labels.front().span.begin) + " may be the one of " + file_name(sub_.document->path()) + " or of " + file_name(other));
+      if (!other.empty())
+        refuse(label + " on " + place(*in, labels.front().span.begin) + " may be the one of " +
+               file_name(sub_.document->path()) + " or of " + file_name(other));
     }
     places_.insert(places_.end(), labels.begin(), labels.end());
   }
@@ -195,13 +202,16 @@ void Naming::require_no_other_call(const std::string& name) const {
     for (const Call& call : p.calls) {
       if (call.callee == kNoName) continue;
       const std::string& path = p.name(call.callee);
-      if (path != name && path.ends_with("/" + name)) refuse("`" + p.label_text(call.callee) + "` on " + place(*in, p.at(call.statement).offset) + " calls it by a path");
+      if (path != name && path.ends_with("/" + name))
+        refuse("`" + p.label_text(call.callee) + "` on " + place(*in, p.at(call.statement).offset) +
+               " calls it by a path");
     }
     if (!is_number(name) || in->text().find_first_of("Qq") == std::string::npos) continue;
     for (size_t line = 0; line < in->lines().count(); ++line) {
       const Span span = in->lines().line(in->text(), line);
       const auto q = sub_of_cycle(std::string_view(in->text()).substr(span.begin, span.end - span.begin));
-      if (q && (q->empty() || *q == name)) refuse("the Q on " + place(*in, span.begin) + (q->empty() ? " may run `" : " runs `") + label_text(name) + "`");
+      if (q && (q->empty() || *q == name))
+        refuse("the Q on " + place(*in, span.begin) + (q->empty() ? " may run `" : " runs `") + label_text(name) + "`");
     }
   }
   if (!sub_.own_file) return;
@@ -224,7 +234,9 @@ void Naming::find_parameter(uint64_t offset) {
   require_ours(name);
   places_ = uses(name);
   if (!is_shared(name)) require_not_given();
-  if (std::ranges::none_of(places_, &Occurrence::definition)) refuse("`" + text(name) + "` is assigned nowhere" + (region_ ? " in its sub" : "") + ": its value comes from elsewhere");
+  if (std::ranges::none_of(places_, &Occurrence::definition))
+    refuse("`" + text(name) + "` is assigned nowhere" + (region_ ? " in its sub" : "") +
+           ": its value comes from elsewhere");
 }
 
 void Naming::require_parameter_of_programs(const std::string& name) const {
@@ -234,13 +246,15 @@ void Naming::require_parameter_of_programs(const std::string& name) const {
     if (may_be_predefined(bare) || bare == "n_args") refuse(shown + " is LinuxCNC's own");
   } else {
     const long number = std::stol(name);
-    if (number == 0 || number > kLastFreeNumber) refuse(shown + " is LinuxCNC's own: programs have `#1` to `#" + std::to_string(kLastFreeNumber) + "`");
+    if (number == 0 || number > kLastFreeNumber)
+      refuse(shown + " is LinuxCNC's own: programs have `#1` to `#" + std::to_string(kLastFreeNumber) + "`");
   }
   if (!is_shared(name)) return;
   for (const auto& machine : machines_) {
     if (const Ini::Entry* entry = ini_use_of_parameter(machine->ini, name)) refuse(text_of(*entry) + " names " + shown);
     std::string path;
-    if (const uint32_t line = line_of_kept_number(*machine, name, &path)) refuse("LinuxCNC keeps " + shown + " on line " + std::to_string(line) + " of " + path);
+    if (const uint32_t line = line_of_kept_number(*machine, name, &path))
+      refuse("LinuxCNC keeps " + shown + " on line " + std::to_string(line) + " of " + path);
   }
 }
 
@@ -250,18 +264,21 @@ void Naming::require_no_computed_number(const std::string& name) const {
     for_parameters(*in, [&](Span line, const std::vector<ParameterUse>& uses) {
       if (region_ && region_at(*in, line.begin) != *region_) return;
       for (const ParameterUse& use : uses) {
-        if (use.name.empty()) refuse("the number of a parameter on " + place(*in, line.begin) + " is computed: it may be `#" + name + "`");
+        if (use.name.empty())
+          refuse("the number of a parameter on " + place(*in, line.begin) + " is computed: it may be `#" + name + "`");
       }
     });
     if (is_shared(name)) continue;
     // M98 leaves #1 to #30 as they are: the sub of another file has the same ones.
     for (const Call& call : in->program().calls) {
       const Statement& s = in->program().at(call.statement);
-      if (s.kind == LineKind::kM98 && call.target == UINT32_MAX) refuse("`M98` on " + place(*in, s.offset) + " leaves `#" + name + "` to its sub");
+      if (s.kind == LineKind::kM98 && call.target == UINT32_MAX)
+        refuse("`M98` on " + place(*in, s.offset) + " leaves `#" + name + "` to its sub");
     }
     const NameId own = in->program().syntax.names.find(small_letters(stem_of(in->path())));
     for (const Region& region : in->program().regions) {
-      if (region.name == own && region.opener != kNoStatement && in->program().at(region.opener).is(Keyword::kBare)) refuse("`M98` in other files leaves `#" + name + "` to this sub");
+      if (region.name == own && region.opener != kNoStatement && in->program().at(region.opener).is(Keyword::kBare))
+        refuse("`M98` in other files leaves `#" + name + "` to this sub");
     }
   }
 }
@@ -279,7 +296,8 @@ void Naming::require_not_read_in_passing(const std::string& name) const {
     const StatementId id = document_.statement_at(line.begin);
     if (region == kMainRegion || (region != *region_ && *region_ != kMainRegion) || !main || id == kNoStatement) return;
     if (!p.at(id).is(Keyword::kEndsub) && !p.at(id).is(Keyword::kReturn)) return;
-    refuse("the value on " + place(document_, line.begin) + " is also computed for the main program's `" + text(name) + "`, on " + place(document_, main->begin));
+    refuse("the value on " + place(document_, line.begin) + " is also computed for the main program's `" + text(name) +
+           "`, on " + place(document_, main->begin));
   });
 }
 
@@ -296,10 +314,12 @@ void Naming::require_not_given() const {
     const std::string sub = "`" + p.label_text(p.regions[region].name) + "`";
     if (is_number(target_.name)) {
       const flow::Summary& summary = document_.data().of(region);
-      if (!summary.known || prints(region) || (summary.arguments >> std::stoul(target_.name) & 1) != 0) refuse(shown + " may be an argument of " + sub + ": its calls decide about it");
+      if (!summary.known || prints(region) || (summary.arguments >> std::stoul(target_.name) & 1) != 0)
+        refuse(shown + " may be an argument of " + sub + ": its calls decide about it");
     } else {
       for (const auto& machine : machines_) {
-        if (is_remap(machine->ini, p.name(p.regions[region].name))) refuse("a remap calls " + sub + ", and may set " + shown);
+        if (is_remap(machine->ini, p.name(p.regions[region].name)))
+          refuse("a remap calls " + sub + ", and may set " + shown);
       }
     }
   }
@@ -323,7 +343,9 @@ bool Naming::set_first(RegionId region) const {
   const StatementId at = document_.statement_at(first->span.begin);
   const auto next = std::find_if(first + 1, places_.end(), here);
   if (at == kNoStatement || (next != places_.end() && document_.statement_at(next->span.begin) == at)) return false;
-  return std::ranges::none_of(p.blocks, [&](const Block& b) { return b.region == region && b.opener < at && (b.end == kNoStatement || b.end > at); });
+  return std::ranges::none_of(p.blocks, [&](const Block& b) {
+    return b.region == region && b.opener < at && (b.end == kNoStatement || b.end > at);
+  });
 }
 
 }  // namespace owlint::lsp

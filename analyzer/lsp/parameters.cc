@@ -36,8 +36,14 @@ class Finder {
         case '(': at = comment(at); break;
         case '<': at = behind('>', at); break;  // of a label
         case '#': at = parameter(at); break;
-        case '[': ++depth_; ++at; break;
-        case ']': --depth_; ++at; break;
+        case '[':
+          ++depth_;
+          ++at;
+          break;
+        case ']':
+          --depth_;
+          ++at;
+          break;
         default: ++at;
       }
     }
@@ -98,7 +104,9 @@ class Finder {
       } else {
         while (end < close && is_digit(line_[end])) ++end;
         constexpr size_t kDigits = 4;  // as many as the largest parameter has
-        if (end > at + 1 && end - at - 1 <= kDigits) uses_.push_back({at, end, std::to_string(std::stoi(std::string(line_.substr(at + 1, end - at - 1)))), false, true});
+        if (end > at + 1 && end - at - 1 <= kDigits)
+          uses_.push_back(
+              {at, end, std::to_string(std::stoi(std::string(line_.substr(at + 1, end - at - 1)))), false, true});
       }
       at = end;
     }

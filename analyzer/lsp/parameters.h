@@ -12,7 +12,8 @@ namespace owlint::lsp {
 struct ParameterUse {
   size_t begin = 0;  ///< bytes from the line's beginning, at the `#`
   size_t end = 0;
-  std::string name;  ///< as LinuxCNC keeps it: `<depth>` or `31`; empty where the number is computed: `#[#1 + 2]`, `##2`
+  std::string
+      name;  ///< as LinuxCNC keeps it: `<depth>` or `31`; empty where the number is computed: `#[#1 + 2]`, `##2`
   bool assigned = false;
   bool printed = false;  ///< in a comment
 };

@@ -100,7 +100,8 @@ std::vector<Occurrence> sub_occurrences(Workspace& workspace, const Document& do
   if (!sub.own_file) return out;
   for (const std::string& path : workspace.program_files()) {
     const Document* other = workspace.document_of_path(path);
-    if (other == nullptr || other == sub.document || other == &document || definition_in(*other, name) != kNoStatement) continue;
+    if (other == nullptr || other == sub.document || other == &document || definition_in(*other, name) != kNoStatement)
+      continue;
     if (other->program().syntax.names.find(name) == kNoName) continue;
     const std::string called = workspace.called_file(*other, name);
     if (!called.empty() && file_key(called) == file_key(sub.document->path())) add(*other);
@@ -128,7 +129,8 @@ void for_parameters(const Document& document, const std::function<void(Span, con
   }
 }
 
-std::vector<Occurrence> parameter_occurrences(const Document& document, std::optional<RegionId> region, const std::string& name) {
+std::vector<Occurrence> parameter_occurrences(const Document& document, std::optional<RegionId> region,
+                                              const std::string& name) {
   std::vector<Occurrence> out;
   for_parameters(document, [&](Span line, const std::vector<ParameterUse>& uses) {
     if (region && region_at(document, line.begin) != *region) return;
@@ -139,12 +141,14 @@ std::vector<Occurrence> parameter_occurrences(const Document& document, std::opt
   return out;
 }
 
-std::vector<Occurrence> occurrences(Workspace& workspace, const Document& document, const Target& target, uint64_t offset) {
+std::vector<Occurrence> occurrences(Workspace& workspace, const Document& document, const Target& target,
+                                    uint64_t offset) {
   switch (target.kind) {
     case Target::Kind::kBlock: return block_occurrences(document, target.block);
     case Target::Kind::kSub: return sub_occurrences(workspace, document, target.name);
     case Target::Kind::kParameter:
-      return parameter_occurrences(document, is_shared(target.name) ? std::nullopt : std::optional(region_at(document, offset)), target.name);
+      return parameter_occurrences(
+          document, is_shared(target.name) ? std::nullopt : std::optional(region_at(document, offset)), target.name);
   }
   return {};
 }
@@ -182,7 +186,8 @@ std::string leading_comment(const Document& document, StatementId opener) {
   for (size_t at = line + 1; out.empty() && at < document.lines().count(); ++at) {
     std::string comment = comment_of(at);
     if (comment.empty()) break;
-    for (; !comment.empty(); comment = ++at < document.lines().count() ? comment_of(at) : std::string()) out += comment + "\n";
+    for (; !comment.empty(); comment = ++at < document.lines().count() ? comment_of(at) : std::string())
+      out += comment + "\n";
   }
   if (!out.empty()) out.pop_back();
   return out;
@@ -209,7 +214,9 @@ std::string condition_text(const Document& document, StatementId id) {
   const std::string_view line = std::string_view(document.text()).substr(s.offset, s.length);
   const size_t open = line.find('[', s.keyword_to);
   const size_t close = line.rfind(']');
-  return open == std::string_view::npos || close == std::string_view::npos || close < open ? std::string() : std::string(line.substr(open, close + 1 - open));
+  return open == std::string_view::npos || close == std::string_view::npos || close < open
+      ? std::string()
+      : std::string(line.substr(open, close + 1 - open));
 }
 
 }  // namespace owlint::lsp

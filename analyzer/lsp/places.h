@@ -29,16 +29,16 @@ struct Sub {
   std::string name;
   const Document* document = nullptr;  ///< the document that defines it; null: not known
   StatementId opener = kNoStatement;
-  bool own_file = false;               ///< the file has its name, so that others call it
+  bool own_file = false;  ///< the file has its name, so that others call it
 };
 
 /// What is at a position.
 struct Target {
   enum class Kind : uint8_t { kBlock, kSub, kParameter } kind;
-  Span span;                ///< the label or parameter under the cursor
+  Span span;  ///< the label or parameter under the cursor
   StatementId statement = kNoStatement;
   BlockId block = kNoBlock;
-  std::string name;         ///< of a sub or parameter
+  std::string name;  ///< of a sub or parameter
 };
 
 std::optional<Target> target_at(const Document& document, uint64_t offset);
@@ -53,8 +53,10 @@ std::vector<Occurrence> sub_labels(const Document& document, const std::string& 
 std::vector<Occurrence> sub_occurrences(Workspace& workspace, const Document& document, const std::string& name);
 std::vector<Occurrence> block_occurrences(const Document& document, BlockId block);
 /// Places that name a parameter: in a region, or anywhere in the document.
-std::vector<Occurrence> parameter_occurrences(const Document& document, std::optional<RegionId> region, const std::string& name);
-std::vector<Occurrence> occurrences(Workspace& workspace, const Document& document, const Target& target, uint64_t offset);
+std::vector<Occurrence> parameter_occurrences(const Document& document, std::optional<RegionId> region,
+                                              const std::string& name);
+std::vector<Occurrence> occurrences(Workspace& workspace, const Document& document, const Target& target,
+                                    uint64_t offset);
 
 /// Calls `each` for the lines of a document, as LinuxCNC ends them, that name parameters: the line's span and the uses.
 void for_parameters(const Document& document, const std::function<void(Span, const std::vector<ParameterUse>&)>& each);

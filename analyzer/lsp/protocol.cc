@@ -54,7 +54,8 @@ std::optional<std::string> read_message(std::FILE* in, std::string* problem) {
     const size_t digit = line.find_first_not_of(" \t", colon + 1);
     const char* begin = line.data() + (digit == std::string::npos ? line.size() : digit);
     const auto [end, error] = std::from_chars(begin, line.data() + line.size(), length);
-    known = error == std::errc{} && length <= kMaxBody && std::string_view(end).find_first_not_of(" \t") == std::string_view::npos;
+    known = error == std::errc{} && length <= kMaxBody &&
+        std::string_view(end).find_first_not_of(" \t") == std::string_view::npos;
   }
   if (!known) {
     *problem = "a message without a usable Content-Length";
@@ -78,8 +79,8 @@ std::optional<std::string> read_message(std::FILE* in, std::string* problem) {
 bool write_message(std::FILE* out, const Json& message) {
   // Bytes that are not UTF-8 cannot be sent; what comes from files may have them.
   const std::string body = message.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return std::fprintf(out, "Content-Length: %zu\r\n\r\n", body.size()) > 0 && std::fwrite(body.data(), 1, body.size(), out) == body.size() &&
-         std::fflush(out) == 0;
+  return std::fprintf(out, "Content-Length: %zu\r\n\r\n", body.size()) > 0 &&
+      std::fwrite(body.data(), 1, body.size(), out) == body.size() && std::fflush(out) == 0;
 }
 
 }  // namespace owlint::lsp

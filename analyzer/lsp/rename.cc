@@ -13,17 +13,25 @@ namespace {
 
 constexpr std::string_view kNever = "<>[]()#;/\\`$|&{}*?~\"'";
 
-bool is_number(std::string_view text) { return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos; }
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 void check_name(const std::string& name) {
   constexpr size_t kDigits = 9;
   if (name.empty()) refuse("the new name is empty");
-  const auto bad = std::ranges::find_if(name, [](char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7F' || kNever.find(c) != std::string_view::npos; });
-  if (bad != name.end()) refuse(static_cast<unsigned char>(*bad) < ' ' ? "a name cannot have a control character in it" : "a name cannot have `" + std::string(1, *bad) + "` in it");
+  const auto bad = std::ranges::find_if(name, [](char c) {
+    return static_cast<unsigned char>(c) <= ' ' || c == '\x7F' || kNever.find(c) != std::string_view::npos;
+  });
+  if (bad != name.end())
+    refuse(static_cast<unsigned char>(*bad) < ' ' ? "a name cannot have a control character in it"
+                                                  : "a name cannot have `" + std::string(1, *bad) + "` in it");
   if (is_number(name) && name.size() > kDigits) refuse("`" + name + "` is too large a number");
 }
 
-std::string without_zeros(const std::string& number) { return number.substr(std::min(number.find_first_not_of('0'), number.size() - 1)); }
+std::string without_zeros(const std::string& number) {
+  return number.substr(std::min(number.find_first_not_of('0'), number.size() - 1));
+}
 
 /// The label that was typed, as LinuxCNC keeps it: `o100`, `100`, `o<drill>`, `<drill>` and `drill` are all taken.
 std::string label_of(std::string typed) {
@@ -43,8 +51,10 @@ std::string parameter_of(std::string typed, const std::string& old) {
   if ((old[0] == '<') == is_number(typed)) refuse("a named parameter keeps a name, a numbered one a number");
   std::string name = is_number(typed) ? without_zeros(typed) : "<" + typed + ">";
   if (is_shared(old) == is_shared(name)) return name;
-  refuse(old[0] == '<' ? "a name with `_` is shared by all subs, one without belongs to its own: that would change what the program does"
-                       : "`#1` to `#30` belong to their sub, other numbers are shared by all: that would change what the program does");
+  refuse(old[0] == '<' ? "a name with `_` is shared by all subs, one without belongs to its own: that would change "
+                         "what the program does"
+                       : "`#1` to `#30` belong to their sub, other numbers are shared by all: that would change what "
+                         "the program does");
 }
 
 using Edits = std::map<const Document*, std::vector<std::pair<Span, std::string>>>;
@@ -59,7 +69,9 @@ void check_length(const Naming& naming, const Document& in, const std::vector<st
     after += text.size() - (span.end - span.begin);
   }
   for (const auto& [begin, length] : lengths) {
-    if (length.second > std::max(length.first, kLineLimit)) refuse(naming.place(in, begin) + " would be longer than the " + std::to_string(kLineLimit) + " characters that LinuxCNC reads");
+    if (length.second > std::max(length.first, kLineLimit))
+      refuse(naming.place(in, begin) + " would be longer than the " + std::to_string(kLineLimit) +
+             " characters that LinuxCNC reads");
   }
 }
 
@@ -70,16 +82,20 @@ Edits edits_of(const Naming& naming, const std::string& name) {
     const char first = o.document->text()[o.span.begin];
     const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(first)));
     const bool by_number = letter == 'P' || letter == 'Q';  // M98 has the number after a P, G71 after a Q
-    if (by_number && !is_number(name)) refuse((letter == 'P' ? "`M98` on " : "the `Q` on ") + naming.place(*o.document, o.span.begin) + " calls it, and takes numbers only");
+    if (by_number && !is_number(name))
+      refuse((letter == 'P' ? "`M98` on " : "the `Q` on ") + naming.place(*o.document, o.span.begin) +
+             " calls it, and takes numbers only");
     const StatementId line = o.document->statement_at(o.span.begin);
     const bool program_number = line != kNoStatement && o.document->program().at(line).is(Keyword::kBare);
-    if (program_number && !is_number(name)) refuse("the label on " + naming.place(*o.document, o.span.begin) + " is a program number, which is no name");
+    if (program_number && !is_number(name))
+      refuse("the label on " + naming.place(*o.document, o.span.begin) + " is a program number, which is no name");
     edits[o.document].emplace_back(o.span, by_number ? letter + name : text);
   }
   for (const auto& [in, list] : edits) {
     check_length(naming, *in, list);
     const char* path = in->path().c_str();
-    if (::access(path, F_OK) == 0 && ::access(path, W_OK) != 0) refuse(in->path() + " has the name, and cannot be written");
+    if (::access(path, F_OK) == 0 && ::access(path, W_OK) != 0)
+      refuse(in->path() + " has the name, and cannot be written");
   }
   return edits;
 }
@@ -99,7 +115,8 @@ Json prepare_rename(Workspace& workspace, const Json& params) {
   const auto target = target_at(document, offset);
   if (!target) return nullptr;
   const Naming naming(workspace, document, *target, offset);
-  return {{"range", document.range(target->span)}, {"placeholder", document.text().substr(target->span.begin, target->span.end - target->span.begin)}};
+  return {{"range", document.range(target->span)},
+          {"placeholder", document.text().substr(target->span.begin, target->span.end - target->span.begin)}};
 }
 
 Json rename(Workspace& workspace, const Json& params) {

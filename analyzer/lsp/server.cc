@@ -53,11 +53,15 @@ const char* encoding_name(Encoding encoding) {
 }
 
 Json capabilities(Encoding encoding) {
-  const Json operations = {{"filters", Json::array({{{"scheme", "file"}, {"pattern", {{"glob", "**/*.{ngc,nc,tap,cnc,gcode}"}, {"matches", "file"}}}}})}};
+  const Json operations = {
+      {"filters",
+       Json::array(
+           {{{"scheme", "file"}, {"pattern", {{"glob", "**/*.{ngc,nc,tap,cnc,gcode}"}, {"matches", "file"}}}}})}};
   return {
       {"positionEncoding", encoding_name(encoding)},
       {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
-      {"diagnosticProvider", {{"identifier", "owlint"}, {"interFileDependencies", true}, {"workspaceDiagnostics", true}}},
+      {"diagnosticProvider",
+       {{"identifier", "owlint"}, {"interFileDependencies", true}, {"workspaceDiagnostics", true}}},
       {"definitionProvider", true},
       {"declarationProvider", true},
       {"referencesProvider", true},
@@ -80,7 +84,9 @@ Json capabilities(Encoding encoding) {
       {"documentOnTypeFormattingProvider", {{"firstTriggerCharacter", "\n"}}},
       {"codeActionProvider", {{"codeActionKinds", {"quickfix", "source.fixAll.owlint"}}, {"resolveProvider", false}}},
       {"executeCommandProvider", {{"commands", {"owlint.explain"}}}},
-      {"workspace", {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}}, {"fileOperations", {{"didRename", operations}}}}},
+      {"workspace",
+       {{"workspaceFolders", {{"supported", true}, {"changeNotifications", true}}},
+        {"fileOperations", {{"didRename", operations}}}}},
   };
 }
 
@@ -146,7 +152,8 @@ void Server::handle(Json message) {
   }
   if (!message.contains("method")) {
     // An answer to one of our own requests: nothing depends on it. Anything else is no message.
-    if (!message.contains("result") && !message.contains("error")) refuse(message.value("id", Json()), {ErrorCode::kInvalidRequest, "the message has no method"});
+    if (!message.contains("result") && !message.contains("error"))
+      refuse(message.value("id", Json()), {ErrorCode::kInvalidRequest, "the message has no method"});
     return;
   }
   const std::string method = message.at("method").get<std::string>();
@@ -206,9 +213,11 @@ void Server::notification(const std::string& method, const Json& params) {
   } else if (method == "textDocument/didClose") {
     const std::string uri = params.at("textDocument").at("uri");
     workspace_.close(uri);
-    if (published_.erase(uri) > 0) notify("textDocument/publishDiagnostics", {{"uri", uri}, {"diagnostics", Json::array()}});
+    if (published_.erase(uri) > 0)
+      notify("textDocument/publishDiagnostics", {{"uri", uri}, {"diagnostics", Json::array()}});
     check_all();
-  } else if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles" || method == "workspace/didRenameFiles") {
+  } else if (method == "textDocument/didSave" || method == "workspace/didChangeWatchedFiles" ||
+             method == "workspace/didRenameFiles") {
     workspace_.forget_files();
     check_all();
   } else if (method == "workspace/didChangeWorkspaceFolders") {
@@ -248,7 +257,8 @@ Json Server::initialize(const Json& params) {
   }
   workspace_.configure(params.value("initializationOptions", Json::object()));
   state_ = State::kInitialized;
-  return {{"capabilities", capabilities(workspace_.encoding)}, {"serverInfo", {{"name", kToolName}, {"version", kToolVersion}}}};
+  return {{"capabilities", capabilities(workspace_.encoding)},
+          {"serverInfo", {{"name", kToolName}, {"version", kToolVersion}}}};
 }
 
 void Server::initialized() {
@@ -270,15 +280,22 @@ void Server::tell_progress(const std::string& work, size_t done, size_t of) {
     ask("window/workDoneProgress/create", {{"token", work}});
     tell({{"kind", "begin"}, {"title", work}, {"percentage", 0}});
   }
-  tell({{"kind", "report"}, {"message", std::to_string(done) + " of " + std::to_string(of)}, {"percentage", 100 * done / of}});
+  tell({{"kind", "report"},
+        {"message", std::to_string(done) + " of " + std::to_string(of)},
+        {"percentage", 100 * done / of}});
 }
 
 void Server::watch_files() {
   if (!watches_) return;
   Json watchers = Json::array();
-  for (const char* glob : {"**/*.{ngc,nc,tap,cnc,gcode,NGC,NC,TAP,CNC,GCODE}", "**/*.{ini,INI}", "**/{owlint,.owlint}.toml"}) watchers.push_back({{"globPattern", glob}});
+  for (const char* glob :
+       {"**/*.{ngc,nc,tap,cnc,gcode,NGC,NC,TAP,CNC,GCODE}", "**/*.{ini,INI}", "**/{owlint,.owlint}.toml"})
+    watchers.push_back({{"globPattern", glob}});
   ask("client/registerCapability",
-      {{"registrations", Json::array({{{"id", "owlint-files"}, {"method", "workspace/didChangeWatchedFiles"}, {"registerOptions", {{"watchers", watchers}}}}})}});
+      {{"registrations",
+        Json::array({{{"id", "owlint-files"},
+                      {"method", "workspace/didChangeWatchedFiles"},
+                      {"registerOptions", {{"watchers", watchers}}}}})}});
 }
 
 void Server::changed(const Json& params) {
@@ -286,16 +303,19 @@ void Server::changed(const Json& params) {
   Document* document = workspace_.find_open(identifier.at("uri"));
   if (document == nullptr) throw ResponseError{ErrorCode::kInvalidParams, "the document is not open"};
   for (const Json& change : params.at("contentChanges")) document->change(change);
-  if (identifier.contains("version") && identifier.at("version").is_number()) document->version = identifier.at("version").get<int64_t>();
+  if (identifier.contains("version") && identifier.at("version").is_number())
+    document->version = identifier.at("version").get<int64_t>();
   if (!more_changes_wait(document->uri())) publish(workspace_.check(document->uri()));
 }
 
 /// Whether the next message changes the same document again: then its diagnostics would be out of date at once.
 bool Server::more_changes_wait(const std::string& uri) {
   const std::lock_guard lock(inbox_->mutex);
-  if (inbox_->waiting.empty() || inbox_->waiting.front().find("textDocument/didChange") == std::string::npos) return false;
+  if (inbox_->waiting.empty() || inbox_->waiting.front().find("textDocument/didChange") == std::string::npos)
+    return false;
   const Json next = Json::parse(inbox_->waiting.front(), nullptr, false);
-  return at_path(next, {"method"}) == "textDocument/didChange" && at_path(next, {"params", "textDocument", "uri"}) == uri;
+  return at_path(next, {"method"}) == "textDocument/didChange" &&
+      at_path(next, {"params", "textDocument", "uri"}) == uri;
 }
 
 /// A client that asks for diagnostics itself would show pushed ones twice.
@@ -328,13 +348,19 @@ void Server::send(const Json& message) {
   if (!write_message(out_, message)) state_ = State::kExited;
 }
 
-void Server::answer(const Json& id, Json result) { send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}}); }
-
-void Server::refuse(const Json& id, const ResponseError& error) {
-  send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
+void Server::answer(const Json& id, Json result) {
+  send({{"jsonrpc", "2.0"}, {"id", id}, {"result", std::move(result)}});
 }
 
-void Server::notify(const std::string& method, Json params) { send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}}); }
+void Server::refuse(const Json& id, const ResponseError& error) {
+  send({{"jsonrpc", "2.0"},
+        {"id", id},
+        {"error", {{"code", static_cast<int>(error.code)}, {"message", error.message}}}});
+}
+
+void Server::notify(const std::string& method, Json params) {
+  send({{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}});
+}
 
 void Server::ask(const std::string& method, Json params) {
   Json message{{"jsonrpc", "2.0"}, {"id", "owlint-" + std::to_string(++asked_)}, {"method", method}};

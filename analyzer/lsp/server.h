@@ -53,12 +53,12 @@ class Server {
   std::FILE* out_;
   State state_ = State::kNew;
   Workspace workspace_;
-  bool pulls_ = false;          // the client asks for diagnostics itself
-  bool refreshes_ = false;      // and can be asked to do so again
+  bool pulls_ = false;      // the client asks for diagnostics itself
+  bool refreshes_ = false;  // and can be asked to do so again
   bool progress_ = false;
   std::set<std::string> in_progress_;  // work that the client knows of
   bool watches_ = false;
-  int64_t asked_ = 0;           // our own requests
+  int64_t asked_ = 0;  // our own requests
   std::set<std::string> published_;
   int exit_status_ = 1;
   std::shared_ptr<Inbox> inbox_ = std::make_shared<Inbox>();

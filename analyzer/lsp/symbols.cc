@@ -15,8 +15,13 @@ Span whole_block(const Program& p, const Block& b) {
   return {opener.offset, b.end == kNoStatement ? opener.end() : p.at(b.end).end()};
 }
 
-Json symbol(const Document& document, const std::string& name, int kind, const std::string& detail, Span range, Span selection) {
-  Json out{{"name", name}, {"kind", kind}, {"range", document.range(range)}, {"selectionRange", document.range(selection)}, {"children", Json::array()}};
+Json symbol(const Document& document, const std::string& name, int kind, const std::string& detail, Span range,
+            Span selection) {
+  Json out{{"name", name},
+           {"kind", kind},
+           {"range", document.range(range)},
+           {"selectionRange", document.range(selection)},
+           {"children", Json::array()}};
   if (!detail.empty()) out["detail"] = detail;
   return out;
 }
@@ -35,13 +40,19 @@ std::vector<Entry> entries(const Document& document) {
     const Statement& opener = p.at(r.opener);
     const Span range{opener.offset, r.last > r.opener ? p.at(r.last - 1).end() : opener.end()};
     const std::string comment = leading_comment(document, r.opener);
-    out.push_back({range, symbol(document, label_text(p.name(r.name)), kFunction, comment.substr(0, comment.find('\n')), range, opener.head_span())});
+    out.push_back({range,
+                   symbol(document, label_text(p.name(r.name)), kFunction, comment.substr(0, comment.find('\n')), range,
+                          opener.head_span())});
   }
   for (const Block& b : p.blocks) {
     const Span range = whole_block(p, b);
-    out.push_back({range, symbol(document, p.head_of(b), b.kind == Keyword::kIf ? kEvent : kNamespace, condition_text(document, b.opener), range, p.at(b.opener).head_span())});
+    out.push_back({range,
+                   symbol(document, p.head_of(b), b.kind == Keyword::kIf ? kEvent : kNamespace,
+                          condition_text(document, b.opener), range, p.at(b.opener).head_span())});
   }
-  std::ranges::stable_sort(out, [](const Entry& a, const Entry& b) { return a.range.begin != b.range.begin ? a.range.begin < b.range.begin : a.range.end > b.range.end; });
+  std::ranges::stable_sort(out, [](const Entry& a, const Entry& b) {
+    return a.range.begin != b.range.begin ? a.range.begin < b.range.begin : a.range.end > b.range.end;
+  });
   return out;
 }
 
@@ -83,7 +94,9 @@ Json workspace_symbol(Workspace& workspace, const Json& params) {
       if (r.opener == kNoStatement || out.size() >= kMost) continue;
       const std::string label = label_text(p.name(r.name));
       if (label.find(query) == std::string::npos) continue;
-      out.push_back({{"name", label}, {"kind", static_cast<int>(kFunction)}, {"location", document->location(p.at(r.opener).head_span())}});
+      out.push_back({{"name", label},
+                     {"kind", static_cast<int>(kFunction)},
+                     {"location", document->location(p.at(r.opener).head_span())}});
     }
   }
   return out;
@@ -97,7 +110,9 @@ Json document_link(Workspace& workspace, const Json& params) {
     if (call.callee == kNoName || call.target != UINT32_MAX) continue;
     const std::string path = workspace.called_file(document, p.name(call.callee));
     if (path.empty()) continue;
-    out.push_back({{"range", document.range(p.at(call.statement).label_span())}, {"target", uri_of_path(file_key(path))}, {"tooltip", path}});
+    out.push_back({{"range", document.range(p.at(call.statement).label_span())},
+                   {"target", uri_of_path(file_key(path))},
+                   {"tooltip", path}});
   }
   return out;
 }
@@ -113,7 +128,8 @@ Json code_lens(Workspace& workspace, const Json& params) {
     // Other files can call only the sub that the file is named after.
     const bool own_file = find_sub(workspace, document, p.name(r.name)).own_file;
     size_t calls = own_file ? 0 : calls_here[r.name];
-    for (const Occurrence& o : own_file ? sub_occurrences(workspace, document, p.name(r.name)) : std::vector<Occurrence>{}) {
+    for (const Occurrence& o :
+         own_file ? sub_occurrences(workspace, document, p.name(r.name)) : std::vector<Occurrence>{}) {
       const StatementId at = o.document->statement_at(o.span.begin);
       if (at == kNoStatement) continue;
       const Statement& s = o.document->program().at(at);

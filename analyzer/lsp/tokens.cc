@@ -9,7 +9,8 @@ namespace owlint::lsp {
 namespace {
 
 // By TokenKind, in the protocol's own names, which every theme has colours for.
-constexpr std::array<const char*, 8> kTypes = {"comment", "type", "keyword", "variable", "number", "operator", "function", "macro"};
+constexpr std::array<const char*, 8> kTypes = {"comment", "type",     "keyword",  "variable",
+                                               "number",  "operator", "function", "macro"};
 
 std::vector<uint32_t> encode(const Document& document, size_t first, size_t last) {
   std::vector<uint32_t> data;
@@ -24,8 +25,9 @@ std::vector<uint32_t> encode(const Document& document, size_t first, size_t last
       const uint32_t character = units(line.substr(0, token.begin), document.encoding());
       const uint32_t length = units(line.substr(token.begin, token.end - token.begin), document.encoding());
       const auto line_number = static_cast<uint32_t>(number);
-      data.insert(data.end(), {line_number - line_before, line_number == line_before ? character - character_before : character, length,
-                               static_cast<uint32_t>(token.kind), 0});
+      data.insert(data.end(),
+                  {line_number - line_before, line_number == line_before ? character - character_before : character,
+                   length, static_cast<uint32_t>(token.kind), 0});
       line_before = line_number;
       character_before = character;
     }
@@ -47,7 +49,8 @@ Json semantic_tokens_full(Workspace& workspace, const Json& params) {
 Json semantic_tokens_delta(Workspace& workspace, const Json& params) {
   const Document& document = workspace.document(params.at("textDocument").at("uri"));
   const auto known = workspace.sent_tokens.find(document.uri());
-  if (known == workspace.sent_tokens.end() || std::to_string(known->second.id) != params.at("previousResultId").get<std::string>()) {
+  if (known == workspace.sent_tokens.end() ||
+      std::to_string(known->second.id) != params.at("previousResultId").get<std::string>()) {
     return semantic_tokens_full(workspace, params);
   }
   SentTokens& last = known->second;
@@ -60,8 +63,11 @@ Json semantic_tokens_delta(Workspace& workspace, const Json& params) {
   while (end < common - begin && last.data[last.data.size() - 1 - end] == data[data.size() - 1 - end]) ++end;
   Json edits = Json::array();
   if (begin + end < last.data.size() || begin + end < data.size()) {
-    edits.push_back({{"start", begin}, {"deleteCount", last.data.size() - begin - end},
-                     {"data", std::vector<uint32_t>(data.begin() + static_cast<std::ptrdiff_t>(begin), data.end() - static_cast<std::ptrdiff_t>(end))}});
+    edits.push_back({{"start", begin},
+                     {"deleteCount", last.data.size() - begin - end},
+                     {"data",
+                      std::vector<uint32_t>(data.begin() + static_cast<std::ptrdiff_t>(begin),
+                                            data.end() - static_cast<std::ptrdiff_t>(end))}});
   }
   last.data = std::move(data);
   return {{"resultId", std::to_string(++last.id)}, {"edits", edits}};

@@ -34,7 +34,8 @@ void Workspace::configure(const Json& settings) {
   line_ = {};
   line_.absolute = true;  // uris are made of the paths that findings name
   const auto text = [&](const char* key, std::optional<std::string>* into) {
-    if (settings.contains(key) && settings.at(key).is_string() && !settings.at(key).get<std::string>().empty()) *into = settings.at(key).get<std::string>();
+    if (settings.contains(key) && settings.at(key).is_string() && !settings.at(key).get<std::string>().empty())
+      *into = settings.at(key).get<std::string>();
   };
   const auto list = [&](const char* key, std::vector<std::string>* into) {
     if (!settings.contains(key) || !settings.at(key).is_array()) return;
@@ -122,7 +123,8 @@ void Workspace::forget_files() {
   called_files_.reset();
   everything_.reset();
   configuration_ = std::make_unique<checking::Configuration>(line_);
-  library_ = std::make_unique<Library>([this](const std::string& path, std::string* error) { return read(path, error); });
+  library_ =
+      std::make_unique<Library>([this](const std::string& path, std::string* error) { return read(path, error); });
 }
 
 void Workspace::forget_file(const std::string& path) {
@@ -138,7 +140,10 @@ std::shared_ptr<const Source> Workspace::read(const std::string& path, std::stri
 
 std::vector<std::string> Workspace::program_files() {
   std::vector<std::string> files;
-  for (checking::WalkedFile& file : checking::walk(folders_, {}, [this](const std::string& folder) { return configuration_->patterns_in(folder); }).files) files.push_back(std::move(file.path));
+  for (checking::WalkedFile& file : checking::walk(folders_, {}, [this](const std::string& folder) {
+                                      return configuration_->patterns_in(folder);
+                                    }).files)
+    files.push_back(std::move(file.path));
   std::set<std::string> known;
   for (const std::string& file : files) known.insert(file_key(file));
   for (const auto& [key, uri] : uri_of_) {
@@ -222,7 +227,8 @@ std::vector<std::shared_ptr<const MachineSetup>> Workspace::machines(const Docum
   for (checking::WalkedFile& file : checking::walk(folders_, all).files) paths.push_back(std::move(file.path));
   for (const SearchFolder& folder : search_path(from)->folders()) {
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path, ignored)) paths.push_back(entry.path().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path, ignored))
+      paths.push_back(entry.path().string());
   }
   for (const std::string& path : paths) {
     std::string error;
@@ -266,7 +272,8 @@ void Workspace::read_all() {
     for (const Call& call : p.calls) {
       if (call.callee == kNoName || call.target != UINT32_MAX) continue;
       const auto called = folders->find(p.name(call.callee));
-      if (called && called->regular && file_key(called->path) != file_key(path)) called_files_->insert(file_key(called->path));
+      if (called && called->regular && file_key(called->path) != file_key(path))
+        called_files_->insert(file_key(called->path));
     }
   }
   progress("owlint: reading programs", files.size(), files.size());

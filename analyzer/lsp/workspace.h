@@ -95,14 +95,14 @@ class Workspace {
   checking::CheckRequest line_;
   std::unique_ptr<checking::Configuration> configuration_;
   std::vector<std::string> folders_;
-  std::map<std::string, std::unique_ptr<Document>> open_;       // by uri
-  std::map<std::string, std::string> uri_of_;                   // of open documents, by file key
-  std::map<std::string, std::unique_ptr<Document>> on_disk_;    // by path
-  std::map<std::string, Checked> checked_;                      // by uri
-  std::optional<std::set<std::string>> called_files_;  // keys of files that some program of the workspace calls
+  std::map<std::string, std::unique_ptr<Document>> open_;     // by uri
+  std::map<std::string, std::string> uri_of_;                 // of open documents, by file key
+  std::map<std::string, std::unique_ptr<Document>> on_disk_;  // by path
+  std::map<std::string, Checked> checked_;                    // by uri
+  std::optional<std::set<std::string>> called_files_;         // keys of files that some program of the workspace calls
   std::optional<std::map<std::string, Checked>> everything_;
   std::map<std::string, flow::KnownCalls> known_calls_;  // of open documents, by file key
-  std::unique_ptr<Library> library_;  // the files that are called, parsed once for many checks
+  std::unique_ptr<Library> library_;                     // the files that are called, parsed once for many checks
 };
 
 }  // namespace owlint::lsp

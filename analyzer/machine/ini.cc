@@ -47,7 +47,8 @@ void Ini::read_lines(const std::shared_ptr<const Source>& source, bool included,
     const size_t feed = text.find('\n');
     text = text.substr(0, feed);
     at += text.size() + (feed == std::string_view::npos ? 0 : 1);
-    const std::string_view name = text.starts_with(kInclude) && !included ? trim(text.substr(kInclude.size())) : std::string_view{};
+    const std::string_view name =
+        text.starts_with(kInclude) && !included ? trim(text.substr(kInclude.size())) : std::string_view{};
     if (name.empty()) {
       lines.push_back({text, source, feed != std::string_view::npos});
       continue;
@@ -110,8 +111,11 @@ void Ini::read_section(const std::vector<Line>& lines, size_t at) {
     at = last + 1;
     if (text.empty() || text[0] == '#' || text[0] == ';') continue;
     const size_t equals = text.find('=');  // a key without it, but with a blank after it, is one without a value
-    if (equals == std::string_view::npos && text.find_first_of(" \t") == std::string_view::npos && (last != at_first || !is_blank(first.text.back()))) continue;
-    const std::string_view value = equals == std::string_view::npos ? std::string_view{} : trim(text.substr(equals + 1));
+    if (equals == std::string_view::npos && text.find_first_of(" \t") == std::string_view::npos &&
+        (last != at_first || !is_blank(first.text.back())))
+      continue;
+    const std::string_view value =
+        equals == std::string_view::npos ? std::string_view{} : trim(text.substr(equals + 1));
     const auto end_of = [](const Line& line) {
       const std::string_view piece = trim(line.text);
       return static_cast<uint64_t>(piece.data() - line.source->bytes().data()) + piece.size();
@@ -121,12 +125,14 @@ void Ini::read_section(const std::vector<Line>& lines, size_t at) {
       span.begin = end_of(first) - trim(first.text).size();
       span.end = lines[last].source == first.source ? std::max(span.begin, end_of(lines[last])) : end_of(first);
     }
-    entries_.push_back({sections_.back(), std::string(text.substr(0, text.find_first_of(" \t="))), std::string(value), first.source, span});
+    entries_.push_back({sections_.back(), std::string(text.substr(0, text.find_first_of(" \t="))), std::string(value),
+                        first.source, span});
   }
 }
 
 const Ini::Entry* Ini::find(std::string_view section, std::string_view key) const {
-  const auto found = std::ranges::find_if(entries_, [&](const Entry& e) { return e.section == section && e.key == key; });
+  const auto found =
+      std::ranges::find_if(entries_, [&](const Entry& e) { return e.section == section && e.key == key; });
   return found == entries_.end() || found->value.empty() ? nullptr : &*found;
 }
 
@@ -138,6 +144,8 @@ std::vector<const Ini::Entry*> Ini::all(std::string_view section, std::string_vi
   return found;
 }
 
-bool Ini::has_section(std::string_view section) const { return std::ranges::find(sections_, section) != sections_.end(); }
+bool Ini::has_section(std::string_view section) const {
+  return std::ranges::find(sections_, section) != sections_.end();
+}
 
 }  // namespace owlint

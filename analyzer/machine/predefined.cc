@@ -19,16 +19,66 @@ constexpr Version k9 = Version::k2_9;
 constexpr Version k10 = Version::k2_10;
 
 // In the order of their names.
-constexpr Predefined kPredefined[] = {
-    {"_a"}, {"_abs_a", k7, k8}, {"_abs_b", k7, k8}, {"_abs_c", k7, k8}, {"_abs_u", k9, k10}, {"_abs_v", k9, k10},
-    {"_abs_w", k9, k10}, {"_abs_x", k7, k8}, {"_abs_y", k7, k8}, {"_abs_z", k7, k8}, {"_absolute"}, {"_adaptive_feed"},
-    {"_b"}, {"_c"}, {"_call_level"}, {"_ccomp"}, {"_coord_system"}, {"_current_pocket"}, {"_current_tool"}, {"_feed"},
-    {"_feed_hold"}, {"_feed_override"}, {"_flood"}, {"_ijk_absolute_mode"}, {"_imperial"}, {"_incremental"},
-    {"_inverse_time"}, {"_lathe_diameter_mode"}, {"_lathe_radius_mode"}, {"_line"}, {"_metric"},
-    {"_metric_machine", k8, k9}, {"_mist"}, {"_motion_mode"}, {"_plane"}, {"_remap_level"}, {"_retract_old_z"},
-    {"_retract_r_plane"}, {"_rpm"}, {"_selected_pocket"}, {"_selected_tool"}, {"_speed_override"}, {"_spindle_css_mode"},
-    {"_spindle_cw"}, {"_spindle_on"}, {"_spindle_rpm_mode"}, {"_task"}, {"_tool_offset"}, {"_u"}, {"_units_per_minute"},
-    {"_units_per_rev"}, {"_v"}, {"_value"}, {"_value_returned"}, {"_vmajor"}, {"_vminor"}, {"_w"}, {"_x"}, {"_y"}, {"_z"}};
+constexpr Predefined kPredefined[] = {{"_a"},
+                                      {"_abs_a", k7, k8},
+                                      {"_abs_b", k7, k8},
+                                      {"_abs_c", k7, k8},
+                                      {"_abs_u", k9, k10},
+                                      {"_abs_v", k9, k10},
+                                      {"_abs_w", k9, k10},
+                                      {"_abs_x", k7, k8},
+                                      {"_abs_y", k7, k8},
+                                      {"_abs_z", k7, k8},
+                                      {"_absolute"},
+                                      {"_adaptive_feed"},
+                                      {"_b"},
+                                      {"_c"},
+                                      {"_call_level"},
+                                      {"_ccomp"},
+                                      {"_coord_system"},
+                                      {"_current_pocket"},
+                                      {"_current_tool"},
+                                      {"_feed"},
+                                      {"_feed_hold"},
+                                      {"_feed_override"},
+                                      {"_flood"},
+                                      {"_ijk_absolute_mode"},
+                                      {"_imperial"},
+                                      {"_incremental"},
+                                      {"_inverse_time"},
+                                      {"_lathe_diameter_mode"},
+                                      {"_lathe_radius_mode"},
+                                      {"_line"},
+                                      {"_metric"},
+                                      {"_metric_machine", k8, k9},
+                                      {"_mist"},
+                                      {"_motion_mode"},
+                                      {"_plane"},
+                                      {"_remap_level"},
+                                      {"_retract_old_z"},
+                                      {"_retract_r_plane"},
+                                      {"_rpm"},
+                                      {"_selected_pocket"},
+                                      {"_selected_tool"},
+                                      {"_speed_override"},
+                                      {"_spindle_css_mode"},
+                                      {"_spindle_cw"},
+                                      {"_spindle_on"},
+                                      {"_spindle_rpm_mode"},
+                                      {"_task"},
+                                      {"_tool_offset"},
+                                      {"_u"},
+                                      {"_units_per_minute"},
+                                      {"_units_per_rev"},
+                                      {"_v"},
+                                      {"_value"},
+                                      {"_value_returned"},
+                                      {"_vmajor"},
+                                      {"_vminor"},
+                                      {"_w"},
+                                      {"_x"},
+                                      {"_y"},
+                                      {"_z"}};
 static_assert(std::ranges::is_sorted(kPredefined, {}, &Predefined::name));
 
 const Predefined* find(std::string_view name) {
@@ -41,7 +91,8 @@ constexpr std::string_view kHal = "_hal[";
 
 std::string capitals(std::string_view text) {
   std::string out(text);
-  std::ranges::transform(out, out.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  std::ranges::transform(out, out.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   return out;
 }
 
@@ -49,7 +100,8 @@ std::string capitals(std::string_view text) {
 const Ini::Entry* ini_entry(std::string_view name, const MachineSetup& setup) {
   const size_t close = name.find(']');
   if (close == std::string_view::npos) return nullptr;
-  const Ini::Entry* entry = setup.ini.find(capitals(name.substr(kIni.size(), close - kIni.size())), capitals(name.substr(close + 1)));
+  const Ini::Entry* entry =
+      setup.ini.find(capitals(name.substr(kIni.size(), close - kIni.size())), capitals(name.substr(close + 1)));
   return entry != nullptr && !entry->value.empty() ? entry : nullptr;
 }
 

@@ -22,10 +22,11 @@ std::string_view version_text(Version version);
 struct Profile {
   Version version = Version::k2_9;
   bool version_given = false;
-  bool block_delete = false;               ///< lines that begin with `/` are skipped: so LinuxCNC starts; off in rs274
-  std::optional<uint32_t> feature;         ///< from --feature or the configuration
+  bool block_delete = false;        ///< lines that begin with `/` are skipped: so LinuxCNC starts; off in rs274
+  std::optional<uint32_t> feature;  ///< from --feature or the configuration
   std::shared_ptr<const MachineSetup> setup;  ///< what the INI says; null without one
-  std::vector<std::string> sub_path;  ///< folders that users name for called files; the setup's search path has them already
+  std::vector<std::string>
+      sub_path;  ///< folders that users name for called files; the setup's search path has them already
 
   /// FEATURE 0x20 as interface.md defines it: the documented abort list only warns.
   bool warn_only() const;

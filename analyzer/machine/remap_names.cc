@@ -10,8 +10,9 @@ namespace owlint {
 namespace {
 
 /// What the prologs that come with LinuxCNC set, besides letters.
-constexpr std::array<std::string_view, 10> kOfPrologs{"current_pocket", "feed", "motion_code", "pocket", "selected_pocket",
-                                                      "selected_tool", "speed", "tool", "tool_in_spindle", "wear"};
+constexpr std::array<std::string_view, 10> kOfPrologs{"current_pocket",  "feed",          "motion_code", "pocket",
+                                                      "selected_pocket", "selected_tool", "speed",       "tool",
+                                                      "tool_in_spindle", "wear"};
 
 bool of_prolog(std::string_view name) { return std::ranges::find(kOfPrologs, name) != kOfPrologs.end(); }
 bool is_letter(std::string_view name) { return name.size() == 1 && name[0] >= 'a' && name[0] <= 'z'; }

@@ -105,8 +105,10 @@ const std::vector<SearchPath::Tree>& SearchPath::trees() const {
       if (!folder.tree) continue;
       std::error_code error;
       fs::recursive_directory_iterator entry(folder.path, fs::directory_options::skip_permission_denied, error);
-      for (; !error && entry != fs::recursive_directory_iterator() && tree.size() < kMaxListed; entry.increment(error)) {
-        if (entry->path().extension() == kEnding) tree.emplace(entry->path().filename().string(), entry->path().string());
+      for (; !error && entry != fs::recursive_directory_iterator() && tree.size() < kMaxListed;
+           entry.increment(error)) {
+        if (entry->path().extension() == kEnding)
+          tree.emplace(entry->path().filename().string(), entry->path().string());
       }
     }
   });

@@ -64,8 +64,8 @@ class SearchPath {
 };
 
 /// Whether LinuxCNC, looking for a file of this name, could do more than open `name.ngc` in its folders.
-bool expands(std::string_view name);         ///< a shell would replace parts of it, or run a command
+bool expands(std::string_view name);           ///< a shell would replace parts of it, or run a command
 bool breaks_expansion(std::string_view name);  ///< expansion fails, and LinuxCNC crashes
-bool leaves_folders(std::string_view name);  ///< absolute, `~`, or with `..`
+bool leaves_folders(std::string_view name);    ///< absolute, `~`, or with `..`
 
 }  // namespace owlint

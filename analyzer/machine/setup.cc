@@ -28,7 +28,8 @@ bool is_number(const Ini::Entry* entry, int wanted) {
 
 class Reader {
  public:
-  Reader(MachineSetup& setup, const std::string& path, const std::vector<std::string>& sub_path) : m_(setup), sub_path_(sub_path), folder_(fs::path(path).parent_path()) {
+  Reader(MachineSetup& setup, const std::string& path, const std::vector<std::string>& sub_path)
+      : m_(setup), sub_path_(sub_path), folder_(fs::path(path).parent_path()) {
     if (folder_.empty()) folder_ = ".";
   }
 
@@ -82,7 +83,8 @@ class Reader {
   void read_folders() {
     std::vector<SearchFolder> search;
     const auto add = [&](const std::string& path, bool tree = false) {
-      if (SearchFolder folder{path, tree}; std::ranges::find(search, folder) == search.end()) search.push_back(std::move(folder));
+      if (SearchFolder folder{path, tree}; std::ranges::find(search, folder) == search.end())
+        search.push_back(std::move(folder));
     };
     add(folder_.lexically_normal().string());
     if (const Ini::Entry* prefix = m_.ini.find("DISPLAY", "PROGRAM_PREFIX")) {
@@ -108,7 +110,8 @@ class Reader {
   void add_call(std::string_view key, const Ini::Entry& entry, std::string name, size_t from, size_t size) {
     const std::string code = "o<" + name + "> call";
     const bool whole = entry.span.end - entry.span.begin != entry.value.size();
-    m_.calls.push_back({key, code, std::move(name), entry.source, whole ? entry.span : Span{entry.span.begin + from, entry.span.begin + from + size}});
+    m_.calls.push_back({key, code, std::move(name), entry.source,
+                        whole ? entry.span : Span{entry.span.begin + from, entry.span.begin + from + size}});
   }
 
   void read_calls() {
@@ -157,12 +160,13 @@ std::optional<uint32_t> parse_mask(std::string_view text) {
 bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name) {
   if (setup.search_path->find(name)) return true;
   return call.key == "NGCGUI_SUBFILE" && std::ranges::any_of(setup.folders, [&](const IniFolder& folder) {
-    std::error_code ignored;
-    return folder.key == "NGCGUI_SUBFILE_PATH" && fs::exists(fs::path(folder.path) / (name + ".ngc"), ignored);
-  });
+           std::error_code ignored;
+           return folder.key == "NGCGUI_SUBFILE_PATH" && fs::exists(fs::path(folder.path) / (name + ".ngc"), ignored);
+         });
 }
 
-std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error, const std::vector<std::string>& sub_path) {
+std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error,
+                                               const std::vector<std::string>& sub_path) {
   auto setup = std::make_shared<MachineSetup>();
   setup->path = path;
   if (!setup->ini.read(path, error)) return nullptr;

@@ -25,16 +25,16 @@ struct IniFolder {
 
 /// O-word code or the name of a sub in the INI.
 struct IniCall {
-  std::string_view key;   ///< `REMAP`, `NGCGUI_SUBFILE`, `MDI_COMMAND`, `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`
-  std::string code;       ///< a line of G-code; if only a sub is named, a call of it
-  std::string name;       ///< the sub, if the INI names it
+  std::string_view key;  ///< `REMAP`, `NGCGUI_SUBFILE`, `MDI_COMMAND`, `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`
+  std::string code;      ///< a line of G-code; if only a sub is named, a call of it
+  std::string name;      ///< the sub, if the INI names it
   std::shared_ptr<const Source> source;
   Span span;
 };
 
 struct MachineSetup {
-  std::string path;                ///< of the INI
-  std::optional<uint32_t> mask;    ///< FEATURE or FEATURES
+  std::string path;              ///< of the INI
+  std::optional<uint32_t> mask;  ///< FEATURE or FEATURES
   const Ini::Entry* mask_entry = nullptr;
   bool warnonly = false;           ///< OWORD_WARNONLY
   bool counts_arguments = false;   ///< OWORD_NARGS: subs have `#<n_args>`
@@ -54,7 +54,8 @@ bool has_file(const MachineSetup& setup, const IniCall& call, const std::string&
 
 /// Reads a machine's INI; the folders of `sub_path` come after its own in the search path. Returns null and a message if it
 /// cannot be read.
-std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error, const std::vector<std::string>& sub_path = {});
+std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error,
+                                               const std::vector<std::string>& sub_path = {});
 
 /// A FEATURE mask in decimal or 0x hexadecimal.
 std::optional<uint32_t> parse_mask(std::string_view text);

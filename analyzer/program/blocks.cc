@@ -33,7 +33,8 @@ class OpenBlocks {
 
 class Matcher {
  public:
-  Matcher(Program& program, RegionId region, OpenBlocks& by_label) : program_(program), region_(region), by_label_(by_label) {}
+  Matcher(Program& program, RegionId region, OpenBlocks& by_label)
+      : program_(program), region_(region), by_label_(by_label) {}
 
   void run(std::span<const StatementId> lines) {
     lines_ = lines;
@@ -74,18 +75,17 @@ class Matcher {
       case Keyword::kWhile:
         if (const BlockId loop = find(Keyword::kDo, s.label); loop != kNoBlock) return close(loop, id);
         return means_to_close(Keyword::kDo) && !comes_later(Keyword::kWhile, s.label) ? mistake(id) : open(id);
-      case Keyword::kIf: case Keyword::kDo: case Keyword::kRepeat:
-        return open(id);
-      case Keyword::kElseif: case Keyword::kElse:
-        program_.block_of[id] = find(Keyword::kIf, s.label);
-        return;
-      case Keyword::kBreak: case Keyword::kContinue:
-        program_.block_of[id] = by_label_.innermost(s.label);
-        return;
-      case Keyword::kEndif: case Keyword::kEndwhile: case Keyword::kEndrepeat:
-        return end(id);
-      default:
-        return;
+      case Keyword::kIf:
+      case Keyword::kDo:
+      case Keyword::kRepeat: return open(id);
+      case Keyword::kElseif:
+      case Keyword::kElse: program_.block_of[id] = find(Keyword::kIf, s.label); return;
+      case Keyword::kBreak:
+      case Keyword::kContinue: program_.block_of[id] = by_label_.innermost(s.label); return;
+      case Keyword::kEndif:
+      case Keyword::kEndwhile:
+      case Keyword::kEndrepeat: return end(id);
+      default: return;
     }
   }
 
@@ -134,7 +134,9 @@ class Matcher {
   }
 
   /// Whether an end for blocks of this kind would be the innermost one's, whose own does not come.
-  bool means_to_close(Keyword kind) { return !open_.empty() && block(open_.back()).kind == kind && !comes_later(block(open_.back())); }
+  bool means_to_close(Keyword kind) {
+    return !open_.empty() && block(open_.back()).kind == kind && !comes_later(block(open_.back()));
+  }
 
   /// A keyword whose label was forgotten.
   void without_label(StatementId id) {
@@ -144,7 +146,8 @@ class Matcher {
     } else if (keyword == Keyword::kElse || keyword == Keyword::kElseif) {
       if (!open_.empty() && block(open_.back()).kind == Keyword::kIf) program_.block_of[id] = open_.back();
     } else if (keyword == Keyword::kBreak || keyword == Keyword::kContinue) {
-      const auto loop = std::find_if(open_.rbegin(), open_.rend(), [&](BlockId b) { return block(b).kind != Keyword::kIf; });
+      const auto loop =
+          std::find_if(open_.rbegin(), open_.rend(), [&](BlockId b) { return block(b).kind != Keyword::kIf; });
       if (loop != open_.rend()) program_.block_of[id] = *loop;
     }
   }
@@ -188,7 +191,8 @@ class Matcher {
   /// Indentation of a line; -1 for blank lines and comments.
   int indent(std::string_view text) const {
     const size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos || std::string_view("(;\r").find(text[first]) != std::string_view::npos) return -1;
+    if (first == std::string_view::npos || std::string_view("(;\r").find(text[first]) != std::string_view::npos)
+      return -1;
     return static_cast<int>(first);
   }
 
@@ -250,16 +254,21 @@ void index_parts(Program& program) {
 
 void match_blocks(Program& program) {
   program.blocks.clear();
-  program.blocks.reserve(static_cast<size_t>(std::ranges::count_if(program.syntax.statements, [](const Statement& s) { return s.kind == LineKind::kOWord && opens_block(s.keyword); })));
+  program.blocks.reserve(static_cast<size_t>(std::ranges::count_if(program.syntax.statements, [](const Statement& s) {
+    return s.kind == LineKind::kOWord && opens_block(s.keyword);
+  })));
   program.block_of.assign(program.size(), kNoBlock);
   Grouped lines;
-  lines.assign(program.regions.size(), static_cast<uint32_t>(program.size()), [&](StatementId id) { return program.region_of[id]; });
+  lines.assign(program.regions.size(), static_cast<uint32_t>(program.size()),
+               [&](StatementId id) { return program.region_of[id]; });
   OpenBlocks by_label(program.syntax.names.size());
-  for (RegionId region = 0; region < program.regions.size(); ++region) Matcher(program, region, by_label).run(lines[region]);
+  for (RegionId region = 0; region < program.regions.size(); ++region)
+    Matcher(program, region, by_label).run(lines[region]);
   index_parts(program);
   for (Region& region : program.regions) {
     // A block that never ends encloses nothing.
-    if (region.enclosing != kNoBlock && program.blocks[region.enclosing].end == kNoStatement) region.enclosing = kNoBlock;
+    if (region.enclosing != kNoBlock && program.blocks[region.enclosing].end == kNoStatement)
+      region.enclosing = kNoBlock;
   }
 }
 

@@ -56,7 +56,8 @@ class Library {
   std::vector<std::string> unnamed_;  // of name_files(), until something is called: most runs need no names
   std::unordered_map<std::string, std::string> names_;  // after that, by file_key()
   std::map<std::string, std::shared_ptr<Slot>> slots_;
-  std::map<std::vector<std::string>, std::shared_ptr<const SearchPath>> search_paths_;  // without an INI, by their folders
+  std::map<std::vector<std::string>, std::shared_ptr<const SearchPath>>
+      search_paths_;  // without an INI, by their folders
   std::atomic<size_t> parsed_ = 0;
   std::atomic<size_t> called_ = 0;
   std::atomic<size_t> uses_ = 0;

@@ -117,7 +117,9 @@ std::string_view called_label(std::string_view name, Version version) {
 }
 
 Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes)
-    : answers_(library.search_path(program->source->path(), profile), notes), library_(library), block_delete_(profile.block_delete) {
+    : answers_(library.search_path(program->source->path(), profile), notes),
+      library_(library),
+      block_delete_(profile.block_delete) {
   const std::string path = program->source->path();
   by_path_.emplace(file_key(path), 0);
   files_.push_back({as_run(std::move(program)), 0, 0, true});
@@ -137,7 +139,8 @@ std::shared_ptr<const Program> Linked::as_run(std::shared_ptr<const Program> pro
 
 CallTarget Linked::target(const std::string& name) const {
   const auto known = targets_.find(name);
-  return known == targets_.end() ? CallTarget{CallTarget::kNotFound, leaves_folders(name) || expands(name)} : known->second;
+  return known == targets_.end() ? CallTarget{CallTarget::kNotFound, leaves_folders(name) || expands(name)}
+                                 : known->second;
 }
 
 /// Looks up what the files from index `from` on call, level by level.

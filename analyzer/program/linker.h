@@ -45,7 +45,9 @@ class Linked {
   /// Adds a file for a name that only the flow analysis knows. False if there is none, or if it is already here.
   bool add(const std::string& name);
   /// Whether a line of these files begins with `/`, so that they run in one way with block delete and in another without.
-  bool deletes_lines() const { return std::ranges::any_of(files_, [](const LinkedFile& file) { return file.program->syntax.deletes_lines; }); }
+  bool deletes_lines() const {
+    return std::ranges::any_of(files_, [](const LinkedFile& file) { return file.program->syntax.deletes_lines; });
+  }
   const Answers& search_path() const { return answers_; }
 
  private:

@@ -13,7 +13,8 @@ void collect_calls(Program& program) {
     const Statement& s = program.at(id);
     if (!s.calls() || s.refused) continue;
     Call call{id, program.region_of[id], s.label};
-    if (const auto found = first_definition.find(call.callee); found != first_definition.end()) call.target = found->second;
+    if (const auto found = first_definition.find(call.callee); found != first_definition.end())
+      call.target = found->second;
     program.calls.push_back(call);
   }
 }
@@ -32,7 +33,8 @@ NameId own_name(const Program& program) {
 bool works_outside(const Program& program, StatementId id) {
   const Statement& s = program.at(id);
   // Plain code behind an `endsub` is counted with the statement before it.
-  if (program.region_of[id] != kMainRegion) return id == program.regions[program.region_of[id]].end && s.plain_code_follows;
+  if (program.region_of[id] != kMainRegion)
+    return id == program.regions[program.region_of[id]].end && s.plain_code_follows;
   return s.kind == LineKind::kPercent ? s.plain_code_follows : s.kind != LineKind::kProgramEnd;
 }
 
@@ -64,7 +66,8 @@ BlockId Program::open_above(RegionId region, StatementId place) const {
   // Of the blocks that begin above, the last one's parents are those around the place.
   auto block = static_cast<BlockId>(below - blocks.begin() - 1);
   if (blocks[block].region != region) return kNoBlock;
-  while (block != kNoBlock && blocks[block].end != kNoStatement && blocks[block].end < place) block = blocks[block].parent;
+  while (block != kNoBlock && blocks[block].end != kNoStatement && blocks[block].end < place)
+    block = blocks[block].parent;
   return block;
 }
 
@@ -99,9 +102,11 @@ bool runs_by_itself(const Program& program) {
   if (own == kNoName) return true;
   // A call of anything, or `o<own>` alone, which may be a call that lacks its `call`.
   if (std::ranges::any_of(program.calls, [](const Call& call) { return call.caller == kMainRegion; })) return true;
-  if (std::ranges::any_of(program.by_label[own], [&](StatementId id) { return program.at(id).is(Keyword::kBare); })) return true;
+  if (std::ranges::any_of(program.by_label[own], [&](StatementId id) { return program.at(id).is(Keyword::kBare); }))
+    return true;
   bool code = program.syntax.first_plain_line != 0;
-  for (StatementId id = 0; id < program.size() && !(program.at(id).is(Keyword::kSub) && program.at(id).label == own); ++id) {
+  for (StatementId id = 0; id < program.size() && !(program.at(id).is(Keyword::kSub) && program.at(id).label == own);
+       ++id) {
     const bool ends = program.at(id).kind == LineKind::kProgramEnd && program.region_of[id] == kMainRegion;
     if (code && ends) return true;
     code = code || works_outside(program, id);

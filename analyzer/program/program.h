@@ -21,13 +21,14 @@ inline constexpr BlockId kNoBlock = UINT32_MAX;
 /// The main program, or the lines of one sub definition from its `sub` to its `endsub`. Labels of blocks are local
 /// to a region.
 struct Region {
-  NameId name = kNoName;                ///< label of the sub; kNoName for the main program
+  NameId name = kNoName;  ///< label of the sub; kNoName for the main program
   StatementId opener = kNoStatement;
-  StatementId end = kNoStatement;       ///< the last `endsub` with the sub's label; none when it is missing
-  StatementId early_end = kNoStatement;  ///< an `endsub` before that one: ends the definition when the interpreter skips it
+  StatementId end = kNoStatement;  ///< the last `endsub` with the sub's label; none when it is missing
+  StatementId early_end =
+      kNoStatement;  ///< an `endsub` before that one: ends the definition when the interpreter skips it
   StatementId likely_end = kNoStatement;  ///< an `endsub` with another label, or without one, that was probably meant
-  BlockId enclosing = UINT32_MAX;       ///< the block of the main program around the definition
-  StatementId last = 0;                 ///< one past the last statement that belongs to it
+  BlockId enclosing = UINT32_MAX;         ///< the block of the main program around the definition
+  StatementId last = 0;                   ///< one past the last statement that belongs to it
 };
 
 /// One `if`, `while`, `do` or `repeat` with everything that belongs to it.
@@ -38,16 +39,16 @@ struct Block {
   StatementId opener = 0;
   StatementId end = kNoStatement;  ///< its end, or none
   BlockId parent = kNoBlock;
-  BlockId crossed = kNoBlock;      ///< a block that ends between this one's opener and end without nesting in it
+  BlockId crossed = kNoBlock;  ///< a block that ends between this one's opener and end without nesting in it
   StatementId mistaken_end = kNoStatement;  ///< a line that is probably meant to be the missing end
-  uint32_t suggested_line = 0;     ///< the missing end probably belongs before this line; 0: no guess
+  uint32_t suggested_line = 0;              ///< the missing end probably belongs before this line; 0: no guess
 };
 
 /// One call: O-word or M98.
 struct Call {
   StatementId statement = 0;
   RegionId caller = kMainRegion;
-  NameId callee = kNoName;      ///< kNoName: computed at run time
+  NameId callee = kNoName;       ///< kNoName: computed at run time
   RegionId target = UINT32_MAX;  ///< the region of the callee's first definition in this file
 };
 
@@ -58,11 +59,11 @@ struct Program {
   std::shared_ptr<const Source> source;
   Syntax syntax;
 
-  std::vector<Region> regions;        ///< [0] is the main program
-  std::vector<RegionId> region_of;    ///< by statement
-  std::vector<Block> blocks;          ///< region by region, in a region in the order of their openers
-  Grouped parts;                      ///< by block: its `elseif` and `else`, in file order
-  std::vector<BlockId> block_of;      ///< by statement: the block that it opens, divides, ends, breaks or continues
+  std::vector<Region> regions;      ///< [0] is the main program
+  std::vector<RegionId> region_of;  ///< by statement
+  std::vector<Block> blocks;        ///< region by region, in a region in the order of their openers
+  Grouped parts;                    ///< by block: its `elseif` and `else`, in file order
+  std::vector<BlockId> block_of;    ///< by statement: the block that it opens, divides, ends, breaks or continues
   std::vector<Call> calls;
   Grouped by_label;  ///< by NameId: the O-words with that label, in file order
 

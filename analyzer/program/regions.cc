@@ -58,7 +58,8 @@ void find_regions(Program& program) {
       find_endsub(program, next_sub, &region);
     } else {
       // The last M99 before another sub begins: those before it are early ways out.
-      const auto opener = std::ranges::find_if(program.syntax.statements.begin() + id + 1, program.syntax.statements.end(), &Statement::opens_sub);
+      const auto opener = std::ranges::find_if(program.syntax.statements.begin() + id + 1,
+                                               program.syntax.statements.end(), &Statement::opens_sub);
       const auto limit = static_cast<StatementId>(opener - program.syntax.statements.begin());
       const auto m99 = std::ranges::lower_bound(fanuc_returns, limit);
       if (m99 != fanuc_returns.begin() && *std::prev(m99) > id) region.end = *std::prev(m99);

@@ -19,7 +19,8 @@ std::string cell(std::string_view words) {
 }  // namespace
 
 void write_csv(std::ostream& out, const Reports& files, const ReportStyle& style) {
-  out << "path,line,column,end_line,end_column,severity,code,rule,message,help,interpreter,reach,stops,scope,fingerprint\r\n";
+  out << "path,line,column,end_line,end_column,severity,code,rule,message,help,interpreter,reach,stops,scope,"
+         "fingerprint\r\n";
   for (const FileReport& file : files) {
     const std::vector<std::string> prints = fingerprints(*file.source, file.findings);
     for (size_t i = 0; i < file.findings.size(); ++i) {
@@ -27,8 +28,10 @@ void write_csv(std::ostream& out, const Reports& files, const ReportStyle& style
       const Source& source = source_of(file, f);
       const Position begin = source.position(f.span.begin);
       const Position end = source.position(f.span.end);
-      out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", cell(shown_path(source, style)), begin.line, begin.column, end.line, end.column,
-                         severity_text(f.severity), f.code, f.rule, cell(f.message), cell(f.help), cell(f.interpreter), reach_text(f.reach), f.stops, cell(f.scope), prints[i]);
+      out << fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", cell(shown_path(source, style)),
+                         begin.line, begin.column, end.line, end.column, severity_text(f.severity), f.code, f.rule,
+                         cell(f.message), cell(f.help), cell(f.interpreter), reach_text(f.reach), f.stops,
+                         cell(f.scope), prints[i]);
     }
   }
 }

@@ -15,7 +15,8 @@ void jsonl(std::ostream& out, const Reports& files, const ReportStyle&) {
 
 std::string_view seen_from_root(const Source& source, const ReportStyle& style) {
   std::string_view path = source.path();
-  if (!style.root.empty() && path.starts_with(style.root) && path.substr(style.root.size()).starts_with('/')) path.remove_prefix(style.root.size() + 1);
+  if (!style.root.empty() && path.starts_with(style.root) && path.substr(style.root.size()).starts_with('/'))
+    path.remove_prefix(style.root.size() + 1);
   while (path.starts_with("./")) path.remove_prefix(2);
   return path;
 }
@@ -49,13 +50,16 @@ void write_text_report(std::ostream& out, const Reports& files, const ReportStyl
   for (const FileReport& file : files) write_text(out, file, style);
 }
 
-std::string shown_path(const Source& source, const ReportStyle& style) { return printable(seen_from_root(source, style)); }
+std::string shown_path(const Source& source, const ReportStyle& style) {
+  return printable(seen_from_root(source, style));
+}
 
 std::string json_path(const Source& source, const ReportStyle& style) { return as_utf8(seen_from_root(source, style)); }
 
 std::string whole_message(const Finding& finding, std::string_view separator) {
   std::string text = printable(finding.message);
-  if (finding.stops && !finding.interpreter.empty()) text += fmt::format("{}LinuxCNC says: {}", separator, printable(finding.interpreter));
+  if (finding.stops && !finding.interpreter.empty())
+    text += fmt::format("{}LinuxCNC says: {}", separator, printable(finding.interpreter));
   if (!finding.help.empty()) text += fmt::format("{}fix: {}", separator, printable(finding.help));
   return text;
 }
@@ -66,6 +70,8 @@ std::vector<Related> related_lines(const Finding& finding) {
   return lines;
 }
 
-const Source& source_of(const FileReport& file, const Finding& finding) { return finding.source == nullptr ? *file.source : *finding.source; }
+const Source& source_of(const FileReport& file, const Finding& finding) {
+  return finding.source == nullptr ? *file.source : *finding.source;
+}
 
 }  // namespace owlint

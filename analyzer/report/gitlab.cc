@@ -9,7 +9,9 @@ namespace owlint {
 
 void write_gitlab(std::ostream& out, const Reports& files, const ReportStyle& style) {
   using Json = nlohmann::ordered_json;
-  const auto severity = [](const Finding& f) { return f.severity == Severity::kError ? "critical" : f.severity == Severity::kWarning ? "minor" : "info"; };
+  const auto severity = [](const Finding& f) {
+    return f.severity == Severity::kError ? "critical" : f.severity == Severity::kWarning ? "minor" : "info";
+  };
   Json issues = Json::array();
   for (const FileReport& file : files) {
     const std::vector<std::string> prints = fingerprints(*file.source, file.findings);
@@ -17,12 +19,15 @@ void write_gitlab(std::ostream& out, const Reports& files, const ReportStyle& st
       const Finding& f = file.findings[i];
       const Source& source = source_of(file, f);
       const std::string path = json_path(source, style);
-      issues.push_back({{"description", whole_message(f, "; ")},
-                        {"check_name", fmt::format("{} {}", f.code, f.rule)},
-                        // Programs are often copied, whole, into another folder.
-                        {"fingerprint", prints[i] + percent_encoded(path)},
-                        {"severity", severity(f)},
-                        {"location", {{"path", path}, {"lines", {{"begin", source.position(f.span.begin).line}, {"end", source.position(f.span.end).line}}}}}});
+      issues.push_back(
+          {{"description", whole_message(f, "; ")},
+           {"check_name", fmt::format("{} {}", f.code, f.rule)},
+           // Programs are often copied, whole, into another folder.
+           {"fingerprint", prints[i] + percent_encoded(path)},
+           {"severity", severity(f)},
+           {"location",
+            {{"path", path},
+             {"lines", {{"begin", source.position(f.span.begin).line}, {"end", source.position(f.span.end).line}}}}}});
     }
   }
   out << issues.dump(2) << '\n';

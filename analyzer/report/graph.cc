@@ -45,9 +45,9 @@ std::string block_title(const Program& p, const Block& b) {
 struct Node {
   std::string id;
   std::string title;
-  uint32_t line = 0;              // 0: none
+  uint32_t line = 0;                // 0: none
   Severity worst = Severity::kOff;  // of its findings
-  std::string findings;           // a line each
+  std::string findings;             // a line each
 };
 
 /// One scope with the blocks that it holds.
@@ -74,7 +74,9 @@ struct Drawing {
   std::vector<Link> links;
 };
 
-std::string scope_id(size_t file, RegionId region) { return file == 0 ? fmt::format("r{}", region) : fmt::format("f{}r{}", file, region); }
+std::string scope_id(size_t file, RegionId region) {
+  return file == 0 ? fmt::format("r{}", region) : fmt::format("f{}r{}", file, region);
+}
 
 /// Where a call leads: a scope of this file, or of the file that it finds.
 std::string callee_id(const Linked& linked, size_t file, const Call& call) {
@@ -98,14 +100,18 @@ Drawing draw(const Linked& linked) {
     Drawing::File file{p.source->path(), {}};
     for (RegionId r = 0; r < p.regions.size(); ++r) {
       const StatementId opener = p.regions[r].opener;
-      file.scopes.push_back({{scope_id(f, r), region_title(p, r), opener == kNoStatement ? 1 : p.at(opener).line, Severity::kOff, ""}, {}});
+      file.scopes.push_back(
+          {{scope_id(f, r), region_title(p, r), opener == kNoStatement ? 1 : p.at(opener).line, Severity::kOff, ""},
+           {}});
     }
     // The inside of called files is left to a drawing of their own.
     for (BlockId b = 0; f == 0 && b < p.blocks.size(); ++b) {
       const Block& block = p.blocks[b];
       const std::string id = fmt::format("b{}", b);
-      file.scopes[block.region].blocks.push_back({id, block_title(p, block), p.at(block.opener).line, Severity::kOff, ""});
-      out.links.push_back({block.parent == kNoBlock ? scope_id(f, block.region) : fmt::format("b{}", block.parent), id, "", false});
+      file.scopes[block.region].blocks.push_back(
+          {id, block_title(p, block), p.at(block.opener).line, Severity::kOff, ""});
+      out.links.push_back(
+          {block.parent == kNoBlock ? scope_id(f, block.region) : fmt::format("b{}", block.parent), id, "", false});
     }
     for (const Call& call : p.calls) {
       std::string to = callee_id(linked, f, call);
@@ -113,11 +119,14 @@ Drawing draw(const Linked& linked) {
         to = f == 0 ? fmt::format("x{}", call.statement) : fmt::format("f{}x{}", f, call.statement);
         out.unknown.emplace_back(to, call.callee == kNoName ? "computed" : p.label_text(call.callee));
       }
-      out.links.push_back({scope_id(f, call.caller), std::move(to), fmt::format("line {}", p.at(call.statement).line), true});
+      out.links.push_back(
+          {scope_id(f, call.caller), std::move(to), fmt::format("line {}", p.at(call.statement).line), true});
     }
     // Lines outside the subs of a called file do not run; they are drawn only if something leads there.
     if (f > 0) {
-      const bool used = std::ranges::any_of(out.links, [&](const Link& link) { return link.from == file.scopes[0].node.id || link.to == file.scopes[0].node.id; });
+      const bool used = std::ranges::any_of(out.links, [&](const Link& link) {
+        return link.from == file.scopes[0].node.id || link.to == file.scopes[0].node.id;
+      });
       if (!used && file.scopes.size() > 1) file.scopes.erase(file.scopes.begin());
     }
     out.files.push_back(std::move(file));
@@ -142,7 +151,8 @@ void mark(Drawing& drawing, const Program& p, const std::vector<Finding>& findin
     const auto node = nodes.find(block != kNoBlock ? fmt::format("b{}", block) : scope_id(0, region));
     if (node == nodes.end()) continue;
     node->second->worst = std::max(node->second->worst, f.severity);
-    node->second->findings += fmt::format("{}{} on line {}: {}", node->second->findings.empty() ? "" : "\n", f.code, p.source->position(f.span.begin).line, f.message);
+    node->second->findings += fmt::format("{}{} on line {}: {}", node->second->findings.empty() ? "" : "\n", f.code,
+                                          p.source->position(f.span.begin).line, f.message);
   }
 }
 
@@ -173,10 +183,15 @@ void write_graph_dot(std::ostream& out, const Linked& linked, const std::vector<
   Drawing drawing = draw(linked);
   mark(drawing, *linked.files()[0].program, findings);
   const auto text = [](std::string_view words) { return escaped(words, false); };
-  out << fmt::format("digraph \"{}\" {{\n  rankdir=TB;\n  fontname=\"Courier\";\n  node [shape=box, fontname=\"Courier\"];\n  edge [fontname=\"Courier\", fontsize=10];\n", text(drawing.files[0].path));
+  out << fmt::format(
+      "digraph \"{}\" {{\n  rankdir=TB;\n  fontname=\"Courier\";\n  node [shape=box, fontname=\"Courier\"];\n  edge "
+      "[fontname=\"Courier\", fontsize=10];\n",
+      text(drawing.files[0].path));
   for (size_t f = 0; f < drawing.files.size(); ++f) {
     const std::string indent(f == 0 ? 2 : 4, ' ');
-    if (f > 0) out << fmt::format("  subgraph cluster_f{} {{\n    label=\"{}\";\n    style=filled; color=\"#eeeeee\";\n", f, text(drawing.files[f].path));
+    if (f > 0)
+      out << fmt::format("  subgraph cluster_f{} {{\n    label=\"{}\";\n    style=filled; color=\"#eeeeee\";\n", f,
+                         text(drawing.files[f].path));
     for (const Scope& scope : drawing.files[f].scopes) {
       const std::string node = fmt::format("{} [{}];\n", scope.node.id, dot_attributes(scope.node, f, ", shape=oval"));
       if (scope.blocks.empty()) {
@@ -184,14 +199,17 @@ void write_graph_dot(std::ostream& out, const Linked& linked, const std::vector<
         continue;
       }
       out << fmt::format("{0}subgraph cluster_{1} {{\n{0}  color=\"#bbbbbb\";\n{0}  {2}", indent, scope.node.id, node);
-      for (const Node& block : scope.blocks) out << fmt::format("{}  {} [{}];\n", indent, block.id, dot_attributes(block, f, ""));
+      for (const Node& block : scope.blocks)
+        out << fmt::format("{}  {} [{}];\n", indent, block.id, dot_attributes(block, f, ""));
       out << indent << "}\n";
     }
     if (f > 0) out << "  }\n";
   }
-  for (const auto& [id, title] : drawing.unknown) out << fmt::format("  {} [label=\"{}\", style=dotted];\n", id, text(title));
+  for (const auto& [id, title] : drawing.unknown)
+    out << fmt::format("  {} [label=\"{}\", style=dotted];\n", id, text(title));
   for (const Link& link : drawing.links) {
-    out << fmt::format("  {} -> {}{};\n", link.from, link.to, link.call ? fmt::format(" [style=dashed, label=\"{}\"]", link.words) : "");
+    out << fmt::format("  {} -> {}{};\n", link.from, link.to,
+                       link.call ? fmt::format(" [style=dashed, label=\"{}\"]", link.words) : "");
   }
   out << "}\n";
 }
@@ -204,15 +222,18 @@ void write_graph_mermaid(std::ostream& out, const Linked& linked) {
     const std::string indent(f == 0 ? 2 : 4, ' ');
     if (f > 0) out << fmt::format("  subgraph file{}[\"{}\"]\n", f, text(drawing.files[f].path));
     for (const Scope& scope : drawing.files[f].scopes) {
-      out << fmt::format("{0}subgraph s{1}[\"{2}\"]\n{0}  {1}([\"{2}\"])\n", indent, scope.node.id, text(scope.node.title));
-      for (const Node& block : scope.blocks) out << fmt::format("{}  {}[\"{}\"]\n", indent, block.id, text(block.title));
+      out << fmt::format("{0}subgraph s{1}[\"{2}\"]\n{0}  {1}([\"{2}\"])\n", indent, scope.node.id,
+                         text(scope.node.title));
+      for (const Node& block : scope.blocks)
+        out << fmt::format("{}  {}[\"{}\"]\n", indent, block.id, text(block.title));
       out << indent << "end\n";
     }
     if (f > 0) out << "  end\n";
   }
   for (const auto& [id, title] : drawing.unknown) out << fmt::format("  {}[\"{}\"]\n", id, text(title));
   for (const Link& link : drawing.links) {
-    out << (link.call ? fmt::format("  {} -.->|{}| {}\n", link.from, link.words, link.to) : fmt::format("  {} --> {}\n", link.from, link.to));
+    out << (link.call ? fmt::format("  {} -.->|{}| {}\n", link.from, link.words, link.to)
+                      : fmt::format("  {} --> {}\n", link.from, link.to));
   }
 }
 
@@ -229,25 +250,39 @@ Json graph_of(const Linked& linked, size_t file) {
   const flow::DataFlow data(p);
   for (RegionId r = 0; r < p.regions.size(); ++r) {
     const Region& region = p.regions[r];
-    graph["scopes"].push_back({{"id", r}, {"sub", region.name == kNoName ? Json(nullptr) : Json(printable(p.name(region.name)))},
-                               {"line", line_of(region.opener)}, {"end", line_of(region.end)}, {"summary", summary_json(p, data.of(r))}});
+    graph["scopes"].push_back({{"id", r},
+                               {"sub", region.name == kNoName ? Json(nullptr) : Json(printable(p.name(region.name)))},
+                               {"line", line_of(region.opener)},
+                               {"end", line_of(region.end)},
+                               {"summary", summary_json(p, data.of(r))}});
   }
   graph["blocks"] = Json::array();
   for (BlockId b = 0; b < p.blocks.size(); ++b) {
     const Block& block = p.blocks[b];
     Json parts = Json::array();
-    for (const StatementId part : p.parts[static_cast<size_t>(&block - p.blocks.data())]) parts.push_back({{"keyword", spelling(p.at(part).keyword)}, {"line", p.at(part).line}});
-    graph["blocks"].push_back({{"id", b}, {"keyword", spelling(block.kind)}, {"label", printable(p.name(block.label))},
-                               {"scope", block.region}, {"parent", block.parent == kNoBlock ? Json(nullptr) : Json(block.parent)},
-                               {"line", p.at(block.opener).line}, {"parts", std::move(parts)}, {"end", line_of(block.end)}});
+    for (const StatementId part : p.parts[static_cast<size_t>(&block - p.blocks.data())])
+      parts.push_back({{"keyword", spelling(p.at(part).keyword)}, {"line", p.at(part).line}});
+    graph["blocks"].push_back({{"id", b},
+                               {"keyword", spelling(block.kind)},
+                               {"label", printable(p.name(block.label))},
+                               {"scope", block.region},
+                               {"parent", block.parent == kNoBlock ? Json(nullptr) : Json(block.parent)},
+                               {"line", p.at(block.opener).line},
+                               {"parts", std::move(parts)},
+                               {"end", line_of(block.end)}});
   }
   graph["calls"] = Json::array();
   for (const Call& call : p.calls) {
-    const CallTarget target = call.callee == kNoName || call.target != UINT32_MAX ? CallTarget{} : linked.target(p.name(call.callee));
-    graph["calls"].push_back({{"line", p.at(call.statement).line}, {"from", call.caller},
-                              {"label", call.callee == kNoName ? Json(nullptr) : Json(printable(p.name(call.callee)))},
-                              {"to", call.target == UINT32_MAX ? Json(nullptr) : Json(call.target)},
-                              {"file", target.file == CallTarget::kNotFound ? Json(nullptr) : Json(as_utf8(linked.files()[target.file].program->source->path()))}});
+    const CallTarget target =
+        call.callee == kNoName || call.target != UINT32_MAX ? CallTarget{} : linked.target(p.name(call.callee));
+    graph["calls"].push_back(
+        {{"line", p.at(call.statement).line},
+         {"from", call.caller},
+         {"label", call.callee == kNoName ? Json(nullptr) : Json(printable(p.name(call.callee)))},
+         {"to", call.target == UINT32_MAX ? Json(nullptr) : Json(call.target)},
+         {"file",
+          target.file == CallTarget::kNotFound ? Json(nullptr)
+                                               : Json(as_utf8(linked.files()[target.file].program->source->path()))}});
   }
   return graph;
 }
@@ -265,7 +300,8 @@ std::string write_graph_svg(std::ostream& out, const Linked& linked, const std::
   std::ostringstream dot;
   write_graph_dot(dot, linked, findings);
   const Ran ran = run_program({"dot", "-Tsvg"}, dot.str());
-  if (!ran.started) return "SVG needs Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
+  if (!ran.started)
+    return "SVG needs Graphviz's `dot`, which cannot be started: install the package graphviz, or use --format dot";
   if (ran.status != 0) return "Graphviz's `dot` failed";
   out << ran.out;
   return "";

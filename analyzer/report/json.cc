@@ -74,7 +74,8 @@ void write_json(std::ostream& out, const std::vector<FileReport>& files) {
     report["files"].push_back(std::move(entry));
   }
   const Summary summary = summarize(files);
-  report["summary"] = {{"files", summary.files}, {"errors", summary.errors}, {"warnings", summary.warnings}, {"infos", summary.infos}};
+  report["summary"] = {
+      {"files", summary.files}, {"errors", summary.errors}, {"warnings", summary.warnings}, {"infos", summary.infos}};
   out << report.dump(2) << '\n';
 }
 

@@ -17,7 +17,8 @@ void write_gcc(std::ostream& out, const Reports& files, const ReportStyle& style
     for (const Finding& f : file.findings) {
       const Source& source = source_of(file, f);
       const Position at = source.position(f.span.begin);
-      out << fmt::format("{}:{}:{}: {}: {} [{}]\n", shown_path(source, style), at.line, at.column, gcc_level(f.severity), printable(f.message), f.code);
+      out << fmt::format("{}:{}:{}: {}: {} [{}]\n", shown_path(source, style), at.line, at.column,
+                         gcc_level(f.severity), printable(f.message), f.code);
     }
   }
 }
@@ -30,7 +31,8 @@ void write_grouped(std::ostream& out, const Reports& files, const ReportStyle& s
     out << fmt::format("{}{}{}\n", bold, shown_path(*file.source, style), reset);
     for (const Finding& f : file.findings) {
       const Position at = source_of(file, f).position(f.span.begin);
-      const std::string row = fmt::format("  {:>5}:{:<3} {:<7} {}  {}", at.line, at.column, severity_text(f.severity), f.code, printable(f.message));
+      const std::string row = fmt::format("  {:>5}:{:<3} {:<7} {}  {}", at.line, at.column, severity_text(f.severity),
+                                          f.code, printable(f.message));
       out << wrapped(row, style.width, "        ") << '\n';
     }
     out << '\n';

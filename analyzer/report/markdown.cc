@@ -23,7 +23,8 @@ constexpr size_t kNarrowest = 24;  // of text beside an indent
 
 std::vector<cmark_node*> children(cmark_node* node) {
   std::vector<cmark_node*> out;
-  for (cmark_node* child = cmark_node_first_child(node); child != nullptr; child = cmark_node_next(child)) out.push_back(child);
+  for (cmark_node* child = cmark_node_first_child(node); child != nullptr; child = cmark_node_next(child))
+    out.push_back(child);
   return out;
 }
 
@@ -65,11 +66,14 @@ class Renderer {
   }
 
   std::string styled(std::string_view style, const std::string& text, const std::string& indent) const {
-    return fmt::format("{}{}{}{}\n", indent, style, wrapped(text, room(indent), indent, 0), style.empty() ? "" : s_.reset);
+    return fmt::format("{}{}{}{}\n", indent, style, wrapped(text, room(indent), indent, 0),
+                       style.empty() ? "" : s_.reset);
   }
 
   /// For wrapped(): where lines end. An indent that leaves no room is taken as it is.
-  size_t room(const std::string& indent) const { return width_ == 0 ? 0 : std::max(width_, columns(indent) + kNarrowest); }
+  size_t room(const std::string& indent) const {
+    return width_ == 0 ? 0 : std::max(width_, columns(indent) + kNarrowest);
+  }
 
   static std::string code_block(std::string_view code, const std::string& indent) {
     std::string out;
@@ -96,14 +100,18 @@ class Renderer {
   /// Text on one line; `around` is the style to go back to.
   std::string text_in(cmark_node* parent, std::string_view around) const {
     std::string out;
-    const auto inside = [&](std::string_view style, const std::string& text) { out += fmt::format("{}{}{}{}", style, text, style.empty() ? "" : s_.reset, style.empty() ? "" : around); };
+    const auto inside = [&](std::string_view style, const std::string& text) {
+      out += fmt::format("{}{}{}{}", style, text, style.empty() ? "" : s_.reset, style.empty() ? "" : around);
+    };
     for (cmark_node* node : children(parent)) {
       switch (cmark_node_get_type(node)) {
         case CMARK_NODE_TEXT:
         case CMARK_NODE_HTML_INLINE: out += literal(node); break;
         case CMARK_NODE_SOFTBREAK:
         case CMARK_NODE_LINEBREAK: out += ' '; break;
-        case CMARK_NODE_CODE: color_ ? inside(s_.code, std::string(literal(node))) : inside("", fmt::format("`{}`", literal(node))); break;
+        case CMARK_NODE_CODE:
+          color_ ? inside(s_.code, std::string(literal(node))) : inside("", fmt::format("`{}`", literal(node)));
+          break;
         case CMARK_NODE_STRONG: inside(s_.strong, text_in(node, s_.strong)); break;
         case CMARK_NODE_EMPH: inside(s_.emphasis, text_in(node, s_.emphasis)); break;
         case CMARK_NODE_LINK: out += link(node, around); break;
@@ -116,7 +124,9 @@ class Renderer {
   std::string link(cmark_node* node, std::string_view around) const {
     const std::string text = text_in(node, around);
     const std::string url = cmark_node_get_url(node);
-    return url.find("://") == std::string::npos || url == text ? text : fmt::format("{} ({})", text, url);  // others lead to pages beside this one
+    return url.find("://") == std::string::npos || url == text
+        ? text
+        : fmt::format("{} ({})", text, url);  // others lead to pages beside this one
   }
 
   using Row = std::vector<std::string>;
@@ -168,7 +178,8 @@ class Renderer {
     for (size_t at = 0; at <= text.size();) {
       const size_t feed = std::min(text.find('\n', at), text.size());
       std::string line = open + text.substr(at, feed - at);
-      if (const size_t escape = line.rfind("\x1b["); escape != std::string::npos) open = line.substr(escape, line.find('m', escape) + 1 - escape);
+      if (const size_t escape = line.rfind("\x1b["); escape != std::string::npos)
+        open = line.substr(escape, line.find('m', escape) + 1 - escape);
       if (open == s_.reset) open.clear();
       lines.push_back(line + std::string(open.empty() ? "" : s_.reset));
       at = feed + 1;
@@ -176,7 +187,8 @@ class Renderer {
     return lines;
   }
 
-  std::string table_row(const Row& row, const std::vector<size_t>& wide, const std::string& indent, std::string_view style) const {
+  std::string table_row(const Row& row, const std::vector<size_t>& wide, const std::string& indent,
+                        std::string_view style) const {
     std::vector<std::vector<std::string>> cells;  // by column, its lines
     size_t lines = 1;
     for (size_t i = 0; i < row.size(); ++i) {
@@ -206,10 +218,12 @@ class Renderer {
 
 std::string render_markdown(std::string_view markdown, bool color, size_t width) {
   cmark_gfm_core_extensions_ensure_registered();
-  const std::unique_ptr<cmark_parser, decltype(&cmark_parser_free)> parser(cmark_parser_new(CMARK_OPT_DEFAULT), &cmark_parser_free);
+  const std::unique_ptr<cmark_parser, decltype(&cmark_parser_free)> parser(cmark_parser_new(CMARK_OPT_DEFAULT),
+                                                                           &cmark_parser_free);
   cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension("table"));
   cmark_parser_feed(parser.get(), markdown.data(), markdown.size());
-  const std::unique_ptr<cmark_node, decltype(&cmark_node_free)> page(cmark_parser_finish(parser.get()), &cmark_node_free);
+  const std::unique_ptr<cmark_node, decltype(&cmark_node_free)> page(cmark_parser_finish(parser.get()),
+                                                                     &cmark_node_free);
   return Renderer(color, width).blocks(page.get(), "");
 }
 

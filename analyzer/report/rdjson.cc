@@ -13,22 +13,29 @@ Json position(const Source& source, uint64_t offset) {
   return {{"line", at.line}, {"column", offset - source.line(at.line).begin + 1}};
 }
 
-Json range(const Source& source, Span span) { return {{"start", position(source, span.begin)}, {"end", position(source, span.end)}}; }
+Json range(const Source& source, Span span) {
+  return {{"start", position(source, span.begin)}, {"end", position(source, span.end)}};
+}
 
 Json diagnostic(const FileReport& file, const Finding& f, const ReportStyle& style) {
   const Source& source = source_of(file, f);
-  const char* const severity = f.severity == Severity::kError ? "ERROR" : f.severity == Severity::kWarning ? "WARNING" : "INFO";
+  const char* const severity = f.severity == Severity::kError ? "ERROR"
+      : f.severity == Severity::kWarning                      ? "WARNING"
+                                                              : "INFO";
   Json out{{"message", whole_message(f)},
            {"location", {{"path", json_path(source, style)}, {"range", range(source, f.span)}}},
            {"severity", severity},
            {"code", {{"value", f.code}}}};
   for (const Fix& fix : f.fixes) {
     if (fix.edits.size() != 1) continue;  // a suggestion is one replacement
-    out["suggestions"].push_back({{"range", range(source, fix.edits[0].span)}, {"text", printable_text(fix.edits[0].text)}});
+    out["suggestions"].push_back(
+        {{"range", range(source, fix.edits[0].span)}, {"text", printable_text(fix.edits[0].text)}});
   }
   for (const Related& related : related_lines(f)) {
     const Source& place = related.source == nullptr ? source : *related.source;
-    out["relatedLocations"].push_back({{"message", printable(related.message)}, {"location", {{"path", json_path(place, style)}, {"range", range(place, related.span)}}}});
+    out["relatedLocations"].push_back(
+        {{"message", printable(related.message)},
+         {"location", {{"path", json_path(place, style)}, {"range", range(place, related.span)}}}});
   }
   return out;
 }

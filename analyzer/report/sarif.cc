@@ -13,7 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* level(Severity severity) { return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note"; }
+const char* level(Severity severity) {
+  return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
+}
 
 constexpr std::string_view kMark = "\xEF\xBB\xBF";  // byte order mark
 
@@ -39,31 +41,41 @@ class Writer {
   static Json driver() {
     Json rules = Json::array();
     for (const Rule* rule : catalogue()) {
-      rules.push_back({{"id", rule->code},
-                       {"name", rule->name},
-                       {"shortDescription", text(rule->summary)},
-                       {"fullDescription", text(rule->page.what)},
-                       {"help", {{"text", text(fmt::format("{}\n\n{}", rule->page.why, rule->page.fix))["text"]}, {"markdown", braces_doubled(rule_page(*rule))}}},
-                       {"defaultConfiguration", {{"enabled", rule->level != Severity::kInfo}, {"level", level(rule->level)}}},
-                       {"properties", {{"tags", {group_title(rule->group)}}}}});
+      rules.push_back(
+          {{"id", rule->code},
+           {"name", rule->name},
+           {"shortDescription", text(rule->summary)},
+           {"fullDescription", text(rule->page.what)},
+           {"help",
+            {{"text", text(fmt::format("{}\n\n{}", rule->page.why, rule->page.fix))["text"]},
+             {"markdown", braces_doubled(rule_page(*rule))}}},
+           {"defaultConfiguration", {{"enabled", rule->level != Severity::kInfo}, {"level", level(rule->level)}}},
+           {"properties", {{"tags", {group_title(rule->group)}}}}});
     }
-    return {{"name", kToolName}, {"version", kToolVersion}, {"informationUri", "https://linuxcnc.org/docs/html/gcode/o-code.html"}, {"rules", std::move(rules)}};
+    return {{"name", kToolName},
+            {"version", kToolVersion},
+            {"informationUri", "https://linuxcnc.org/docs/html/gcode/o-code.html"},
+            {"rules", std::move(rules)}};
   }
 
   Json artifact(const Source& source) const {
     const std::string path = file_key(source.path());
     const std::string_view below = std::string_view(path).substr(std::min(path.size(), style_.root.size() + 1));
-    if (style_.root.empty() || !path.starts_with(style_.root + "/")) return {{"uri", "file://" + percent_encoded(path)}};
+    if (style_.root.empty() || !path.starts_with(style_.root + "/"))
+      return {{"uri", "file://" + percent_encoded(path)}};
     return {{"uri", percent_encoded(below)}, {"uriBaseId", "%SRCROOT%"}};
   }
 
   /// In SARIF a byte order mark is not part of the text: the columns of its line begin after it.
   static Json region(const Source& source, Span span) {
     const bool marked = has_mark(source);
-    const auto column = [&](const Position& at) { return marked && at.line == 1 && at.column > 1 ? at.column - 1 : at.column; };
+    const auto column = [&](const Position& at) {
+      return marked && at.line == 1 && at.column > 1 ? at.column - 1 : at.column;
+    };
     const Position begin = source.position(span.begin);
     const Position end = source.position(span.end);
-    return {{"startLine", begin.line}, {"startColumn", column(begin)}, {"endLine", end.line}, {"endColumn", column(end)}};
+    return {
+        {"startLine", begin.line}, {"startColumn", column(begin)}, {"endLine", end.line}, {"endColumn", column(end)}};
   }
 
   static bool has_mark(const Source& source) { return source.slice({0, kMark.size()}) == kMark; }
@@ -88,7 +100,9 @@ class Writer {
     return {{"text", std::move(out)}};
   }
 
-  Json physical(const Source& source, Span span) const { return {{"artifactLocation", artifact(source)}, {"region", region(source, span)}}; }
+  Json physical(const Source& source, Span span) const {
+    return {{"artifactLocation", artifact(source)}, {"region", region(source, span)}};
+  }
 
   Json place(const Source& own, const Related& related) const {
     const Source& source = related.source == nullptr ? own : *related.source;
@@ -98,7 +112,8 @@ class Writer {
   /// The branch outcomes that lead to the finding, and the finding itself.
   Json code_flow(const Source& source, const Finding& f) const {
     Json locations = Json::array();
-    for (const Related& step : f.path) locations.push_back({{"location", place(source, step)}, {"importance", "essential"}});
+    for (const Related& step : f.path)
+      locations.push_back({{"location", place(source, step)}, {"importance", "essential"}});
     locations.push_back({{"location", place(source, {f.span, f.message, nullptr})}, {"importance", "essential"}});
     return {{"threadFlows", Json::array({{{"locations", std::move(locations)}}})}};
   }
@@ -106,16 +121,24 @@ class Writer {
   Json fix(const Source& source, const Fix& made) const {
     Json replacements = Json::array();
     for (const Edit& edit : made.edits) {
-      replacements.push_back({{"deletedRegion", deleted(source, edit.span)}, {"insertedContent", {{"text", printable_text(edit.text)}}}});
+      replacements.push_back(
+          {{"deletedRegion", deleted(source, edit.span)}, {"insertedContent", {{"text", printable_text(edit.text)}}}});
     }
-    return {{"description", text(printable(made.title))}, {"artifactChanges", Json::array({{{"artifactLocation", artifact(source)}, {"replacements", std::move(replacements)}}})}};
+    return {{"description", text(printable(made.title))},
+            {"artifactChanges",
+             Json::array({{{"artifactLocation", artifact(source)}, {"replacements", std::move(replacements)}}})}};
   }
 
   Json result(const FileReport& file, const Finding& f, const std::string& print) const {
     const Source& source = source_of(file, f);
     Json location{{"physicalLocation", physical(source, f.span)}};
-    if (!f.scope.empty()) location["logicalLocations"] = Json::array({{{"fullyQualifiedName", printable(f.scope)}, {"kind", "function"}}});
-    Json out{{"ruleId", f.code}, {"ruleIndex", index_.at(f.code)}, {"level", level(f.severity)}, {"message", text(whole_message(f))}, {"locations", Json::array({std::move(location)})}};
+    if (!f.scope.empty())
+      location["logicalLocations"] = Json::array({{{"fullyQualifiedName", printable(f.scope)}, {"kind", "function"}}});
+    Json out{{"ruleId", f.code},
+             {"ruleIndex", index_.at(f.code)},
+             {"level", level(f.severity)},
+             {"message", text(whole_message(f))},
+             {"locations", Json::array({std::move(location)})}};
     for (const Related& related : related_lines(f)) {
       Json entry = place(source, related);
       entry["id"] = out.contains("relatedLocations") ? out["relatedLocations"].size() : 0;
@@ -135,7 +158,9 @@ class Writer {
 }  // namespace
 
 void write_sarif(std::ostream& out, const Reports& files, const ReportStyle& style) {
-  const Json report{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({Writer(style).run(files)})}};
+  const Json report{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                    {"version", "2.1.0"},
+                    {"runs", Json::array({Writer(style).run(files)})}};
   out << report.dump(2) << '\n';
 }
 

@@ -19,7 +19,8 @@ std::vector<std::string> arguments_of(const flow::Summary& summary) {
 
 std::vector<std::string> texts(const Program& program, const std::vector<flow::ParameterId>& parameters) {
   std::vector<std::string> out;
-  for (const flow::ParameterId parameter : parameters) out.push_back(printable(flow::parameter_text(program, parameter)));
+  for (const flow::ParameterId parameter : parameters)
+    out.push_back(printable(flow::parameter_text(program, parameter)));
   return out;
 }
 
@@ -54,8 +55,11 @@ Json summary_json(const Program& program, const flow::Summary& summary) {
     if ((summary.arguments >> n & 1) != 0) arguments.push_back(n);
   }
   constexpr const char* kReturns[] = {"never", "sometimes", "always"};
-  return {{"arguments", arguments}, {"computed", summary.any_number}, {"reads", texts(program, summary.reads)},
-          {"writes", texts(program, summary.writes)}, {"returns", kReturns[static_cast<size_t>(summary.returns)]}};
+  return {{"arguments", arguments},
+          {"computed", summary.any_number},
+          {"reads", texts(program, summary.reads)},
+          {"writes", texts(program, summary.writes)},
+          {"returns", kReturns[static_cast<size_t>(summary.returns)]}};
 }
 
 }  // namespace owlint

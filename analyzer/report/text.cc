@@ -14,7 +14,7 @@ namespace owlint {
 namespace {
 
 constexpr size_t kMostPlaces = 6;  // related ones that are shown; a finding of many places names some
-constexpr size_t kWidest = 120;   // longer source lines are cut around the finding
+constexpr size_t kWidest = 120;    // longer source lines are cut around the finding
 constexpr size_t kNarrowest = 24;  // of a source line; a terminal that has no room for it breaks lines itself
 
 struct Colors {
@@ -38,8 +38,9 @@ std::string unreached_text(const Source& source, const Finding& f) {
   std::ranges::sort(lines);
   const size_t more = lines.size() > kShown ? lines.size() - kShown : 0;
   lines.resize(lines.size() - more);
-  return fmt::format("the same mistake is on line{} {}{}, which no run reaches before this is fixed", lines.size() + more > 1 ? "s" : "",
-                     fmt::join(lines, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+  return fmt::format("the same mistake is on line{} {}{}, which no run reaches before this is fixed",
+                     lines.size() + more > 1 ? "s" : "", fmt::join(lines, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 /// `... is true and ... is false`: the branches that lead to a finding.
@@ -66,24 +67,29 @@ class Writer {
     const Source& source = *file.source;
     const Position at = source.position(f.span.begin);
     const std::string_view tint = severity_color(c_, f.severity);
-    const std::string head = fmt::format("{}{}:{}:{}:{} {}{}{} {}{}{} {}[{} {}]{}", c_.bold, shown_path(source, style_), at.line, at.column, c_.reset, tint,
-                                         severity_text(f.severity), c_.reset, c_.bold, printable(f.message), c_.reset, c_.dim, f.code, f.rule, c_.reset);
+    const std::string head = fmt::format("{}{}:{}:{}:{} {}{}{} {}{}{} {}[{} {}]{}", c_.bold, shown_path(source, style_),
+                                         at.line, at.column, c_.reset, tint, severity_text(f.severity), c_.reset,
+                                         c_.bold, printable(f.message), c_.reset, c_.dim, f.code, f.rule, c_.reset);
     out_ << wrapped(head, style_.width, "      ") << '\n';
     line_of(source, f.span, '^', "", tint);
     const Source* shown = &source;
     const size_t listed = f.related.size() > kMostPlaces ? kMostPlaces - 1 : f.related.size();
     for (const Related& related : std::span(f.related).first(listed)) {
       const Source& place = related.source == nullptr ? source : *related.source;
-      if (&place != std::exchange(shown, &place)) out_ << fmt::format("{}  in {}:{}\n", c_.dim, shown_path(place, style_), c_.reset);
+      if (&place != std::exchange(shown, &place))
+        out_ << fmt::format("{}  in {}:{}\n", c_.dim, shown_path(place, style_), c_.reset);
       line_of(place, related.span, '-', printable(related.message), c_.blue);
     }
-    if (listed < f.related.size()) out_ << fmt::format("{}  and {} more places{}\n", c_.dim, f.related.size() - listed, c_.reset);
+    if (listed < f.related.size())
+      out_ << fmt::format("{}  and {} more places{}\n", c_.dim, f.related.size() - listed, c_.reset);
     labelled(f.reach == Reach::kNever ? "not reached" : "when", path_text(f));
     labelled("LinuxCNC says", f.interpreter);
     if (!f.versions.empty()) labelled("versions", fmt::format("only in LinuxCNC {}", fmt::join(f.versions, ", ")));
     for (const Consequence& consequence : f.consequences) {
       if (consequence.interpreter.empty()) continue;
-      labelled("other runs", fmt::format("the program stops because of line {} instead: {}", source.position(consequence.span.begin).line, consequence.interpreter));
+      labelled("other runs",
+               fmt::format("the program stops because of line {} instead: {}",
+                           source.position(consequence.span.begin).line, consequence.interpreter));
     }
     labelled("also", unreached_text(source, f));
     labelled("fix", f.help);
@@ -95,10 +101,13 @@ class Writer {
   void line_of(const Source& source, Span span, char mark, std::string_view words, std::string_view color) {
     const std::string number = fmt::format("{:>5}", source.position(span.begin).line);
     const size_t gutter = number.size() + 3;
-    const Snippet shown = snippet(source, span, style_.width == 0 ? kWidest : std::clamp(style_.width, gutter + kNarrowest, gutter + kWidest) - gutter);
+    const Snippet shown =
+        snippet(source, span,
+                style_.width == 0 ? kWidest : std::clamp(style_.width, gutter + kNarrowest, gutter + kWidest) - gutter);
     const std::string below = fmt::format("{}{} |{} ", c_.dim, std::string(number.size(), ' '), c_.reset);
     out_ << fmt::format("{}{} |{} {}\n", c_.dim, number, c_.reset, shown.text);
-    out_ << fmt::format("{}{}{}{}{}", below, std::string(shown.pad, ' '), color, std::string(shown.marked, mark), c_.reset);
+    out_ << fmt::format("{}{}{}{}{}", below, std::string(shown.pad, ' '), color, std::string(shown.marked, mark),
+                        c_.reset);
     const size_t used = gutter + shown.pad + shown.marked + 1;
     if (!words.empty() && (style_.width == 0 || used + columns(words) <= style_.width)) {
       out_ << ' ' << words;
@@ -172,7 +181,9 @@ void write_statistics(std::ostream& out, const std::vector<FileReport>& files, c
   for (const auto& [code, entry] : sorted) out << fmt::format("{:>7}  {}  {}\n", entry.first, code, entry.second);
   out << fmt::format("{:>7}  reports, {} flow steps, {} merges\n", files.size(), flow.steps, flow.merges);
   out << fmt::format("{:>7}  files parsed", library.parsed());
-  out << (library.called() == 0 ? "\n" : fmt::format(", {} of them for {} calls from other files\n", library.called(), library.uses()));
+  out << (library.called() == 0
+              ? "\n"
+              : fmt::format(", {} of them for {} calls from other files\n", library.called(), library.uses()));
 }
 
 }  // namespace owlint

@@ -7,7 +7,9 @@
 namespace owlint {
 namespace {
 
-void save(const pugi::xml_document& document, std::ostream& out) { document.save(out, "  ", pugi::format_indent, pugi::encoding_utf8); }
+void save(const pugi::xml_document& document, std::ostream& out) {
+  document.save(out, "  ", pugi::format_indent, pugi::encoding_utf8);
+}
 
 pugi::xml_document fresh() {
   pugi::xml_document document;
@@ -21,12 +23,15 @@ pugi::xml_document fresh() {
 std::string allowed(std::string_view text) {
   std::string out(text);
   for (const char* forbidden : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"}) {
-    for (size_t at = 0; (at = out.find(forbidden, at)) != std::string::npos; at += 3) out.replace(at, 3, "\xEF\xBF\xBD");
+    for (size_t at = 0; (at = out.find(forbidden, at)) != std::string::npos; at += 3)
+      out.replace(at, 3, "\xEF\xBF\xBD");
   }
   return out;
 }
 
-void set(pugi::xml_node node, const char* name, std::string_view value) { node.append_attribute(name) = allowed(value).c_str(); }
+void set(pugi::xml_node node, const char* name, std::string_view value) {
+  node.append_attribute(name) = allowed(value).c_str();
+}
 
 }  // namespace
 
@@ -86,7 +91,8 @@ void write_junit(std::ostream& out, const Reports& files, const ReportStyle& sty
       pugi::xml_node failure = one.append_child("failure");
       set(failure, "message", printable(f.message));
       set(failure, "type", severity_text(f.severity));
-      failure.text() = allowed(fmt::format("{}:{}:{}\n{}", shown_path(source, style), at.line, at.column, whole_message(f))).c_str();
+      failure.text() =
+          allowed(fmt::format("{}:{}:{}\n{}", shown_path(source, style), at.line, at.column, whole_message(f))).c_str();
     }
   }
   save(document, out);

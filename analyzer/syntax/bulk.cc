@@ -80,7 +80,8 @@ class Pass {
     for (; at_ < size_; at_ += kBlock) {
       if (at_ + kBlock < size_ ? step(data_ + at_, kBlock) : last_step()) break;
     }
-    if (code_base_ != kNone) out_.last_code = number_of(code_base_, code_feeds_, uint64_t{1} << (63 - std::countl_zero(code_lines_)));
+    if (code_base_ != kNone)
+      out_.last_code = number_of(code_base_, code_feeds_, uint64_t{1} << (63 - std::countl_zero(code_lines_)));
     if (at_ >= size_ && line_ < size_) {  // a last line without line feed
       ++out_.lines;
       if (code_ && out_.first_code == 0) out_.first_code = out_.lines;
@@ -94,7 +95,9 @@ class Pass {
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
 
-  static uint32_t number_of(uint32_t base, uint64_t feeds, uint64_t bit) { return base + static_cast<uint32_t>(std::popcount(feeds & (bit - 1))) + 1; }
+  static uint32_t number_of(uint32_t base, uint64_t feeds, uint64_t bit) {
+    return base + static_cast<uint32_t>(std::popcount(feeds & (bit - 1))) + 1;
+  }
 
   bool last_step() {
     uint8_t padded[kBlock];
@@ -201,7 +204,8 @@ const std::vector<BulkVariant>& bulk_variants() {
     }
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma")) {
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") &&
+        __builtin_cpu_supports("fma")) {
       list.push_back({"AVX2", &N_AVX2::pass});
     }
 #endif
@@ -241,7 +245,9 @@ Passed pass_plain_lines_scalar(std::string_view bytes, size_t from) {
       if ((bits & bulk::kBlank) != 0) continue;
       code = true;
       if (bits == 0 || (first && (bits & bulk::kDigit) != 0)) odd = true;
-      if ((bits & bulk::kLetter) != 0 && i + 1 < line.size() && (bulk::bits_of(static_cast<uint8_t>(line[i + 1])) & bulk::kLetter) != 0) odd = true;
+      if ((bits & bulk::kLetter) != 0 && i + 1 < line.size() &&
+          (bulk::bits_of(static_cast<uint8_t>(line[i + 1])) & bulk::kLetter) != 0)
+        odd = true;
       first = false;
     }
     if (odd) return out;

@@ -11,9 +11,9 @@ enum Bit : uint8_t {
   kSpace = 2,
   kFeed = 4,
   kDigit = 8,
-  kLetterLow = 16,       // a to n but m: the upper half of the byte is 4 or 6
-  kLetterHigh = 32,      // p to z but q: 5 or 7
-  kSign = 64,            // $ + - .
+  kLetterLow = 16,   // a to n but m: the upper half of the byte is 4 or 6
+  kLetterHigh = 32,  // p to z but q: 5 or 7
+  kSign = 64,        // $ + - .
   kReturn = 128,
 };
 inline constexpr uint8_t kBlank = kTab | kSpace | kReturn;

@@ -87,7 +87,8 @@ constexpr Mark kMarks[] = {
     {kKlipper, "macro", Proof::kAlone, "{%*", "{% set x = 1 %}"},
     {kKlipper, "command", Proof::kAlone, "SET_VELOCITY_LIMIT*", "SET_VELOCITY_LIMIT ACCEL=500"},
     {kKlipper, "command", Proof::kAlone, "SET_PRESSURE_ADVANCE*", "SET_PRESSURE_ADVANCE ADVANCE=0.04"},
-    {kKlipper, "command", Proof::kAlone, "SET_HEATER_TEMPERATURE*", "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=200"},
+    {kKlipper, "command", Proof::kAlone, "SET_HEATER_TEMPERATURE*",
+     "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=200"},
     {kKlipper, "command", Proof::kAlone, "EXCLUDE_OBJECT*", "EXCLUDE_OBJECT_START NAME=part"},
     {kKlipper, "command", Proof::kAlone, "BED_MESH*", "BED_MESH_CALIBRATE"},
     {kKlipper, "command", Proof::kAlone, "PRINT_START*", "PRINT_START BED=60"},
@@ -180,7 +181,8 @@ struct Wanted {
 const std::array<std::vector<Wanted>, 128>& by_first() {
   static const auto lists = [] {
     std::array<std::vector<Wanted>, 128> out;
-    for (const Mark& mark : kMarks) out[static_cast<unsigned char>(mark.pattern[0])].push_back({&mark, letters_of(mark.pattern)});
+    for (const Mark& mark : kMarks)
+      out[static_cast<unsigned char>(mark.pattern[0])].push_back({&mark, letters_of(mark.pattern)});
     return out;
   }();
   return lists;
@@ -216,7 +218,8 @@ bool enough(const std::vector<Seen>& seen, std::string_view controller, bool nam
     }
     if (proof == Proof::kIfNamed) continue;
     // Of two, one at least must be what no machine can be taught.
-    if (first != nullptr && s.mark->family != first->mark->family && (proof == Proof::kTwo || first->mark->proof == Proof::kTwo)) {
+    if (first != nullptr && s.mark->family != first->mark->family &&
+        (proof == Proof::kTwo || first->mark->proof == Proof::kTwo)) {
       nature->mark = first->span;
       nature->other_mark = s.span;
       return true;
@@ -274,7 +277,8 @@ void find_controller(std::string_view head, Nature* nature) {
       const std::vector<Wanted>& marks = by_first()[first];
       const uint32_t letters = marks.empty() ? 0 : letters_of(line);
       for (const auto& [mark, wanted] : marks) {
-        if ((wanted & ~letters) == 0 && fits(line, mark->pattern) && std::ranges::find(seen, mark, &Seen::mark) == seen.end()) {
+        if ((wanted & ~letters) == 0 && fits(line, mark->pattern) &&
+            std::ranges::find(seen, mark, &Seen::mark) == seen.end()) {
           const auto from = static_cast<uint64_t>(line.data() - head.data());
           const size_t blanks = line.size() - std::min(line.find_last_not_of(" \t\r") + 1, line.size());
           seen.push_back({mark, {from, from + line.size() - blanks}});

@@ -15,10 +15,20 @@ struct Function {
 };
 
 constexpr std::array<Function, 14> kFunctions = {{
-    {"abs", Operator::kAbs}, {"acos", Operator::kAcos}, {"asin", Operator::kAsin}, {"atan", Operator::kAtan},
-    {"cos", Operator::kCos}, {"exp", Operator::kExp}, {"exists", Operator::kExistsNamed}, {"fix", Operator::kFix},
-    {"fup", Operator::kFup}, {"ln", Operator::kLn}, {"round", Operator::kRound}, {"sin", Operator::kSin},
-    {"sqrt", Operator::kSqrt}, {"tan", Operator::kTan},
+    {"abs", Operator::kAbs},
+    {"acos", Operator::kAcos},
+    {"asin", Operator::kAsin},
+    {"atan", Operator::kAtan},
+    {"cos", Operator::kCos},
+    {"exp", Operator::kExp},
+    {"exists", Operator::kExistsNamed},
+    {"fix", Operator::kFix},
+    {"fup", Operator::kFup},
+    {"ln", Operator::kLn},
+    {"round", Operator::kRound},
+    {"sin", Operator::kSin},
+    {"sqrt", Operator::kSqrt},
+    {"tan", Operator::kTan},
 }};
 
 struct Infix {
@@ -28,10 +38,21 @@ struct Infix {
 
 // `**` before `*`, since the first that fits is taken.
 constexpr std::array<Infix, 15> kInfixes = {{
-    {"**", Operator::kPower}, {"*", Operator::kTimes}, {"/", Operator::kDivide}, {"+", Operator::kPlus},
-    {"-", Operator::kMinus}, {"mod", Operator::kModulo}, {"eq", Operator::kEq}, {"ne", Operator::kNe},
-    {"gt", Operator::kGt}, {"ge", Operator::kGe}, {"lt", Operator::kLt}, {"le", Operator::kLe},
-    {"and", Operator::kAnd}, {"or", Operator::kOr}, {"xor", Operator::kXor},
+    {"**", Operator::kPower},
+    {"*", Operator::kTimes},
+    {"/", Operator::kDivide},
+    {"+", Operator::kPlus},
+    {"-", Operator::kMinus},
+    {"mod", Operator::kModulo},
+    {"eq", Operator::kEq},
+    {"ne", Operator::kNe},
+    {"gt", Operator::kGt},
+    {"ge", Operator::kGe},
+    {"lt", Operator::kLt},
+    {"le", Operator::kLe},
+    {"and", Operator::kAnd},
+    {"or", Operator::kOr},
+    {"xor", Operator::kXor},
 }};
 
 /// Binding strength as documented and measured: ** over * / MOD over + - over comparisons over AND OR XOR;
@@ -39,9 +60,14 @@ constexpr std::array<Infix, 15> kInfixes = {{
 int strength(Operator op) {
   switch (op) {
     case Operator::kPower: return 5;
-    case Operator::kTimes: case Operator::kDivide: case Operator::kModulo: return 4;
-    case Operator::kPlus: case Operator::kMinus: return 3;
-    case Operator::kAnd: case Operator::kOr: case Operator::kXor: return 1;
+    case Operator::kTimes:
+    case Operator::kDivide:
+    case Operator::kModulo: return 4;
+    case Operator::kPlus:
+    case Operator::kMinus: return 3;
+    case Operator::kAnd:
+    case Operator::kOr:
+    case Operator::kXor: return 1;
     default: return 2;
   }
 }
@@ -264,7 +290,8 @@ ExprId ExpressionParser::in_brackets() {
       double left_value = 0;
       double right_value = 0;
       double result = 0;
-      if (failed_ == nullptr && literal_value(pool_, pending[depth].left, &left_value) && literal_value(pool_, right, &right_value)) {
+      if (failed_ == nullptr && literal_value(pool_, pending[depth].left, &left_value) &&
+          literal_value(pool_, right, &right_value)) {
         failed_ = apply(pending[depth].op, left_value, right_value, &result);
       }
       right = add(Expr::of(pending[depth].op, pending[depth].left, right));

@@ -19,10 +19,36 @@ enum class Operator : uint8_t {
   kExistsNamed,
   kExistsNumbered,
   // one operand, left
-  kNegate, kAbs, kAcos, kAsin, kCos, kExp, kFix, kFup, kLn, kRound, kSin, kSqrt, kTan,
+  kNegate,
+  kAbs,
+  kAcos,
+  kAsin,
+  kCos,
+  kExp,
+  kFix,
+  kFup,
+  kLn,
+  kRound,
+  kSin,
+  kSqrt,
+  kTan,
   // two operands
-  kAtan, kPower, kTimes, kDivide, kModulo, kPlus, kMinus,
-  kEq, kNe, kGt, kGe, kLt, kLe, kAnd, kOr, kXor,
+  kAtan,
+  kPower,
+  kTimes,
+  kDivide,
+  kModulo,
+  kPlus,
+  kMinus,
+  kEq,
+  kNe,
+  kGt,
+  kGe,
+  kLt,
+  kLe,
+  kAnd,
+  kOr,
+  kXor,
 };
 
 using ExprId = uint32_t;
@@ -126,7 +152,8 @@ class ExpressionParser {
   std::vector<Span>* split_numbers_;
   size_t depth_ = 0;  // of brackets
   ReadError error_;
-  const char* failed_ = nullptr;  // the interpreter computes while it reads: a failing operation comes before a malformed one
+  const char* failed_ =
+      nullptr;  // the interpreter computes while it reads: a failing operation comes before a malformed one
 };
 
 /// Name of an operator as it is written (`**`, `LT`, `SQRT`), for messages and graphs.

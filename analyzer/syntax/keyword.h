@@ -9,8 +9,21 @@
 namespace owlint {
 
 enum class Keyword : uint8_t {
-  kSub, kEndsub, kCall, kDo, kWhile, kRepeat, kIf, kElseif, kElse, kEndif,
-  kBreak, kContinue, kEndwhile, kEndrepeat, kReturn,
+  kSub,
+  kEndsub,
+  kCall,
+  kDo,
+  kWhile,
+  kRepeat,
+  kIf,
+  kElseif,
+  kElse,
+  kEndif,
+  kBreak,
+  kContinue,
+  kEndwhile,
+  kEndrepeat,
+  kReturn,
   kBare,     // `O100` alone: a Fanuc-style program number
   kUnknown,  // anything else: the interpreter stops
 };
@@ -18,8 +31,8 @@ enum class Keyword : uint8_t {
 /// Spellings in the interpreter's order; a keyword is recognised as a prefix, so the order decides
 /// (`elseif` before `else`; `dogs` is `do` followed by text).
 inline constexpr std::array<std::string_view, 15> kKeywordSpellings = {
-    "sub", "endsub", "call", "do", "while", "repeat", "if", "elseif", "else", "endif",
-    "break", "continue", "endwhile", "endrepeat", "return"};
+    "sub",  "endsub", "call",  "do",       "while",    "repeat",    "if",    "elseif",
+    "else", "endif",  "break", "continue", "endwhile", "endrepeat", "return"};
 
 inline std::string_view spelling(Keyword keyword) {
   const auto index = static_cast<size_t>(keyword);
@@ -38,7 +51,9 @@ inline Keyword keyword_of(std::string_view text) {
     case 'b': return first_of({Keyword::kBreak});
     case 'c': return first_of({Keyword::kCall, Keyword::kContinue});
     case 'd': return first_of({Keyword::kDo});
-    case 'e': return first_of({Keyword::kEndsub, Keyword::kElseif, Keyword::kElse, Keyword::kEndif, Keyword::kEndwhile, Keyword::kEndrepeat});
+    case 'e':
+      return first_of({Keyword::kEndsub, Keyword::kElseif, Keyword::kElse, Keyword::kEndif, Keyword::kEndwhile,
+                       Keyword::kEndrepeat});
     case 'i': return first_of({Keyword::kIf});
     case 'r': return first_of({Keyword::kRepeat, Keyword::kReturn});
     case 's': return first_of({Keyword::kSub});
@@ -60,7 +75,7 @@ inline bool ends_block(Keyword k) {
 /// Labels of `sub`, `endsub`, `call`, `return` and bare `O` share one name space; all others are local to a sub.
 inline bool global_label(Keyword k) {
   return k == Keyword::kSub || k == Keyword::kEndsub || k == Keyword::kCall || k == Keyword::kReturn ||
-         k == Keyword::kBare;
+      k == Keyword::kBare;
 }
 
 /// The keyword that closes a block opened by `k`.
@@ -78,7 +93,9 @@ inline Keyword end_of(Keyword k) {
 /// The keyword that opens a block closed by `k`.
 inline Keyword opener_of(Keyword k) {
   switch (k) {
-    case Keyword::kEndif: case Keyword::kElse: case Keyword::kElseif: return Keyword::kIf;
+    case Keyword::kEndif:
+    case Keyword::kElse:
+    case Keyword::kElseif: return Keyword::kIf;
     case Keyword::kEndwhile: return Keyword::kWhile;
     case Keyword::kEndrepeat: return Keyword::kRepeat;
     case Keyword::kEndsub: return Keyword::kSub;

@@ -17,23 +17,28 @@ struct Code {
 };
 
 // Measured, each: these run whatever the machine's modes are. G1 with F, G10 with L2 or L20.
-constexpr Code kCodes[] = {
-    {'g', 0, 1},    {'g', 10, 1},   {'g', 800, 1},                                                 // motion
-    {'g', 40, 0},   {'g', 100, 0},  {'g', 280, 0},  {'g', 300, 0},                                 // G4 G10 G28 G30
-    {'g', 200, 6},  {'g', 210, 6},  {'g', 900, 3},  {'g', 910, 3},  {'g', 901, 4},  {'g', 911, 4},  // units, distances
-    {'g', 400, 7},  {'g', 490, 8},  {'g', 940, 5},  {'g', 980, 10}, {'g', 990, 10},
-    {'g', 540, 12}, {'g', 550, 12}, {'g', 560, 12}, {'g', 570, 12}, {'g', 580, 12}, {'g', 590, 12},
-    {'g', 591, 12}, {'g', 592, 12}, {'g', 593, 12}, {'g', 610, 13}, {'g', 611, 13}, {'g', 640, 13},
-    {'m', 0, 104},  {'m', 10, 104}, {'m', 20, 104}, {'m', 300, 104}, {'m', 600, 104},               // stop
-    {'m', 30, 107}, {'m', 40, 107}, {'m', 50, 107},                                                // spindle
-    {'m', 70, 108}, {'m', 80, 108}, {'m', 90, 108}, {'m', 480, 109}, {'m', 490, 109},               // coolant, overrides
+constexpr Code kCodes[] =
+    {
+        {'g', 0, 1},     {'g', 10, 1},    {'g', 800, 1},                  // motion
+        {'g', 40, 0},    {'g', 100, 0},   {'g', 280, 0},  {'g', 300, 0},  // G4 G10 G28 G30
+        {'g', 200, 6},   {'g', 210, 6},   {'g', 900, 3},  {'g', 910, 3},   {'g', 901, 4},
+        {'g', 911, 4},  // units, distances
+        {'g', 400, 7},   {'g', 490, 8},   {'g', 940, 5},  {'g', 980, 10},  {'g', 990, 10},
+        {'g', 540, 12},  {'g', 550, 12},  {'g', 560, 12}, {'g', 570, 12},  {'g', 580, 12},
+        {'g', 590, 12},  {'g', 591, 12},  {'g', 592, 12}, {'g', 593, 12},  {'g', 610, 13},
+        {'g', 611, 13},  {'g', 640, 13},  {'m', 0, 104},  {'m', 10, 104},  {'m', 20, 104},
+        {'m', 300, 104}, {'m', 600, 104},                                                    // stop
+        {'m', 30, 107},  {'m', 40, 107},  {'m', 50, 107},                                    // spindle
+        {'m', 70, 108},  {'m', 80, 108},  {'m', 90, 108}, {'m', 480, 109}, {'m', 490, 109},  // coolant, overrides
 };
 
 /// Whether a comment does something that can stop the program: `(abort, …)` and Python.
 bool acts(std::string_view comment) {
   comment.remove_prefix(std::min(comment.find_first_not_of("(; \t"), comment.size()));
   const auto begins = [&](std::string_view word) {
-    return comment.size() >= word.size() && std::ranges::equal(comment.substr(0, word.size()), word, {}, [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    return comment.size() >= word.size() && std::ranges::equal(comment.substr(0, word.size()), word, {}, [](char c) {
+             return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+           });
   };
   return begins("abort") || begins("py");
 }
@@ -81,7 +86,11 @@ class Words {
     double number = 0;
     if (pool_[value].op != Operator::kNumber || !literal_value(pool_, value, &number)) return false;
     if (letter == 'g' || letter == 'm') return code(letter, number);
-    std::optional<double>* const word = letter == 'f' ? &feed_ : letter == 's' ? &speed_ : letter == 'p' ? &p_ : letter == 'l' ? &l_ : nullptr;
+    std::optional<double>* const word = letter == 'f' ? &feed_
+        : letter == 's'                               ? &speed_
+        : letter == 'p'                               ? &p_
+        : letter == 'l'                               ? &l_
+                                                      : nullptr;
     if (word == nullptr) return false;
     *word = number;
     return once(letter);
@@ -90,7 +99,8 @@ class Words {
   bool code(char letter, double number) {
     const double tenths = number * 10;
     if (tenths != std::floor(tenths) || tenths > 1000) return false;
-    const Code* known = std::ranges::find_if(kCodes, [&](const Code& c) { return c.letter == letter && c.tenths == static_cast<int>(tenths); });
+    const Code* known = std::ranges::find_if(
+        kCodes, [&](const Code& c) { return c.letter == letter && c.tenths == static_cast<int>(tenths); });
     if (known == std::end(kCodes) || !groups_.insert(known->group).second) return false;
     if (letter == 'm') return ++m_codes_ <= 4;
     codes_.insert(known->tenths);

@@ -80,7 +80,8 @@ bool LineParser::m98_word(ExpressionParser& in, Statement& s) {
   if (is_letter(letter) && letter != 'g' && letter != 'm') {
     const uint32_t bit = 1U << (letter - 'a');
     double before = 0;
-    const bool counts = letter != 'p' || s.label == kNoName || (literal_value(out_.exprs, target_, &before) && before > -1);
+    const bool counts =
+        letter != 'p' || s.label == kNoName || (literal_value(out_.exprs, target_, &before) && before > -1);
     if ((letters_ & bit) != 0 && counts) {
       fail(s, StopKind::kM98Words, from, in.cursor, std::string("Multiple ") + letter + " words on one line");
       return false;
@@ -134,7 +135,8 @@ void LineParser::m98(ExpressionParser& in, Statement& s) {
     } else if (starts_word(c)) {
       if (!m98_word(in, s)) return;
     } else {
-      fail(s, c == 'o' ? StopKind::kWordBefore : StopKind::kBadCharacter, from, c == 'o' ? line_.size() : from + 1, bad_character(c));
+      fail(s, c == 'o' ? StopKind::kWordBefore : StopKind::kBadCharacter, from, c == 'o' ? line_.size() : from + 1,
+           bad_character(c));
       return;
     }
   }
@@ -152,7 +154,10 @@ void LineParser::m99(ExpressionParser& in, Statement& s) {
   // With nothing else on the line, no mode takes the P.
   constexpr uint32_t kM = 1U << ('m' - 'a');
   constexpr uint32_t kP = 1U << ('p' - 'a');
-  if ((letters_ & ~(kHasStop | kHasReturn)) == (kM | kP)) fail(s, StopKind::kM99Jump, in.cursor, in.cursor, "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 M65 M66 M98 or user M code to use it");
+  if ((letters_ & ~(kHasStop | kHasReturn)) == (kM | kP))
+    fail(s, StopKind::kM99Jump, in.cursor, in.cursor,
+         "P word with no G2 G3 G4 G10 G64 G5 G5.2 G76 G82 G86 G88 G89 or M50 M51 M52 M53 M62 M63 M64 M65 M66 M98 or "
+         "user M code to use it");
 }
 
 }  // namespace owlint

@@ -42,7 +42,8 @@ void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::
   if (s.error != UINT32_MAX) return;  // the first error on a line is the one that the interpreter reports
   if (is_foreign(line_[from])) to = from + foreign_run(line_.text(), from);
   s.error = static_cast<uint32_t>(out_.errors.size());
-  out_.errors.push_back({kind, line_.span(from, to), std::move(message), item_begins_, static_cast<ExprId>(out_.exprs.size())});
+  out_.errors.push_back(
+      {kind, line_.span(from, to), std::move(message), item_begins_, static_cast<ExprId>(out_.exprs.size())});
 }
 
 size_t LineParser::skip_comments(size_t at, bool* any) const {
@@ -139,10 +140,10 @@ void LineParser::label(ExpressionParser& in, Statement& s, bool has_letter) {
   if (expr == kNoExpr) {
     const ReadError& e = in.error();
     const bool digits = is_digit(first) || first == '.' || first == '-' || first == '+';
-    const StopKind kind = is_letter(first)                    ? StopKind::kLabelWord
-                          : first == '[' || first == '#'      ? StopKind::kLabelExpression
-                          : digits                            ? StopKind::kLabelNotInteger
-                                                              : StopKind::kLabelMissing;
+    const StopKind kind = is_letter(first) ? StopKind::kLabelWord
+        : first == '[' || first == '#'     ? StopKind::kLabelExpression
+        : digits                           ? StopKind::kLabelNotInteger
+                                           : StopKind::kLabelMissing;
     fail(s, kind, kind == StopKind::kLabelExpression ? e.from : from, std::max(e.to, from + 1), e.message);
     return;
   }
@@ -211,17 +212,19 @@ void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
 
   s.has_bracket = line_[in.cursor] == '[';
   switch (s.keyword) {
-    case Keyword::kCall:
-      arguments(in, s);
-      break;
-    case Keyword::kIf: case Keyword::kElseif: case Keyword::kWhile: case Keyword::kRepeat:
+    case Keyword::kCall: arguments(in, s); break;
+    case Keyword::kIf:
+    case Keyword::kElseif:
+    case Keyword::kWhile:
+    case Keyword::kRepeat:
       if (!s.has_bracket) {
         fail(s, StopKind::kBracketMissing, in.cursor, std::max(line_.size(), in.cursor),
              "Left bracket missing after '" + std::string(spelling(s.keyword)) + "'");
         return;
       }
       [[fallthrough]];
-    case Keyword::kReturn: case Keyword::kEndsub:
+    case Keyword::kReturn:
+    case Keyword::kEndsub:
       if (!s.has_bracket) break;
       if (const ExprId value = in.bracketed(); value != kNoExpr) {
         out_.values.push_back(value);
@@ -230,8 +233,7 @@ void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
         fail(s, in.error().kind, in.error().from, in.error().to, in.error().message);
       }
       break;
-    default:
-      break;
+    default: break;
   }
   if (s.error != UINT32_MAX) return;
   const size_t rest_at = skip_comments(in.cursor, &comments);

@@ -55,12 +55,12 @@ class LineParser {
   LineText line_;
   ExprId contour_sub_ = kNoExpr;  ///< the value of the line's Q word
   size_t contour_from_ = 0, contour_to_ = 0;
-  bool cuts_contour_ = false;     ///< the line has a G70, G71 or G72
+  bool cuts_contour_ = false;                  ///< the line has a G70, G71 or G72
   size_t number_at_ = std::string_view::npos;  // where the line number is, if there is one
-  ExprId line_begins_ = 0;   // the first expression of the line
-  ExprId item_begins_ = 0;   // and of the word or setting that is being read
-  uint32_t letters_ = 0;     // of the words on the line so far, one bit each
-  ExprId target_ = kNoExpr;  // the P of M98
+  ExprId line_begins_ = 0;                     // the first expression of the line
+  ExprId item_begins_ = 0;                     // and of the word or setting that is being read
+  uint32_t letters_ = 0;                       // of the words on the line so far, one bit each
+  ExprId target_ = kNoExpr;                    // the P of M98
 };
 
 /// The value of an expression made of literals only; false when it has parameters or fails.

@@ -77,7 +77,8 @@ bool LineParser::label_forgotten(size_t at, Statement& s) {
   ExpressionParser first(line_, out_.exprs, out_.names);
   first.cursor = at + 1;
   if (first.value() != kNoExpr) return false;  // `I` and `FIX[1]`
-  fail(s, StopKind::kLabelForgotten, at, at + length, foreign_letter(line_[at]) ? bad_character(line_[at]) : first.error().message);
+  fail(s, StopKind::kLabelForgotten, at, at + length,
+       foreign_letter(line_[at]) ? bad_character(line_[at]) : first.error().message);
   if (number_at_ != std::string_view::npos) {
     recover(number_at_, s);
   } else {
@@ -111,7 +112,8 @@ void LineParser::unreadable(const ReadError& error, size_t from, Statement& s) {
   if (is_foreign(line_[error.from])) return fail(s, StopKind::kWordUnreadable, error.from, error.to, error.message);
   size_t to = from + 1;
   while (is_letter(line_[to])) ++to;
-  fail(s, StopKind::kWordUnreadable, from, std::max(to, error.to), foreign_letter(line_[from]) ? bad_character(line_[from]) : error.message);
+  fail(s, StopKind::kWordUnreadable, from, std::max(to, error.to),
+       foreign_letter(line_[from]) ? bad_character(line_[from]) : error.message);
 }
 
 bool LineParser::assignment(ExpressionParser& in, Statement& s) {
@@ -148,8 +150,8 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   const size_t from = in.cursor;
   const char letter = line_[from];
   ++in.cursor;
-  const bool plain_number = is_digit(line_[in.cursor]) || line_[in.cursor] == '.' || line_[in.cursor] == '-' ||
-                            line_[in.cursor] == '+';
+  const bool plain_number =
+      is_digit(line_[in.cursor]) || line_[in.cursor] == '.' || line_[in.cursor] == '-' || line_[in.cursor] == '+';
   const ExprId value = in.value();
   if (value == kNoExpr) {
     const bool expression = line_[from + 1] == '[' || line_[from + 1] == '#' || plain_number;
@@ -161,7 +163,8 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
     return false;
   }
   double number = 0;
-  if (letter == 'g' && literal_value(out_.exprs, value, &number)) cuts_contour_ = cuts_contour_ || is_contour_code(number);
+  if (letter == 'g' && literal_value(out_.exprs, value, &number))
+    cuts_contour_ = cuts_contour_ || is_contour_code(number);
   if (letter == 'q') {
     contour_sub_ = value;
     contour_from_ = from;
@@ -244,7 +247,9 @@ bool LineParser::all_words(ExpressionParser& in, Statement& s) {
   return true;
 }
 
-bool LineParser::starts_word(char c) { return (is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$'; }
+bool LineParser::starts_word(char c) {
+  return (is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$';
+}
 
 bool LineParser::words(size_t at, Statement& s) {
   ExpressionParser in(line_, out_.exprs, out_.names, &out_.split_numbers);

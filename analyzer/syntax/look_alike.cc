@@ -152,9 +152,10 @@ constexpr Row kRows[] = {
 };
 
 // What Windows programs write for typographic characters, where UTF-8 cannot be meant.
-constexpr std::array<char32_t, 32> kWindows = {
-    0x20AC, 0x81,   0x201A, 0x192,  0x201E, 0x2026, 0x2020, 0x2021, 0x2C6, 0x2030, 0x160, 0x2039, 0x152, 0x8D, 0x17D, 0x8F,
-    0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x2DC, 0x2122, 0x161, 0x203A, 0x153, 0x9D, 0x17E, 0x178};
+constexpr std::array<char32_t, 32> kWindows = {0x20AC, 0x81,   0x201A, 0x192,  0x201E, 0x2026, 0x2020, 0x2021,
+                                               0x2C6,  0x2030, 0x160,  0x2039, 0x152,  0x8D,   0x17D,  0x8F,
+                                               0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                               0x2DC,  0x2122, 0x161,  0x203A, 0x153,  0x9D,   0x17E,  0x178};
 
 constexpr char32_t kFullWidthFirst = 0xFF01;
 constexpr char32_t kFullWidthLast = 0xFF5E;
@@ -188,7 +189,8 @@ Character character_at(std::string_view text) {
 }
 
 std::optional<LookAlike> look_alike(char32_t code) {
-  if (code >= kFullWidthFirst && code <= kFullWidthLast) return LookAlike{full_width_name(code), std::string(1, static_cast<char>(code - kFullWidthFromAscii))};
+  if (code >= kFullWidthFirst && code <= kFullWidthLast)
+    return LookAlike{full_width_name(code), std::string(1, static_cast<char>(code - kFullWidthFromAscii))};
   const Row* row = std::ranges::lower_bound(kRows, code, {}, &Row::code);
   if (row == std::end(kRows) || row->code != code) return std::nullopt;
   return LookAlike{std::string(row->name), std::string(row->plain)};

@@ -33,14 +33,16 @@ class Names {
   /// The same as interning the number's decimal text.
   NameId intern_number(uint32_t number) {
     if (number >= kNumbers) return intern(std::to_string(number));
-    if (number >= numbers_.size()) numbers_.resize(std::min<size_t>(kNumbers, std::max<size_t>(number + 1, numbers_.size() * 2)), kNoName);
+    if (number >= numbers_.size())
+      numbers_.resize(std::min<size_t>(kNumbers, std::max<size_t>(number + 1, numbers_.size() * 2)), kNoName);
     if (numbers_[number] == kNoName) numbers_[number] = add(std::to_string(number));
     return numbers_[number];
   }
 
   /// The id of a text that was interned before, or kNoName.
   NameId find(std::string_view text) const {
-    if (const uint32_t number = number_of(text); number != kNoNumber) return number < numbers_.size() ? numbers_[number] : kNoName;
+    if (const uint32_t number = number_of(text); number != kNoNumber)
+      return number < numbers_.size() ? numbers_[number] : kNoName;
     const auto found = ids_.find(text);
     return found == ids_.end() ? kNoName : found->second;
   }
@@ -67,7 +69,8 @@ class Names {
 
   static size_t slot(std::string_view text) {
     if (text.empty()) return 0;
-    return (text.size() * 5 + static_cast<unsigned char>(text.front()) * 3U + static_cast<unsigned char>(text.back())) % kRecent;
+    return (text.size() * 5 + static_cast<unsigned char>(text.front()) * 3U + static_cast<unsigned char>(text.back())) %
+        kRecent;
   }
 
   NameId add(std::string text) {

@@ -143,7 +143,9 @@ bool same_letter(char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<ch
 size_t find_directive(std::string_view line) {
   constexpr std::string_view kWord = "owlint";
   for (size_t colon = line.find(':'); colon != std::string_view::npos; colon = line.find(':', colon + 1)) {
-    if (colon >= kWord.size() && std::ranges::equal(line.substr(colon - kWord.size(), kWord.size()), kWord, same_letter)) return colon - kWord.size();
+    if (colon >= kWord.size() &&
+        std::ranges::equal(line.substr(colon - kWord.size(), kWord.size()), kWord, same_letter))
+      return colon - kWord.size();
   }
   return std::string_view::npos;
 }
@@ -167,7 +169,8 @@ void note_directive(std::string_view line, uint64_t offset, uint32_t number, boo
 /// Whether the comment that acts is `(abort, …)`. Measured: in any case, without a blank before the comma.
 bool aborts(std::string_view line) {
   constexpr std::string_view kWord = "abort,";
-  std::string_view comment;  // of several in parentheses the last one acts, and what is behind a semicolon does not (measured)
+  std::string_view
+      comment;  // of several in parentheses the last one acts, and what is behind a semicolon does not (measured)
   for (size_t at = 0; (at = line.find_first_of("(;", at)) != std::string_view::npos && line[at] == '(';) {
     const size_t close = line.find(')', at);
     if (close == std::string_view::npos) break;
@@ -201,8 +204,8 @@ std::vector<Stretch> cut(const Source& source) {
 struct Found {
   uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
   uint32_t plain_last = 0;
-  uint32_t line = 0;         ///< the line after them; at the end of the stretch the number of all lines
-  bool over = false;         ///< no line comes after them: the end of the stretch
+  uint32_t line = 0;  ///< the line after them; at the end of the stretch the number of all lines
+  bool over = false;  ///< no line comes after them: the end of the stretch
   LineView view;
   size_t begin = 0;
   size_t end = 0;  ///< without its line feed
@@ -273,7 +276,8 @@ class Reader {
       out_.last_code = number;
     } else {
       const LineView& view = found.view;
-      const bool code = view.code && line.find_first_not_of(std::string_view("\0 \t\r\v\f", 6)) != std::string_view::npos;
+      const bool code =
+          view.code && line.find_first_not_of(std::string_view("\0 \t\r\v\f", 6)) != std::string_view::npos;
       if (code) out_.last_code = number;
       if (view.matters || view.too_long) keep = parser_.parse(line, found.begin, &statement);
       if (view.speaks || (view.matters && parser_.has_comment())) {
@@ -325,14 +329,15 @@ class Reader {
   void make_room(std::vector<T>& list, size_t at) const {
     constexpr size_t kFew = 1024;
     if (list.size() < list.capacity() || list.size() < kFew) return;
-    const auto expected = static_cast<size_t>(static_cast<double>(list.size()) * static_cast<double>(bytes_.size()) / static_cast<double>(at + 1) * 1.05);
+    const auto expected = static_cast<size_t>(static_cast<double>(list.size()) * static_cast<double>(bytes_.size()) /
+                                              static_cast<double>(at + 1) * 1.05);
     list.reserve(std::max(expected, list.size() * 2));
   }
 
   Syntax& out_;
   std::string_view bytes_;
   LineParser parser_;
-  uint32_t before_ = 0;  // lines in the stretches before
+  uint32_t before_ = 0;      // lines in the stretches before
   bool seen_first_ = false;  // a line that is not blank
 };
 

@@ -34,7 +34,7 @@ using LineByte = uint8_t;
 /// One value on a line of words, in reading order: a word's value (`X[#1]`) or an assignment (`#<a>=3`).
 struct Item {
   ExprId value = kNoExpr;
-  ExprId target = kNoExpr;      ///< assignment to a numbered parameter: the number
+  ExprId target = kNoExpr;       ///< assignment to a numbered parameter: the number
   NameId target_name = kNoName;  ///< assignment to a named one
   LineByte from = 0;
   LineByte to = 0;
@@ -61,35 +61,38 @@ struct Statement {
 
   NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
   ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98, the Q of G71)
-  uint32_t first = 0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line
-  uint32_t error = UINT32_MAX;  ///< into Syntax::errors; raised after the values before it
+  uint32_t first =
+      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line
+  uint32_t error = UINT32_MAX;    ///< into Syntax::errors; raised after the values before it
   uint32_t first_plain_line = 0;  ///< the first of the lines meant by plain_code_follows
 
   LineKind kind = LineKind::kWords;
   Keyword keyword = Keyword::kUnknown;  ///< of kOWord; of kWords only where the label before it was forgotten
 
-  bool block_delete : 1 = false;    ///< `/` first on the line
-  bool comment : 1 = false;         ///< the line has a comment
-  bool inner_cr : 1 = false;        ///< a carriage return within the line
-  bool nul : 1 = false;             ///< a NUL byte hides the rest of the line
-  bool name_open : 1 = false;       ///< `o<name` without `>`
-  bool named : 1 = false;           ///< the label is written in `< >`
-  bool has_bracket : 1 = false;     ///< `[` follows the keyword
-  bool refused : 1 = false;         ///< because of something before the O-word, the line is an error
-  bool repeats : 1 = false;         ///< M98 with an L, its first value
+  bool block_delete : 1 = false;        ///< `/` first on the line
+  bool comment : 1 = false;             ///< the line has a comment
+  bool inner_cr : 1 = false;            ///< a carriage return within the line
+  bool nul : 1 = false;                 ///< a NUL byte hides the rest of the line
+  bool name_open : 1 = false;           ///< `o<name` without `>`
+  bool named : 1 = false;               ///< the label is written in `< >`
+  bool has_bracket : 1 = false;         ///< `[` follows the keyword
+  bool refused : 1 = false;             ///< because of something before the O-word, the line is an error
+  bool repeats : 1 = false;             ///< M98 with an L, its first value
   bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
 
   // Equal if there is no such part.
   LineByte label_from = 0, label_to = 0;      ///< with the `o`
   LineByte keyword_from = 0, keyword_to = 0;  ///< the keyword, or the unknown word
-  LineByte rest_from = 0, rest_to = 0;        ///< text left over after the O-word or M99; on an M98 line, all its other words
-  uint8_t value_count = 0;  ///< of values from `first` on
-  uint8_t item_count = 0;   ///< of items from `first` on
+  LineByte rest_from = 0, rest_to = 0;  ///< text left over after the O-word or M99; on an M98 line, all its other words
+  uint8_t value_count = 0;              ///< of values from `first` on
+  uint8_t item_count = 0;               ///< of items from `first` on
 
   bool is(Keyword k) const { return kind == LineKind::kOWord && keyword == k; }
   bool opens_sub() const { return is(Keyword::kSub) || is(Keyword::kBare); }
   bool has_m99() const { return kind == LineKind::kM99 || kind == LineKind::kM99Behind; }
-  bool has_items() const { return kind == LineKind::kWords || kind == LineKind::kContour || kind == LineKind::kProgramEnd || has_m99(); }
+  bool has_items() const {
+    return kind == LineKind::kWords || kind == LineKind::kContour || kind == LineKind::kProgramEnd || has_m99();
+  }
   /// Whether the line runs a sub.
   bool calls() const { return is(Keyword::kCall) || kind == LineKind::kM98 || kind == LineKind::kContour; }
   uint64_t end() const { return offset + length; }
@@ -106,7 +109,7 @@ static_assert(sizeof(Statement) == 48);
 /// A comment for owlint: `(owlint: ignore OW301 -- reason)`.
 struct Directive {
   uint32_t line = 0;
-  Span span;           ///< the words after `owlint:`
+  Span span;              ///< the words after `owlint:`
   bool own_line = false;  ///< nothing else is on the line
   bool on_oword = false;
 };
@@ -121,12 +124,12 @@ struct Syntax {
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;
   Names names;
-  uint32_t lines = 0;       ///< number of lines in the file
-  uint32_t last_code = 0;   ///< the last line that is neither blank nor comment; 0 if there is none
+  uint32_t lines = 0;             ///< number of lines in the file
+  uint32_t last_code = 0;         ///< the last line that is neither blank nor comment; 0 if there is none
   uint32_t first_plain_line = 0;  ///< the first code line before the first statement, 0 if none
-  bool percent = false;     ///< the file begins with `%`: another `%` ends it
-  bool deletes_lines = false;  ///< a statement has block delete, `/` first on its line
-  bool blank = false;       ///< nothing but blank lines: LinuxCNC refuses to open it
+  bool percent = false;           ///< the file begins with `%`: another `%` ends it
+  bool deletes_lines = false;     ///< a statement has block delete, `/` first on its line
+  bool blank = false;             ///< nothing but blank lines: LinuxCNC refuses to open it
 
   const LineError* error(const Statement& s) const { return s.error == UINT32_MAX ? nullptr : &errors[s.error]; }
 };

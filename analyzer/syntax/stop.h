@@ -21,8 +21,8 @@ enum class StopKind : uint8_t {
   kLabelExpression,  // malformed or failing `o[...]`
   kM98NoTarget,
   kM98Number,
-  kM98Words,         // a word twice, or an L that is negative or not whole
-  kKeywordUnknown,   // not while a definition is skipped
+  kM98Words,        // a word twice, or an L that is negative or not whole
+  kKeywordUnknown,  // not while a definition is skipped
   // Found while a line is read that is not skipped.
   kBracketMissing,
   kExpression,
@@ -59,7 +59,7 @@ enum class StopKind : uint8_t {
   kFilePercent,     // the same at a `%` there
   kSubBeforeEntry,  // the same for a sub before the called one in its file
   kHelperRefused,   // LinuxCNC 2.10: a call of another sub in a called file
-  kFileEnd,      // end of file in the program itself, or while lines are skipped
+  kFileEnd,         // end of file in the program itself, or while lines are skipped
   kStyleNeedsM98,
   kStyleNeedsCall,
   kStyleNeedsM99,

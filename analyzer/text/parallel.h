@@ -11,7 +11,9 @@
 namespace owlint {
 
 /// 0: all of them.
-inline void use_cores(unsigned count) { omp_set_num_threads(count == 0 ? omp_get_num_procs() : static_cast<int>(count)); }
+inline void use_cores(unsigned count) {
+  omp_set_num_threads(count == 0 ? omp_get_num_procs() : static_cast<int>(count));
+}
 
 /// Whether work would run on one core: there is only one, or this is inside parallel work.
 inline bool one_core() { return omp_get_max_threads() == 1 || omp_in_parallel() != 0; }

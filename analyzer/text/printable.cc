@@ -17,7 +17,9 @@ std::string converted(std::string_view bytes, bool controls) {
     size_t length = 1;
     if (byte >= 0xC2) {
       // A valid sequence is one code point for count_code_points; anything else is single bytes.
-      while (length < 4 && at + length < bytes.size() && (static_cast<unsigned char>(bytes[at + length]) & 0xC0) == 0x80) ++length;
+      while (length < 4 && at + length < bytes.size() &&
+             (static_cast<unsigned char>(bytes[at + length]) & 0xC0) == 0x80)
+        ++length;
       const size_t wanted = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : 2;
       length = length >= wanted && byte < 0xF5 ? wanted : 1;
       const auto second = at + 1 < bytes.size() ? static_cast<unsigned char>(bytes[at + 1]) : 0;

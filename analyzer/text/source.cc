@@ -117,7 +117,8 @@ std::shared_ptr<const Source> Source::own(std::string path, std::string bytes) {
   return source;
 }
 
-std::shared_ptr<const Source> Source::excerpt(std::string path, const std::vector<KeptLine>& lines, uint32_t line_count) {
+std::shared_ptr<const Source> Source::excerpt(std::string path, const std::vector<KeptLine>& lines,
+                                              uint32_t line_count) {
   std::shared_ptr<Source> source(new Source(std::move(path)));
   for (const KeptLine& line : lines) {
     const uint64_t begin = source->owned_.size();
@@ -172,7 +173,8 @@ void Source::advise(Span part, int advice) const {
   part.begin -= part.begin % page;
   if (part.end < bytes_.size()) part.end -= part.end % page;
   if (mapping_ == nullptr || part.end <= part.begin) return;
-  ::madvise(static_cast<char*>(mapping_) + part.begin, part.end - part.begin, advice);  // older kernels refuse some: no harm
+  ::madvise(static_cast<char*>(mapping_) + part.begin, part.end - part.begin,
+            advice);  // older kernels refuse some: no harm
 }
 
 void Source::will_read(Span part) const {

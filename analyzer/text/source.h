@@ -46,7 +46,8 @@ class Source {
 
   /// A file of which only some lines were kept, in their order. Positions in these lines are those of the whole file; other
   /// positions become the nearest one before. bytes() are the kept lines.
-  static std::shared_ptr<const Source> excerpt(std::string path, const std::vector<KeptLine>& lines, uint32_t line_count);
+  static std::shared_ptr<const Source> excerpt(std::string path, const std::vector<KeptLine>& lines,
+                                               uint32_t line_count);
 
   ~Source();
   Source(const Source&) = delete;

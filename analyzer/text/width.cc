@@ -12,7 +12,8 @@ constexpr std::string_view kEscape = "\x1b[";
 
 /// The bytes of a code point, which is put into `point`.
 size_t next_point(std::string_view text, utf8proc_int32_t* point) {
-  const auto length = utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()), static_cast<utf8proc_ssize_t>(text.size()), point);
+  const auto length = utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                                       static_cast<utf8proc_ssize_t>(text.size()), point);
   return length > 0 ? static_cast<size_t>(length) : 1;
 }
 
@@ -28,7 +29,9 @@ Character first_character(std::string_view text) {
     if (point < 0) return character.bytes > 0 ? character : Character{length, 1};
     if (character.bytes > 0 && utf8proc_grapheme_break_stateful(last, point, &state)) break;
     character.bytes += length;
-    character.columns = point == kEmojiStyle ? 2 : std::min<size_t>(2, character.columns + static_cast<size_t>(utf8proc_charwidth(point)));
+    character.columns = point == kEmojiStyle
+        ? 2
+        : std::min<size_t>(2, character.columns + static_cast<size_t>(utf8proc_charwidth(point)));
     last = point;
   }
   return character;

@@ -47,9 +47,12 @@ bool has_unreadable_line(const Input& in, NameId label, RegionId region) {
 bool loops_again(const Input& in, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
-  if ((!s.is(Keyword::kEndwhile) && !s.is(Keyword::kEndrepeat)) || p.block_of[id] != kNoBlock || !in.flow.executed[id]) return false;
+  if ((!s.is(Keyword::kEndwhile) && !s.is(Keyword::kEndrepeat)) || p.block_of[id] != kNoBlock || !in.flow.executed[id])
+    return false;
   return std::ranges::any_of(in.flow.hazards, [&](const Hazard& h) {
-    if (h.kind != HazardKind::kEndlessLoop || p.at(h.statement).label != s.label || p.region_of[h.statement] != p.region_of[id]) return false;
+    if (h.kind != HazardKind::kEndlessLoop || p.at(h.statement).label != s.label ||
+        p.region_of[h.statement] != p.region_of[id])
+      return false;
     const BlockId block = p.block_of[h.statement];
     return block != kNoBlock && p.blocks[block].end < id;
   });
@@ -81,8 +84,9 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
   const Program& p = in.program;
   const auto report = [&](StatementId at, StatementId other) -> Finding* {
     const Statement& first = p.at(other);
-    Finding& f = out.add(p.at(at).label_span(), "label `" + p.label_text(p.at(at).label) + "` is already used for " +
-                                                    with_article(first.keyword) + " on line " + std::to_string(first.line));
+    Finding& f = out.add(p.at(at).label_span(),
+                         "label `" + p.label_text(p.at(at).label) + "` is already used for " +
+                             with_article(first.keyword) + " on line " + std::to_string(first.line));
     relate(f, p, other, "first used here");
     f.help = "give this block another label, on all of its lines";
     return &f;
@@ -101,7 +105,8 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
   for_stops(in, out, stop);
   for_warned(in, out, [&](const FlowStop& s) -> Finding* {
     FlowStop with_other = s;
-    for (const StatementId at : p.at(s.statement).label == kNoName ? std::span<const StatementId>{} : p.by_label[p.at(s.statement).label]) {
+    for (const StatementId at :
+         p.at(s.statement).label == kNoName ? std::span<const StatementId>{} : p.by_label[p.at(s.statement).label]) {
       if (at != s.statement && opens_block(p.at(at).keyword) && p.region_of[at] == p.region_of[s.statement]) {
         with_other.other = at;
         break;
@@ -131,7 +136,8 @@ bool may_end_at(const Program& p, const Block& block, StatementId line) {
   for (BlockId outer = block.parent; outer != kNoBlock; outer = p.blocks[outer].parent) {
     if (p.blocks[outer].label == block.label) return false;
   }
-  return std::ranges::none_of(p.parts[block.parent], [&](StatementId part) { return part > block.opener && part < line; });
+  return std::ranges::none_of(p.parts[block.parent],
+                              [&](StatementId part) { return part > block.opener && part < line; });
 }
 
 /// By label: the first block outside all subs that nothing closes; blocks are in the order of regions. To skip it can lead into a sub.
@@ -164,7 +170,8 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
   const auto place = [](const Block& b) { return std::pair(b.region, b.opener); };
   const auto after = std::ranges::upper_bound(p.blocks, std::pair(p.region_of[id], id), {}, place);
   if (after == p.blocks.begin() || std::prev(after)->region != p.region_of[id]) return;
-  for (auto number = static_cast<BlockId>(after - p.blocks.begin() - 1); number != kNoBlock; number = p.blocks[number].parent) {
+  for (auto number = static_cast<BlockId>(after - p.blocks.begin() - 1); number != kNoBlock;
+       number = p.blocks[number].parent) {
     const Block& block = p.blocks[number];
     const StatementId end = block.end == kNoStatement ? block.mistaken_end : block.end;
     if (end == kNoStatement || end < id) continue;
@@ -174,7 +181,8 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
     }
     if (block.label == line.label) return;  // the right one already: something else is wrong
     const std::string label = p.label_text(block.label);
-    finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line) + " is the one you mean";
+    finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) +
+        "` on line " + std::to_string(p.at(block.opener).line) + " is the one you mean";
     finding.fixes.push_back({"write `" + label + "`", false, {{line.label_span(), label}}});
     return;
   }
@@ -191,11 +199,14 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
     const BlockId id = p.block_of[s.statement];
     const Block* block = id == kNoBlock ? nullptr : &p.blocks[id];
     if (block != nullptr && block->mistaken_end == s.statement) {
-      Finding& f = out.add(line.label_span(), "`" + head + "` does not close `" + p.head_of(*block) + "` on line " + std::to_string(p.at(block->opener).line));
+      Finding& f = out.add(line.label_span(),
+                           "`" + head + "` does not close `" + p.head_of(*block) + "` on line " +
+                               std::to_string(p.at(block->opener).line));
       relate(f, p, block->opener, "`" + p.head_of(*block) + "` begins here");
       const std::string right = p.label_text(block->label) + " " + std::string(spelling(end_of(block->kind)));
       f.help = "write `" + right + "`";
-      if (block->kind == Keyword::kDo) f.help = "write `" + right + " [...]`; the loop goes on while the condition is true";
+      if (block->kind == Keyword::kDo)
+        f.help = "write `" + right + " [...]`; the loop goes on while the condition is true";
       if (!around) around = unclosed_in_main(p);
       const auto unclosed = around->find(line.label);
       if (block->region != kMainRegion && unclosed != around->end() && unclosed->second < s.statement) {
@@ -204,25 +215,32 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
         return &f;
       }
       // Where its label was another block's before, the end would be that one's.
-      const bool shared = std::ranges::any_of(in.index.shared_labels, [&](const auto& pair) { return pair.second == block->opener; });
+      const bool shared =
+          std::ranges::any_of(in.index.shared_labels, [&](const auto& pair) { return pair.second == block->opener; });
       if (shared || block->crossed != kNoBlock || !may_end_at(p, *block, s.statement)) return &f;
       if (block->label != line.label) {
-        f.fixes.push_back({"write `" + right + "`", !comes_again(p, *block, s.statement), {{line.head_span(), right}}, true});
+        f.fixes.push_back(
+            {"write `" + right + "`", !comes_again(p, *block, s.statement), {{line.head_span(), right}}, true});
       } else if (block->kind != Keyword::kDo) {
-        f.fixes.push_back({"write `" + right + "`", true, {{line.keyword_span(), std::string(spelling(end_of(block->kind)))}}, true});
+        f.fixes.push_back(
+            {"write `" + right + "`", true, {{line.keyword_span(), std::string(spelling(end_of(block->kind)))}}, true});
       }
       return &f;
     }
     if (s.other != kNoStatement) {
       const Statement& opener = p.at(s.other);
-      Finding& f = out.add(line.label_span(), "`" + head + "` has the label of `" + p.head(s.other) + "` on line " + std::to_string(opener.line) + ", which is no " + std::string(openers));
+      Finding& f = out.add(line.label_span(),
+                           "`" + head + "` has the label of `" + p.head(s.other) + "` on line " +
+                               std::to_string(opener.line) + ", which is no " + std::string(openers));
       relate(f, p, s.other, "the label is used here");
       f.help = "write the label of the " + std::string(openers) + " that it belongs to";
       return &f;
     }
     if (block != nullptr && block->crossed != kNoBlock) {
       const Block& outer = p.blocks[block->crossed];
-      Finding& f = out.add(line.label_span(), "`" + head + "` is outside `" + p.head_of(outer) + "`, but its block begins inside: if `" + p.head_of(outer) + "` is skipped, the label is unknown here");
+      Finding& f = out.add(line.label_span(),
+                           "`" + head + "` is outside `" + p.head_of(outer) + "`, but its block begins inside: if `" +
+                               p.head_of(outer) + "` is skipped, the label is unknown here");
       relate(f, p, block->opener, "`" + p.head_of(*block) + "` begins here");
       relate(f, p, outer.end, "`" + p.head_of(outer) + "` ends here");
       f.help = "close the inner block before the end of the outer one";
@@ -233,7 +251,8 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
     Finding& f = out.add(line.label_span(), "`" + head + "` has no " + std::string(openers) + " with this label");
     if (cut) {
       // The interpreter skipped the definition only up to its first `endsub`.
-      f.message = "`" + head + "` is outside the sub: `" + p.head(region.early_end) + "` on line " + std::to_string(p.at(region.early_end).line) + " has already ended it";
+      f.message = "`" + head + "` is outside the sub: `" + p.head(region.early_end) + "` on line " +
+          std::to_string(p.at(region.early_end).line) + " has already ended it";
       relate(f, p, region.early_end, "the sub ends here");
       f.help = "write `return` instead of the early `endsub`";
     }

@@ -1,7 +1,6 @@
 // Helpers for rules about blocks and labels.
 #pragma once
 
-
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {

@@ -17,9 +17,13 @@ namespace rules {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kGroupTitles = {
-    "comments for owlint", "LinuxCNC's documented O-word errors", "blocks and calls", "the line", "files and machine configuration",
-    "hazards", "parameters"};
+constexpr std::array<std::string_view, 7> kGroupTitles = {"comments for owlint",
+                                                          "LinuxCNC's documented O-word errors",
+                                                          "blocks and calls",
+                                                          "the line",
+                                                          "files and machine configuration",
+                                                          "hazards",
+                                                          "parameters"};
 
 std::string capital_letters(std::string_view text) {
   std::string out(text);
@@ -63,7 +67,8 @@ std::string code_meant(std::string_view text) {
 
 std::string unknown_rule(std::string_view text) {
   const std::string_view near = nearest_rule(text);
-  return fmt::format("there is no rule `{}`{}", text, near.empty() ? "; `owlint rules` lists them" : fmt::format(", did you mean `{}`?", near));
+  return fmt::format("there is no rule `{}`{}", text,
+                     near.empty() ? "; `owlint rules` lists them" : fmt::format(", did you mean `{}`?", near));
 }
 
 std::optional<std::string> suppressed_code(std::string_view word, bool first) {
@@ -77,7 +82,8 @@ std::optional<std::string> suppressed_code(std::string_view word, bool first) {
 std::string_view nearest_rule(std::string_view text) {
   std::vector<std::string> candidates;
   const bool code = begins_as_code(text);
-  for (const Rule* rule : catalogue()) candidates.emplace_back(code ? small_letters(rule->code) : std::string(rule->name));
+  for (const Rule* rule : catalogue())
+    candidates.emplace_back(code ? small_letters(rule->code) : std::string(rule->name));
   const std::string near = rules::nearest(small_letters(text), candidates);
   const Rule* rule = near.empty() ? nullptr : find_rule(near);
   if (rule == nullptr) return {};

@@ -16,7 +16,8 @@ struct Part {
 
 class Folding {
  public:
-  Folding(const Program& program, std::vector<Finding>& findings) : p_(program), findings_(findings), into_(findings.size(), kNone) {
+  Folding(const Program& program, std::vector<Finding>& findings)
+      : p_(program), findings_(findings), into_(findings.size(), kNone) {
     for (size_t i = 0; i < findings.size(); ++i) {
       const StatementId id = block_line(findings[i]);
       if (id != kNoStatement) parts_.push_back({i, id});
@@ -60,7 +61,8 @@ class Folding {
   void choose(const Part& part) {
     const auto [known, added] = speaks_.emplace(label_of(part.statement), part);
     if (!added && !finding(known->second).stops && finding(part).stops) known->second = part;
-    if (p_.block_of[part.statement] != kNoBlock && p_.blocks[p_.block_of[part.statement]].opener == part.statement) openers_.emplace(part.statement, part.finding);
+    if (p_.block_of[part.statement] != kNoBlock && p_.blocks[p_.block_of[part.statement]].opener == part.statement)
+      openers_.emplace(part.statement, part.finding);
   }
 
   /// A block that is not closed, and lines with the label that its end has by mistake: the first of these lines speaks for both if
@@ -105,7 +107,8 @@ class Folding {
     if (wrong_body == findings_.end()) return;
     for (const Part& part : parts_) {
       const bool follows = finding(part).unproven && find_rule(finding(part).code)->group == Group::kAbortList;
-      if (follows && into_[part.finding] == kNone) into_[part.finding] = static_cast<size_t>(wrong_body - findings_.begin());
+      if (follows && into_[part.finding] == kNone)
+        into_[part.finding] = static_cast<size_t>(wrong_body - findings_.begin());
     }
   }
 
@@ -133,7 +136,9 @@ class Folding {
 void fold_into_other_controller(std::vector<Finding>& findings) {
   const auto controller = std::ranges::find_if(findings, [](const Finding& f) { return f.code == "OW319"; });
   if (controller == findings.end()) return;
-  const auto follows = [](const Finding& f) { return f.weight == Weight::kAside && !f.stops && f.reach == Reach::kNever; };
+  const auto follows = [](const Finding& f) {
+    return f.weight == Weight::kAside && !f.stops && f.reach == Reach::kNever;
+  };
   for (const Finding& f : findings) {
     if (follows(f)) controller->consequences.push_back({f.code, f.span, ""});
   }

@@ -9,22 +9,54 @@ namespace {
 
 // The first one that fits is taken.
 constexpr Idiom kIdioms[] = {
-    quotes_name, has_look_alike, jumps, loops_as_fanuc, says_then, jumps_behind_keyword, has_two_brackets, has_comment_inside, brackets_behind_keyword,
-    rounds_brackets, repeats_until, passes_without_brackets, calls_without_keyword, calls_by_name, lacks_letter, lacks_label,
-    has_comma, calls_in_value, has_comment_in_value, computes_without_brackets, assigns_otherwise, lacks_value, names_without_brackets, names_half_bracketed,
-    names_without_number_sign, has_other_operator, has_other_function, has_odd_sign, has_label_behind, is_other_word,
+    quotes_name,
+    has_look_alike,
+    jumps,
+    loops_as_fanuc,
+    says_then,
+    jumps_behind_keyword,
+    has_two_brackets,
+    has_comment_inside,
+    brackets_behind_keyword,
+    rounds_brackets,
+    repeats_until,
+    passes_without_brackets,
+    calls_without_keyword,
+    calls_by_name,
+    lacks_letter,
+    lacks_label,
+    has_comma,
+    calls_in_value,
+    has_comment_in_value,
+    computes_without_brackets,
+    assigns_otherwise,
+    lacks_value,
+    names_without_brackets,
+    names_half_bracketed,
+    names_without_number_sign,
+    has_other_operator,
+    has_other_function,
+    has_odd_sign,
+    has_label_behind,
+    is_other_word,
 };
 
 }  // namespace
 
 RefusedLine::RefusedLine(const Input& input, StatementId statement_id)
-    : program(input.program), in(input), statement(program.at(statement_id)), id(statement_id), error(*program.syntax.error(statement)) {
+    : program(input.program),
+      in(input),
+      statement(program.at(statement_id)),
+      id(statement_id),
+      error(*program.syntax.error(statement)) {
   text.assign(program.source->slice(statement.whole()), statement.offset);
   while (at < text.size() && text.offset(at) < error.span.begin) ++at;
   end = std::min(text.text().find_first_of("(;", at), text.size());
 }
 
-std::string RefusedLine::written(size_t from, size_t to) const { return std::string(program.source->slice(text.span(from, to))); }
+std::string RefusedLine::written(size_t from, size_t to) const {
+  return std::string(program.source->slice(text.span(from, to)));
+}
 
 void RefusedLine::propose(Finding& f, std::string title, std::vector<Edit> edits, bool surely_meant) const {
   std::ranges::stable_sort(edits, {}, [](const Edit& e) { return e.span.begin; });

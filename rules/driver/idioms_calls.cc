@@ -52,7 +52,9 @@ size_t bare_name_end(const RefusedLine& line, size_t from) {
 /// `call 1 2`, `call [1], [2]`, `return #1`.
 bool passes_without_brackets(const RefusedLine& line, Finding& f) {
   const bool call = line.statement.is(Keyword::kCall);
-  if (line.kind() != StopKind::kTrailingText || (!call && !line.statement.is(Keyword::kReturn) && !line.statement.is(Keyword::kEndsub))) return false;
+  if (line.kind() != StopKind::kTrailingText ||
+      (!call && !line.statement.is(Keyword::kReturn) && !line.statement.is(Keyword::kEndsub)))
+    return false;
   const std::string_view rest = line.rest();
   if (std::string_view("0123456789#-+.,").find(rest[0]) == std::string_view::npos) return false;
   if (rest[0] == ',') {
@@ -104,7 +106,8 @@ bool calls_by_name(const RefusedLine& line, Finding& f) {
   const bool name = c == '<' || (c == 'o' && line.text[line.at + 1] == '<');
   if (!number && !name) return false;
   f.message = number ? "`M98` needs the number of the sub after `P`" : "`M98` cannot call a sub by its name";
-  f.help = number ? "write `M98 P" + line.written(line.at + 1, line.end) + "`" : "call a sub with a name with `o<name> call`";
+  f.help = number ? "write `M98 P" + line.written(line.at + 1, line.end) + "`"
+                  : "call a sub with a name with `o<name> call`";
   if (number) line.propose(f, "write `P`", {line.put(line.at, line.at + 1, "P")}, true);
   return true;
 }
@@ -123,8 +126,10 @@ bool calls_in_value(const RefusedLine& line, Finding& f) {
   if (!assigns || text.substr(from, line.end - from).find("call") == std::string_view::npos) return true;
   const std::string begin = indent_of(*line.program.source, line.statement);
   const std::string target = line.written(0, from);
-  line.propose(f, "call first, then read `#<_value>`",
-               {line.put(0, line.end, call + line_end(*line.program.source, line.statement) + begin + target + " #<_value>")}, false);
+  line.propose(
+      f, "call first, then read `#<_value>`",
+      {line.put(0, line.end, call + line_end(*line.program.source, line.statement) + begin + target + " #<_value>")},
+      false);
   return true;
 }
 
@@ -141,11 +146,14 @@ bool has_label_behind(const RefusedLine& line, Finding& f) {
   // Behind other keywords a value is as likely.
   if (to == 0 || (!has_letter && !of_sub)) return false;
   const std::string word(spelling(keyword));
-  const std::string label = has_letter ? line.written(from, to) : bare ? "o<" + line.written(from, to) + ">" : "o" + line.written(from, to);
+  const std::string label = has_letter ? line.written(from, to)
+      : bare                           ? "o<" + line.written(from, to) + ">"
+                                       : "o" + line.written(from, to);
   f.message = "the label stands behind `" + word + "`: it comes first";
   const std::string values = line.written(to, line.end);
   f.help = "write `" + label + " " + word + (values.empty() ? "" : " ") + values + "`";
-  line.propose(f, f.help, {line.put(line.at, to, label + " " + word)}, has_letter && keyword != Keyword::kSub && keyword != Keyword::kEndsub);
+  line.propose(f, f.help, {line.put(line.at, to, label + " " + word)},
+               has_letter && keyword != Keyword::kSub && keyword != Keyword::kEndsub);
   return true;
 }
 
@@ -162,9 +170,11 @@ bool quotes_name(const RefusedLine& line, Finding& f) {
   if (to == from || to == text.size()) return false;
   const std::string name(text.substr(from, to - from));
   const uint64_t begin = line.error.span.begin;
-  f.message = of_parameter ? "the name of a parameter is in `< >`, not in quotes" : "the name of a sub is in `< >`, not in quotes";
+  f.message = of_parameter ? "the name of a parameter is in `< >`, not in quotes"
+                           : "the name of a sub is in `< >`, not in quotes";
   f.help = std::string("write `") + (of_parameter ? "#" : "o") + "<" + name + ">`";
-  line.propose(f, f.help, {{{begin + letter, begin + to + quote_length(text.substr(to))}, "<" + name + ">"}}, !bounds_sub(line.statement));
+  line.propose(f, f.help, {{{begin + letter, begin + to + quote_length(text.substr(to))}, "<" + name + ">"}},
+               !bounds_sub(line.statement));
   return true;
 }
 

@@ -8,7 +8,8 @@ namespace owlint::rules {
 namespace {
 
 constexpr std::string_view kInsteadOfJumps =
-    "to skip lines, write `o100 if [...]` and `o100 endif` with the opposite condition; to repeat lines, write `o100 while [...]` and `o100 endwhile`";
+    "to skip lines, write `o100 if [...]` and `o100 endif` with the opposite condition; to repeat lines, write `o100 "
+    "while [...]` and `o100 endwhile`";
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -65,7 +66,8 @@ std::string_view letters(std::string_view text) {
 
 std::string upper(std::string_view text) {
   std::string out(text);
-  std::ranges::transform(out, out.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c; });
+  std::ranges::transform(out, out.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c; });
   return out;
 }
 
@@ -74,7 +76,8 @@ std::string upper(std::string_view text) {
 /// `IF [#1 EQ 1] GOTO 20`, `GOTO 20`.
 bool jumps(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text().substr(0, line.end);
-  const size_t jump = text.find("goto", line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing ? 0 : line.at);
+  const size_t jump = text.find(
+      "goto", line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing ? 0 : line.at);
   if (jump == std::string_view::npos) return false;
   const bool right_there = jump == line.at || (jump == line.at + 1 && line.text[line.at] == ']');
   const bool of_keyword = line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing;
@@ -87,10 +90,14 @@ bool jumps(const RefusedLine& line, Finding& f) {
 /// `WHILE [#1 LT 3] DO1` and `END1`.
 bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
   const std::string_view rest = line.rest();
-  const auto numbered = [&](std::string_view word) { return rest.starts_with(word) && rest.size() == word.size() + 1 && is_digit(rest[word.size()]); };
-  const bool begins = line.kind() == StopKind::kLabelForgotten && rest.starts_with("while") && rest.size() > 3 && is_digit(rest.back()) && rest.substr(0, rest.size() - 1).ends_with("do");
+  const auto numbered = [&](std::string_view word) {
+    return rest.starts_with(word) && rest.size() == word.size() + 1 && is_digit(rest[word.size()]);
+  };
+  const bool begins = line.kind() == StopKind::kLabelForgotten && rest.starts_with("while") && rest.size() > 3 &&
+      is_digit(rest.back()) && rest.substr(0, rest.size() - 1).ends_with("do");
   const bool ends = line.kind() == StopKind::kWordUnreadable && numbered("end");
-  const bool behind = line.kind() == StopKind::kTrailingText && has_keyword(line, Keyword::kWhile) && (rest == "do" || numbered("do"));
+  const bool behind =
+      line.kind() == StopKind::kTrailingText && has_keyword(line, Keyword::kWhile) && (rest == "do" || numbered("do"));
   if (!begins && !ends && !behind) return false;
   if (behind) {
     f.message = "`" + upper(rest) + "` after the condition: LinuxCNC has a `while` without it";
@@ -99,7 +106,8 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
     return true;
   }
   f.message = "`WHILE … DO1` and `END1` is a loop of other controllers; LinuxCNC does not have it";
-  f.help = ends ? "write `o100 endwhile`, with the label of the `while`" : "write `o100 while [...]`, without `DO1`, and `o100 endwhile` in place of `END1`";
+  f.help = ends ? "write `o100 endwhile`, with the label of the `while`"
+                : "write `o100 while [...]`, without `DO1`, and `o100 endwhile` in place of `END1`";
   return true;
 }
 
@@ -107,7 +115,8 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
 bool says_then(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text().substr(0, line.end);
   const bool forgotten = line.kind() == StopKind::kLabelForgotten && text.substr(line.at).starts_with("if");
-  const bool here = line.rest().starts_with("then") && (line.kind() == StopKind::kTrailingText || line.kind() == StopKind::kWordUnreadable);
+  const bool here = line.rest().starts_with("then") &&
+      (line.kind() == StopKind::kTrailingText || line.kind() == StopKind::kWordUnreadable);
   const size_t then = forgotten ? text.find("]then", line.at) + 1 : here ? line.at : 0;
   if (then == 0 && !here) return false;
   const std::string_view behind = text.substr(std::min(then + 4, text.size()));
@@ -118,17 +127,20 @@ bool says_then(const RefusedLine& line, Finding& f) {
     f.help = "remove it";
     line.propose(f, "remove `then`", {line.put(line.at, line.end, "")}, true);
   } else {
-    f.help = "remove it, and write the rest on a line of its own, before `" + line.program.label_at(line.id) + " endif`";
+    f.help =
+        "remove it, and write the rest on a line of its own, before `" + line.program.label_at(line.id) + " endif`";
   }
   return true;
 }
 
 /// `o100 if [#1 EQ 2] AND [#3 LT 4]`: one bracket must be around it all.
 bool has_two_brackets(const RefusedLine& line, Finding& f) {
-  constexpr std::string_view kOperators[] = {"and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le", "mod", "+", "-", "*", "/"};
+  constexpr std::string_view kOperators[] = {"and", "or", "xor", "eq", "ne", "gt", "ge",
+                                             "lt",  "le", "mod", "+",  "-",  "*",  "/"};
   const std::string_view rest = line.rest();
-  const bool takes_one = has_keyword(line, Keyword::kIf) || has_keyword(line, Keyword::kElseif) || has_keyword(line, Keyword::kWhile) || has_keyword(line, Keyword::kRepeat) ||
-                         has_keyword(line, Keyword::kReturn) || has_keyword(line, Keyword::kEndsub);
+  const bool takes_one = has_keyword(line, Keyword::kIf) || has_keyword(line, Keyword::kElseif) ||
+      has_keyword(line, Keyword::kWhile) || has_keyword(line, Keyword::kRepeat) ||
+      has_keyword(line, Keyword::kReturn) || has_keyword(line, Keyword::kEndsub);
   if (line.kind() != StopKind::kTrailingText || !line.statement.has_bracket || !takes_one) return false;
   if (rest.starts_with("[")) {
     f.message = "`" + line.keyword_text() + "` takes one pair of brackets, but here is a second one";
@@ -138,9 +150,12 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
   if (std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); })) return false;
   const size_t open = line.text.text().find('[', line.text.text().find(line.keyword_text()));
   const std::string all = line.written(open, line.end);
-  f.message = "the condition ends before `" + std::string(line.written(line.at, line.at + letters(rest).size() + (letters(rest).empty() ? 1 : 0))) + "`: one pair of brackets must enclose all of it";
+  f.message = "the condition ends before `" +
+      std::string(line.written(line.at, line.at + letters(rest).size() + (letters(rest).empty() ? 1 : 0))) +
+      "`: one pair of brackets must enclose all of it";
   f.help = "write `" + line.keyword_text() + " [" + all + "]`";
-  line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")}, true);
+  line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")},
+               true);
   // At the end of the text, not of the spaces after it.
   const uint64_t behind = line.text.span(line.at, line.end).end;
   f.fixes[0].edits[1].span = {behind, behind};
@@ -154,7 +169,8 @@ bool has_comment_inside(const RefusedLine& line, Finding& f) {
   size_t next = line.at;
   if (line.kind() == StopKind::kTrailingText) {
     const bool value = line.statement.is(Keyword::kReturn) || line.statement.is(Keyword::kEndsub);
-    const bool continues = line.statement.is(Keyword::kBare) ? keyword_of(line.rest()) != Keyword::kUnknown : value && line.rest().starts_with("[");
+    const bool continues = line.statement.is(Keyword::kBare) ? keyword_of(line.rest()) != Keyword::kUnknown
+                                                             : value && line.rest().starts_with("[");
     if (continues && line.at > 0 && text[line.at - 1] == ')') open = text.rfind('(', line.at);
   } else if (line.kind() == StopKind::kBracketMissing && line.at < text.size() && text[line.at] == '(') {
     const size_t close = text.find(')', line.at);
@@ -168,9 +184,12 @@ bool has_comment_inside(const RefusedLine& line, Finding& f) {
   const uint64_t line_end = line.text.span(0, line.text.size()).end;
   f.message = "a comment inside the O-word: LinuxCNC does not read the rest of the O-word";
   f.help = "write the comment at the end of the line, or on a line of its own";
-  const std::string moved = " " + std::string(line.program.source->slice({comment.begin, line.text.span(open, text.find(')', open) + 1).end}));
-  const bool whole = text.find_first_of("(;", next) == std::string_view::npos && !line.rest().starts_with("sub") && !line.rest().starts_with("endsub");
-  line.propose(f, "move the comment to the end of the line", {{{comment.begin, line.text.offset(next)}, ""}, {{line_end, line_end}, moved}}, whole);
+  const std::string moved = " " +
+      std::string(line.program.source->slice({comment.begin, line.text.span(open, text.find(')', open) + 1).end}));
+  const bool whole = text.find_first_of("(;", next) == std::string_view::npos && !line.rest().starts_with("sub") &&
+      !line.rest().starts_with("endsub");
+  line.propose(f, "move the comment to the end of the line",
+               {{{comment.begin, line.text.offset(next)}, ""}, {{line_end, line_end}, moved}}, whole);
   return true;
 }
 
@@ -188,7 +207,8 @@ bool ends_do(const RefusedLine& line) {
 std::string label_left(const RefusedLine& line, Keyword jump) {
   const Program& p = line.program;
   const StatementId sub = p.regions[p.region_of[line.id]].opener;
-  if (jump == Keyword::kReturn) return sub != kNoStatement && p.at(sub).is(Keyword::kSub) ? p.label_at(sub) : std::string();
+  if (jump == Keyword::kReturn)
+    return sub != kNoStatement && p.at(sub).is(Keyword::kSub) ? p.label_at(sub) : std::string();
   BlockId block = p.open_above(p.region_of[line.id], line.id);
   while (block != kNoBlock && p.blocks[block].kind == Keyword::kIf) block = p.blocks[block].parent;
   return block == kNoBlock ? std::string() : p.label_text(p.blocks[block].label);
@@ -200,24 +220,33 @@ std::string label_left(const RefusedLine& line, Keyword jump) {
 bool jumps_behind_keyword(const RefusedLine& line, Finding& f) {
   const Keyword jump = keyword_of(line.rest());
   const bool alone = line.rest() == spelling(jump) || (jump == Keyword::kReturn && line.rest().starts_with("return["));
-  if (line.kind() != StopKind::kTrailingText || !alone || (jump != Keyword::kReturn && jump != Keyword::kBreak && jump != Keyword::kContinue)) return false;
+  if (line.kind() != StopKind::kTrailingText || !alone ||
+      (jump != Keyword::kReturn && jump != Keyword::kBreak && jump != Keyword::kContinue))
+    return false;
   const std::string word(spelling(jump));
   const std::string label = label_left(line, jump);
   f.message = "`" + word + "` after `" + line.program.head(line.id) + "`: an O-word needs a line of its own";
   if (label.empty()) {
-    f.help = "write it on the next line, with the label of the " + std::string(jump == Keyword::kReturn ? "sub" : "loop");
+    f.help =
+        "write it on the next line, with the label of the " + std::string(jump == Keyword::kReturn ? "sub" : "loop");
     return true;
   }
   const std::string written = label + " " + line.written(line.at, line.end);
   f.help = "write `" + written + "` on the next line";
   const Span rest{line.text.span(line.at - 1, line.at).end, line.text.span(line.at, line.end).end};
-  line.propose(f, f.help, {{rest, line_end(*line.program.source, line.statement) + indent_of(*line.program.source, line.statement) + "  " + written}}, false);
+  line.propose(f, f.help,
+               {{rest,
+                 line_end(*line.program.source, line.statement) + indent_of(*line.program.source, line.statement) +
+                     "  " + written}},
+               false);
   return true;
 }
 
 /// `o1 repeat` … `o1 until [...]`.
 bool repeats_until(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kBracketMissing || !has_keyword(line, Keyword::kRepeat) || line.statement.label == kNoName) return false;
+  if (line.kind() != StopKind::kBracketMissing || !has_keyword(line, Keyword::kRepeat) ||
+      line.statement.label == kNoName)
+    return false;
   const Program& p = line.program;
   const auto lines = p.by_label[line.statement.label];
   const auto until = std::ranges::find_if(lines, [&](StatementId id) {
@@ -226,13 +255,15 @@ bool repeats_until(const RefusedLine& line, Finding& f) {
   if (until == lines.end()) return false;
   const std::string label = p.label_at(line.id);
   f.message = "LinuxCNC has no `REPEAT` … `UNTIL`";
-  f.help = "write `" + label + " do`, and in place of `until` on line " + std::to_string(p.at(*until).line) + " `" + label + " while [...]` with the opposite condition";
+  f.help = "write `" + label + " do`, and in place of `until` on line " + std::to_string(p.at(*until).line) + " `" +
+      label + " while [...]` with the opposite condition";
   return true;
 }
 
 /// `sub [x]`, `else [#1 EQ 1]`, `endif [..]`, `do [..]`.
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || line.statement.has_bracket == false) return false;
+  if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || line.statement.has_bracket == false)
+    return false;
   const std::string text = line.written(line.at, line.end);
   const std::string label = line.program.label_at(line.id);
   f.message = "`" + line.keyword_text() + "` takes no value in brackets";
@@ -252,7 +283,8 @@ bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
     f.help = "write the condition at the beginning of the loop: `" + label + " while " + text + "`";
   } else {
     f.help = "remove `" + text + "`";
-    if (has_keyword(line, Keyword::kBreak) || has_keyword(line, Keyword::kContinue)) f.help = "write an `if` with the condition around the line";
+    if (has_keyword(line, Keyword::kBreak) || has_keyword(line, Keyword::kContinue))
+      f.help = "write an `if` with the condition around the line";
   }
   return true;
 }
@@ -266,7 +298,8 @@ bool rounds_brackets(const RefusedLine& line, Finding& f) {
   f.message = "`" + line.keyword_text() + "` is followed by round brackets, and they are a comment";
   const std::string inside = line.written(line.at + 1, close);
   f.help = "write `" + line.keyword_text() + " [" + inside + "]`";
-  line.propose(f, "write square brackets", {line.put(line.at, line.at + 1, "["), line.put(close, close + 1, "]")}, false);
+  line.propose(f, "write square brackets", {line.put(line.at, line.at + 1, "["), line.put(close, close + 1, "]")},
+               false);
   return true;
 }
 
@@ -287,7 +320,8 @@ bool lacks_label(const RefusedLine& line, Finding& f) {
   const std::string word = line.keyword_text();
   if (line.statement.kind == LineKind::kOWord) {  // the line number was read in place of the label
     const size_t number = line.text.text().find('n');
-    f.message = "the `o…` label is missing before `" + word + "`: `" + line.written(number, line.at) + "` is a line number";
+    f.message =
+        "the `o…` label is missing before `" + word + "`: `" + line.written(number, line.at) + "` is a line number";
     f.help = "write `" + p.head(line.id) + "`";
     line.propose(f, "write `o` instead of `N`", {line.put(number, number + 1, "o")}, !bounds_sub(line.statement));
     return true;
@@ -299,11 +333,13 @@ bool lacks_label(const RefusedLine& line, Finding& f) {
   const bool of_sub = has_keyword(line, Keyword::kEndsub) || has_keyword(line, Keyword::kReturn);
   const StatementId opener = block != kNoBlock ? p.blocks[block].opener : of_sub ? region.opener : kNoStatement;
   if (opener == kNoStatement) {
-    if (has_keyword(line, Keyword::kSub) || has_keyword(line, Keyword::kCall)) f.help = "write the label first: `o<name> " + word + "`";
+    if (has_keyword(line, Keyword::kSub) || has_keyword(line, Keyword::kCall))
+      f.help = "write the label first: `o<name> " + word + "`";
     return true;
   }
   const std::string label = p.label_at(opener);
-  f.help = "write `" + label + " " + word + "`, for `" + p.head(opener) + "` on line " + std::to_string(p.at(opener).line);
+  f.help =
+      "write `" + label + " " + word + "`, for `" + p.head(opener) + "` on line " + std::to_string(p.at(opener).line);
   relate(f, p, opener, "`" + p.head(opener) + "` begins here");
   const bool ends = block != kNoBlock && p.blocks[block].mistaken_end == line.id;
   line.propose(f, "write the label `" + label + "`", {line.put(line.at, line.at, label + " ")}, ends);
@@ -321,7 +357,8 @@ bool has_odd_sign(const RefusedLine& line, Finding& f) {
     f.help = "begin a comment with `;`";
   } else if (c == '%') {
     f.message = "`%` must be alone on its line";
-    f.help = line.at == 0 ? "write the text after it on a line of its own, in a comment" : "write it on a line of its own";
+    f.help =
+        line.at == 0 ? "write the text after it on a line of its own, in a comment" : "write it on a line of its own";
   } else if (c == ':' && line.at == first && is_digit(line.text[line.at + 1])) {
     f.message = "LinuxCNC does not know `:` before a program number";
     f.help = "write `O" + line.written(line.at + 1, line.end) + "`";
@@ -342,7 +379,9 @@ bool has_odd_sign(const RefusedLine& line, Finding& f) {
 
 /// A keyword of another language, after a label or alone.
 bool is_other_word(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown && line.kind() != StopKind::kTrailingText) return false;
+  if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown &&
+      line.kind() != StopKind::kTrailingText)
+    return false;
   const std::string_view word = letters(line.rest());
   const auto* other = std::ranges::find(kOtherWords, word, &OtherWord::word);
   if (other != kOtherWords.end()) {
@@ -357,10 +396,14 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   }
   // A LinuxCNC keyword that is not followed by brackets.
   const Keyword keyword = keyword_of(line.rest());
-  if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown || letters(line.rest()) != spelling(keyword)) return false;
+  if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown ||
+      letters(line.rest()) != spelling(keyword))
+    return false;
   f.message = "the `o…` label is missing before `" + std::string(spelling(keyword)) + "`";
-  f.help = keyword == Keyword::kCall || keyword == Keyword::kSub ? "write the label first: `o<name> " + std::string(spelling(keyword)) + "`"
-                                                                 : "write the label first, and the condition or values in square brackets: `o100 " + std::string(spelling(keyword)) + " [...]`";
+  f.help = keyword == Keyword::kCall || keyword == Keyword::kSub
+      ? "write the label first: `o<name> " + std::string(spelling(keyword)) + "`"
+      : "write the label first, and the condition or values in square brackets: `o100 " +
+          std::string(spelling(keyword)) + " [...]`";
   return true;
 }
 

@@ -39,7 +39,9 @@ size_t open_name_end(const RefusedLine& line, size_t from) {
 /// The name that begins at `from`, in the program's own letters.
 std::string name_at(const RefusedLine& line, size_t from) { return line.written(from, name_end(line, from)); }
 
-bool has_name(const RefusedLine& line, std::string_view name) { return line.program.syntax.names.find(name) != kNoName; }
+bool has_name(const RefusedLine& line, std::string_view name) {
+  return line.program.syntax.names.find(name) != kNoName;
+}
 
 /// The start of the value before the error: after the last `=`, or after the last word's letter.
 size_t value_start(const RefusedLine& line) {
@@ -76,8 +78,23 @@ struct Other {
 
 // Longer ones first.
 constexpr std::array<Other, 17> kOperators = {{
-    {"==", "EQ"}, {"=<", "LE"}, {"=>", "GE"}, {"=", "EQ"}, {"!=", "NE"}, {"<>", "NE"}, {"><", "NE"}, {"<=", "LE"}, {"<", "LT"},
-    {">=", "GE"}, {">", "GT"}, {"&&", "AND"}, {"&", "AND"}, {"||", "OR"}, {"|", "OR"}, {"%", "MOD"}, {"^", "**"},
+    {"==", "EQ"},
+    {"=<", "LE"},
+    {"=>", "GE"},
+    {"=", "EQ"},
+    {"!=", "NE"},
+    {"<>", "NE"},
+    {"><", "NE"},
+    {"<=", "LE"},
+    {"<", "LT"},
+    {">=", "GE"},
+    {">", "GT"},
+    {"&&", "AND"},
+    {"&", "AND"},
+    {"||", "OR"},
+    {"|", "OR"},
+    {"%", "MOD"},
+    {"^", "**"},
 }};
 
 constexpr std::array<Other, 21> kFunctions = {{
@@ -118,7 +135,9 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
   const auto same = look_alike(character_at(from).code);
   if (!same) return false;
   size_t first = line.at;
-  while (first + 1 < line.text.size() && line.text.offset(first) < line.error.span.begin + static_cast<uint64_t>(foreign - text.begin())) ++first;
+  while (first + 1 < line.text.size() &&
+         line.text.offset(first) < line.error.span.begin + static_cast<uint64_t>(foreign - text.begin()))
+    ++first;
   const std::string instead = readable(line, first, same->plain);
   f.message = look_alike_text(from);
   f.help = instead.empty() ? "remove it" : instead == " " ? "type an ordinary space" : "type `" + instead + "`";
@@ -142,13 +161,15 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
     }
     i += character.length;
   }
-  if (!edits.empty()) line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), surely_meant);
+  if (!edits.empty())
+    line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), surely_meant);
   return true;
 }
 
 /// `1,5`, and `call [1, 2]`.
 bool has_comma(const RefusedLine& line, Finding& f) {
-  if ((line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kExpression) || !line.rest().starts_with(",")) return false;
+  if ((line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kExpression) || !line.rest().starts_with(","))
+    return false;
   const bool digits = line.at > 0 && is_digit(line.text[line.at - 1]) && is_digit(line.text[line.at + 1]);
   const bool together = digits && line.text.offset(line.at + 1) == line.text.offset(line.at) + 1;
   if (line.statement.is(Keyword::kCall) && line.kind() == StopKind::kExpression) {
@@ -172,13 +193,17 @@ bool has_comma(const RefusedLine& line, Finding& f) {
 
 /// `#1 = #1 + 1`, `X#1+5`.
 bool computes_without_brackets(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kWordBefore && line.kind() != StopKind::kExpression) return false;
+  if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable &&
+      line.kind() != StopKind::kWordBefore && line.kind() != StopKind::kExpression)
+    return false;
   if (line.at == 0 || (line.statement.kind == LineKind::kOWord && !line.statement.refused)) return false;
   const std::string_view rest = line.rest();
   const char before = line.text[line.at - 1];
   const bool behind_value = is_digit(before) || before == '.' || before == '>' || before == ']';
   const bool sign = rest.size() > 1 && std::string_view("+-*/").find(rest[0]) != std::string_view::npos;
-  const bool word = std::ranges::any_of(kWordOperators, [&](std::string_view w) { return rest.starts_with(w) && rest.size() > w.size() && !is_letter(rest[w.size()]); });
+  const bool word = std::ranges::any_of(kWordOperators, [&](std::string_view w) {
+    return rest.starts_with(w) && rest.size() > w.size() && !is_letter(rest[w.size()]);
+  });
   if (!behind_value || (!sign && !word)) return false;
   const size_t start = value_start(line);
   if (start >= line.at) return false;
@@ -186,7 +211,8 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   const std::string all = line.written(start, line.end);
   f.message = "a calculation must be in brackets";
   f.help = "write `[" + all + "]`";
-  line.propose(f, "write brackets around the calculation", {line.put(start, start, "["), line.put(line.end, line.end, "]")}, assigns);
+  line.propose(f, "write brackets around the calculation",
+               {line.put(start, start, "["), line.put(line.end, line.end, "]")}, assigns);
   const Span behind = line.text.span(start, line.end);
   f.fixes[0].edits[1].span = {behind.end, behind.end};
   return true;
@@ -194,7 +220,9 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
 
 /// `#depth = 5`, and `#depth> = 5`.
 bool names_without_brackets(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kExpression || line.at == 0 || line.text[line.at - 1] != '#' || !is_letter(line.text[line.at])) return false;
+  if (line.kind() != StopKind::kExpression || line.at == 0 || line.text[line.at - 1] != '#' ||
+      !is_letter(line.text[line.at]))
+    return false;
   const std::string name = name_at(line, line.at);
   const size_t to = name_end(line, line.at);
   const bool closed = line.text[to] == '>';
@@ -212,7 +240,8 @@ bool names_without_brackets(const RefusedLine& line, Finding& f) {
 
 /// `#<depth = 5`.
 bool names_half_bracketed(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kExpression || !line.error.message.starts_with("Named parameter not terminated")) return false;
+  if (line.kind() != StopKind::kExpression || !line.error.message.starts_with("Named parameter not terminated"))
+    return false;
   const size_t to = open_name_end(line, line.at + 1);
   const std::string name = line.written(line.at + 1, to);
   f.message = "the name `<" + name + "` has no `>`";
@@ -243,7 +272,8 @@ bool lacks_value(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text();
   const size_t equal = text.find('=', line.at == 0 ? 0 : line.at - 1);
   const size_t behind = equal == std::string_view::npos ? equal : equal + 1;
-  const bool nothing = behind != std::string_view::npos && (behind >= text.size() || text[behind] == '(' || text[behind] == ';');
+  const bool nothing =
+      behind != std::string_view::npos && (behind >= text.size() || text[behind] == '(' || text[behind] == ';');
   if (!nothing || behind < line.at || text.find('[', line.at) < equal) return false;
   f.message = "there is no value after `=`";
   f.help = "write the value: `" + line.written(text.rfind('#', equal), behind) + " 0`";
@@ -272,12 +302,15 @@ bool has_comment_in_value(const RefusedLine& line, Finding& f) {
 bool assigns_otherwise(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression || line.statement.kind == LineKind::kOWord) return false;
   const std::string_view text = line.text.text().substr(0, line.end);
-  const size_t colon = line.error.message.starts_with("Equal sign missing") ? text.find(":=", line.at) : std::string_view::npos;
+  const size_t colon =
+      line.error.message.starts_with("Equal sign missing") ? text.find(":=", line.at) : std::string_view::npos;
   const bool twice = line.rest().starts_with("=") && line.before().ends_with("=");
   if (colon == std::string_view::npos && !twice) return false;
   f.message = colon == std::string_view::npos ? "`==` assigns nothing" : "`:=` assigns nothing";
   f.help = "write `=`";
-  line.propose(f, f.help, {colon == std::string_view::npos ? line.put(line.at, line.at + 1, "") : line.put(colon, colon + 1, "")}, true);
+  line.propose(f, f.help,
+               {colon == std::string_view::npos ? line.put(line.at, line.at + 1, "") : line.put(colon, colon + 1, "")},
+               true);
   return true;
 }
 
@@ -292,7 +325,8 @@ bool has_other_operator(const RefusedLine& line, Finding& f) {
   f.message = "`" + std::string(other->text) + "` is not a LinuxCNC operator";
   f.help = "write `" + std::string(other->instead) + "`";
   // A letter beside it would become part of it.
-  line.propose(f, f.help, {line.put(line.at, line.at + other->text.size(), " " + std::string(other->instead) + " ")}, false);
+  line.propose(f, f.help, {line.put(line.at, line.at + other->text.size(), " " + std::string(other->instead) + " ")},
+               false);
   return true;
 }
 
@@ -306,7 +340,8 @@ bool has_other_function(const RefusedLine& line, Finding& f) {
   }
   if (!line.error.message.starts_with("Unknown word") || !is_letter(line.text[line.at])) return false;
   std::string_view lowered = line.text.text().substr(line.at, name_end(line, line.at) - line.at);
-  const auto* other = std::ranges::find_if(kFunctions, [&](const Other& o) { return lowered == o.text || (o.text == "not" && lowered.starts_with("not")); });
+  const auto* other = std::ranges::find_if(
+      kFunctions, [&](const Other& o) { return lowered == o.text || (o.text == "not" && lowered.starts_with("not")); });
   if (other != kFunctions.end()) {
     f.message = "LinuxCNC has no `" + line.written(line.at, line.at + other->text.size()) + "`";
     f.help = other->instead;
@@ -317,9 +352,15 @@ bool has_other_function(const RefusedLine& line, Finding& f) {
   while (!lowered.empty() && !has_name(line, lowered)) lowered.remove_suffix(1);
   if (lowered.empty()) {
     const std::string_view text = line.program.source->slice(line.text.span(line.at, line.end));
-    const std::string word(text.substr(0, static_cast<size_t>(std::ranges::find_if(text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_'; }) - text.begin())));
+    const std::string word(
+        text.substr(0,
+                    static_cast<size_t>(
+                        std::ranges::find_if(
+                            text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_'; }) -
+                        text.begin())));
     f.message = "`" + word + "` is not a function";
-    f.help = "write `#<" + word + ">`, if it is a parameter; functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN";
+    f.help = "write `#<" + word +
+        ">`, if it is a parameter; functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN";
     return true;
   }
   const std::string name = line.written(line.at, line.at + lowered.size());

@@ -36,7 +36,8 @@ Weight weight_of(const Rule& rule, const Nature& nature) {
   return rule.code == "OW314" ? Weight::kFull : Weight::kRemark;
 }
 
-void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy, std::vector<Finding>& out) {
+void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy,
+               std::vector<Finding>& out) {
   std::optional<rules::Unreached> unreached;
   for (const Rule* rule : catalogue()) {
     if (input.suppressions_applied && rule->group != Group::kLinter) continue;
@@ -81,7 +82,8 @@ SeverityPolicy policy_of(const Profile& profile, const LintOptions& options) {
 std::vector<Suppression> suppressions_of(const Program& program) {
   std::vector<Suppression> suppressions;
   for (const Directive& directive : program.syntax.directives) {
-    for (Suppression& s : parse_suppressions(*program.source, directive.span, directive.line, directive.own_line, suppressed_code)) {
+    for (Suppression& s :
+         parse_suppressions(*program.source, directive.span, directive.line, directive.own_line, suppressed_code)) {
       suppressions.push_back(std::move(s));
     }
   }
@@ -93,7 +95,9 @@ std::vector<Suppression> suppressions_of(const Program& program) {
 void put_in_order(std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
   // In a file for another controller that is said first.
-  const auto key = [](const Finding& f) { return std::tuple(f.weight == Weight::kAside, f.span.begin, f.span.end, f.code, std::string_view(f.message)); };
+  const auto key = [](const Finding& f) {
+    return std::tuple(f.weight == Weight::kAside, f.span.begin, f.span.end, f.code, std::string_view(f.message));
+  };
   std::ranges::stable_sort(findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
 }
 
@@ -102,7 +106,8 @@ namespace {
 /// One program under one version and one setting of block delete.
 class Check {
  public:
-  Check(const Profile& profile, const LintOptions& options, Library& library) : profile_(profile), options_(options), library_(library) {}
+  Check(const Profile& profile, const LintOptions& options, Library& library)
+      : profile_(profile), options_(options), library_(library) {}
 
   ProgramReport run(const std::shared_ptr<const Program>& program) {
     Linked linked(program, profile_, library_, options_.notes_inputs);
@@ -117,7 +122,8 @@ class Check {
   }
 
  private:
-  ProgramReport report(const std::shared_ptr<const Program>& program, const Linked& linked, const std::vector<FlowResult>& flow) const {
+  ProgramReport report(const std::shared_ptr<const Program>& program, const Linked& linked,
+                       const std::vector<FlowResult>& flow) const {
     ProgramReport out;
     out.deletes_lines = linked.deletes_lines();
     out.sub_file = program->sub_file;
@@ -144,7 +150,8 @@ class Check {
     return inputs;
   }
 
-  FileReport check_file(const std::shared_ptr<const Program>& program, const FlowResult& flow, const Linked& linked, bool own) const {
+  FileReport check_file(const std::shared_ptr<const Program>& program, const FlowResult& flow, const Linked& linked,
+                        bool own) const {
     FileReport report;
     report.source = program->source;
     std::vector<Suppression> suppressions = suppressions_of(*program);
@@ -160,7 +167,8 @@ class Check {
     }
     apply_suppressions(*program->source, suppressions, report.findings);
     rules::fold_consequences(*program, report.findings);
-    if (own) run_rules({*program, flow, profile_, linked, suppressions, index, data, true}, options_, policy, report.findings);
+    if (own)
+      run_rules({*program, flow, profile_, linked, suppressions, index, data, true}, options_, policy, report.findings);
     for (Finding& f : report.findings) {
       if (f.source == nullptr) f.scope = scope_of(*program, f.span.begin);
     }
@@ -175,8 +183,10 @@ class Check {
     const auto id = static_cast<StatementId>(after - p.syntax.statements.begin() - 1);
     const Region& region = p.regions[p.region_of[id]];
     const bool on_line = offset <= p.at(id).end();
-    std::string scope = region.name == kNoName || (region.end == id && !on_line) ? std::string() : p.label_text(region.name);
-    if (on_line && p.block_of[id] != kNoBlock) scope += (scope.empty() ? "" : " ") + p.label_text(p.blocks[p.block_of[id]].label);
+    std::string scope =
+        region.name == kNoName || (region.end == id && !on_line) ? std::string() : p.label_text(region.name);
+    if (on_line && p.block_of[id] != kNoBlock)
+      scope += (scope.empty() ? "" : " ") + p.label_text(p.blocks[p.block_of[id]].label);
     return scope;
   }
 
@@ -186,7 +196,8 @@ class Check {
       const Program& p = *file.program;
       for (const Call& call : p.calls) {
         if (call.callee == kNoName || call.target != UINT32_MAX) continue;
-        if (linked.target(p.name(call.callee)).file == CallTarget::kNotFound) names.push_back(p.label_text(call.callee));
+        if (linked.target(p.name(call.callee)).file == CallTarget::kNotFound)
+          names.push_back(p.label_text(call.callee));
       }
     }
     std::ranges::sort(names);
@@ -212,7 +223,8 @@ ProgramReport lint(const std::shared_ptr<const Program>& program, const Profile&
   return lint_all_ways(checked, profile, options, library);
 }
 
-ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library) {
+ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const Profile& profile,
+                           const LintOptions& options, Library& library) {
   return Check(profile, options, library).run(program);
 }
 
@@ -229,7 +241,8 @@ std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& op
     const size_t first = findings.size();
     Reporter reporter(*rule, findings);
     rule->check_setup({*profile.setup, profile, library}, reporter);
-    for (size_t i = first; i < findings.size(); ++i) findings[i].severity = decide_severity(findings[i], rule->level, false, policy);
+    for (size_t i = first; i < findings.size(); ++i)
+      findings[i].severity = decide_severity(findings[i], rule->level, false, policy);
   }
   std::vector<FileReport> reports;
   for (Finding& f : findings) {

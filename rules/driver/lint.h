@@ -20,8 +20,8 @@ struct LintOptions {
   std::map<std::string, Severity, std::less<>> severity;
   Detail detail = Detail::kBySize;
   flow::KnownCalls* known_calls = nullptr;  ///< an editor's memory of this one program; see known_calls.h
-  bool notes_inputs = false;  ///< ProgramReport::inputs is wanted
-  bool all_versions = false;  ///< every supported LinuxCNC version, not only the profile's
+  bool notes_inputs = false;                ///< ProgramReport::inputs is wanted
+  bool all_versions = false;                ///< every supported LinuxCNC version, not only the profile's
 };
 
 /// The result for one file; findings are ordered by position, behind the one that the file is for another
@@ -43,14 +43,15 @@ struct Inputs {
 /// The result for one program and the files that it calls.
 struct ProgramReport {
   FileReport own;
-  std::vector<FileReport> called;   ///< for those files, the problems that appear when this program calls them
-  std::vector<std::string> calls;   ///< the paths of all of them
-  std::vector<std::string> python;  ///< called names that were not found and may be functions of the INI's Python module
-  bool deletes_lines = false;       ///< it, or a file that it calls, has lines that begin with `/`
-  bool sub_file = false;            ///< checked as a file that others call
-  bool only_definitions = false;    ///< it defines subs and does nothing else
-  bool role_matters = false;        ///< the result would be different as a file that others call
-  Inputs inputs;                    ///< if they are wanted
+  std::vector<FileReport> called;  ///< for those files, the problems that appear when this program calls them
+  std::vector<std::string> calls;  ///< the paths of all of them
+  std::vector<std::string>
+      python;                     ///< called names that were not found and may be functions of the INI's Python module
+  bool deletes_lines = false;     ///< it, or a file that it calls, has lines that begin with `/`
+  bool sub_file = false;          ///< checked as a file that others call
+  bool only_definitions = false;  ///< it defines subs and does nothing else
+  bool role_matters = false;      ///< the result would be different as a file that others call
+  Inputs inputs;                  ///< if they are wanted
 };
 
 /// Whether a file is a program or a file that others call, if its content does not decide.

@@ -41,11 +41,27 @@ bool computes_fraction(const Program& p, ExprId id) {
     return number.op == Operator::kNumber && number.value() != std::floor(number.value());
   };
   switch (expr.op) {
-    case Operator::kNumber: case Operator::kExistsNamed: case Operator::kExistsNumbered: case Operator::kNamed: case Operator::kParameter:
-    case Operator::kFix: case Operator::kFup: case Operator::kRound: return false;
-    case Operator::kDivide: case Operator::kSqrt: case Operator::kSin: case Operator::kCos: case Operator::kTan: case Operator::kAsin:
-    case Operator::kAcos: case Operator::kAtan: case Operator::kExp: case Operator::kLn: return true;
-    case Operator::kPlus: case Operator::kMinus: case Operator::kTimes:
+    case Operator::kNumber:
+    case Operator::kExistsNamed:
+    case Operator::kExistsNumbered:
+    case Operator::kNamed:
+    case Operator::kParameter:
+    case Operator::kFix:
+    case Operator::kFup:
+    case Operator::kRound: return false;
+    case Operator::kDivide:
+    case Operator::kSqrt:
+    case Operator::kSin:
+    case Operator::kCos:
+    case Operator::kTan:
+    case Operator::kAsin:
+    case Operator::kAcos:
+    case Operator::kAtan:
+    case Operator::kExp:
+    case Operator::kLn: return true;
+    case Operator::kPlus:
+    case Operator::kMinus:
+    case Operator::kTimes:
       if (fraction(expr.left()) || fraction(expr.right())) return true;
       break;
     default: break;

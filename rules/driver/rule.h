@@ -36,19 +36,21 @@ struct Index {
   std::unordered_map<std::string_view, std::vector<const FlowStop*>> by_code;
   std::unordered_map<std::string_view, std::vector<const Hazard*>> warned_by_code;
   std::unordered_set<uint64_t> unreadable;  ///< region << 32 | label: a line there has an unknown keyword
-  std::vector<bool> at;  ///< by statement: a stop, or a message under FEATURE 0x20, is there
-  std::unordered_multimap<StatementId, const FlowStop*> consequences;  ///< by the statement of the mistake that causes them
+  std::vector<bool> at;                     ///< by statement: a stop, or a message under FEATURE 0x20, is there
+  std::unordered_multimap<StatementId, const FlowStop*>
+      consequences;  ///< by the statement of the mistake that causes them
   std::unordered_map<std::string_view, std::vector<StatementId>> unmet_by_code;  ///< reading errors that no run reaches
-  std::vector<StatementId> sub_lines;     ///< `sub`, `endsub`, `return`
-  std::vector<StatementId> ends;          ///< M2, M30, M99, `%`
-  std::vector<StatementId> program_numbers;  ///< O-words without a keyword
-  std::vector<StatementId> stray_parts;   ///< parts and ends of blocks that belong to no block, or close one by mistake
-  std::vector<StatementId> odd_lines;     ///< with an open name, a NUL, a carriage return inside, or a bad character
-  std::vector<NameId> foreign_names;      ///< names with characters that are not ASCII
-  std::vector<StatementId> several_items;  ///< lines that assign a parameter and do more
-  std::vector<StatementId> tests;          ///< `if`, `elseif` and `while` with a condition
+  std::vector<StatementId> sub_lines;                                            ///< `sub`, `endsub`, `return`
+  std::vector<StatementId> ends;                                                 ///< M2, M30, M99, `%`
+  std::vector<StatementId> program_numbers;                                      ///< O-words without a keyword
+  std::vector<StatementId> stray_parts;  ///< parts and ends of blocks that belong to no block, or close one by mistake
+  std::vector<StatementId> odd_lines;    ///< with an open name, a NUL, a carriage return inside, or a bad character
+  std::vector<NameId> foreign_names;     ///< names with characters that are not ASCII
+  std::vector<StatementId> several_items;          ///< lines that assign a parameter and do more
+  std::vector<StatementId> tests;                  ///< `if`, `elseif` and `while` with a condition
   mutable std::unordered_set<long> given_numbers;  ///< labels that fixes already take
-  std::vector<std::pair<StatementId, StatementId>> shared_labels;  ///< first lines of blocks in one region: the first with a label, and a later one
+  std::vector<std::pair<StatementId, StatementId>>
+      shared_labels;  ///< first lines of blocks in one region: the first with a label, and a later one
 
  private:
   void add_line(const Program& program, StatementId id);
@@ -77,15 +79,15 @@ struct SetupInput {
 /// The rule's documentation: `owlint explain`, the pages under docs/. The tests check it: `bad` has the finding,
 /// `good` has none, and the interpreter runs both.
 struct Page {
-  std::string_view what;         ///< what it finds, in a machinist's words
-  std::string_view why;          ///< what LinuxCNC does, also under FEATURE 0x20
-  std::string_view bad;          ///< a program
-  std::string_view good;         ///< the same program fixed
-  std::string_view fix;          ///< how to fix it, when to suppress it
-  std::string_view level_reason;  ///< why its findings are errors, warnings or info
-  std::string_view interpreter;  ///< the message LinuxCNC prints for `bad`; N stands for a line number
-  std::string_view options;      ///< command line options that `bad` needs
-  std::string_view moves = {};   ///< where the last rapid move of `bad` goes, as `X5`, if that shows the problem
+  std::string_view what;             ///< what it finds, in a machinist's words
+  std::string_view why;              ///< what LinuxCNC does, also under FEATURE 0x20
+  std::string_view bad;              ///< a program
+  std::string_view good;             ///< the same program fixed
+  std::string_view fix;              ///< how to fix it, when to suppress it
+  std::string_view level_reason;     ///< why its findings are errors, warnings or info
+  std::string_view interpreter;      ///< the message LinuxCNC prints for `bad`; N stands for a line number
+  std::string_view options;          ///< command line options that `bad` needs
+  std::string_view moves = {};       ///< where the last rapid move of `bad` goes, as `X5`, if that shows the problem
   std::string_view moves_good = {};  ///< the same of `good`
 };
 
@@ -97,7 +99,8 @@ struct Rule {
   Severity level;  ///< for a finding that some run reaches; info rules are off unless selected
   Page page;
   void (*check)(const Input&, Reporter&);
-  void (*check_setup)(const SetupInput&, Reporter&) = nullptr;  ///< for rules about the INI; their findings name its file
+  void (*check_setup)(const SetupInput&,
+                      Reporter&) = nullptr;  ///< for rules about the INI; their findings name its file
 };
 
 /// Collects a rule's findings. The rule sets position, words and what the interpreter does; code and severity come from the

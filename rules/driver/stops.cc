@@ -9,7 +9,8 @@
 
 namespace owlint {
 
-Index::Index(const Program& program, const FlowResult& flow) : nature(nature_of(program.source->bytes())), at(program.size()) {
+Index::Index(const Program& program, const FlowResult& flow)
+    : nature(nature_of(program.source->bytes())), at(program.size()) {
   std::vector<bool> stopped(program.size());
   for (const FlowStop& stop : flow.stops) {
     if (stop.statement == kNoStatement) continue;
@@ -32,7 +33,9 @@ Index::Index(const Program& program, const FlowResult& flow) : nature(nature_of(
       const BlockId block = program.block_of[stop.statement];
       StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
       // Or one that LinuxCNC cannot read.
-      if (block != kNoBlock && program.blocks[block].end != kNoStatement && program.at(program.blocks[block].end).refused) mistaken = program.blocks[block].end;
+      if (block != kNoBlock && program.blocks[block].end != kNoStatement &&
+          program.at(program.blocks[block].end).refused)
+        mistaken = program.blocks[block].end;
       if (mistaken != kNoStatement && stopped[mistaken]) {
         consequences.emplace(mistaken, &stop);
         continue;
@@ -54,7 +57,8 @@ void Index::add_line(const Program& program, StatementId id) {
     unmet.statement = id;
     unmet.kind = program.syntax.errors[s.error].kind;
     if (!at[id]) unmet_by_code[rules::code_of(unmet, program)].push_back(id);
-    if ((s.is(Keyword::kUnknown) || s.is(Keyword::kBare)) && s.label != kNoName) unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
+    if ((s.is(Keyword::kUnknown) || s.is(Keyword::kBare)) && s.label != kNoName)
+      unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
     if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
   }
   if (s.name_open || s.nul || s.inner_cr) {
@@ -64,7 +68,8 @@ void Index::add_line(const Program& program, StatementId id) {
   if (s.kind == LineKind::kProgramEnd || s.has_m99() || s.kind == LineKind::kPercent) ends.push_back(id);
   if (s.has_items() && s.item_count > 1) several_items.push_back(id);
   if (s.kind != LineKind::kOWord) return;
-  if ((s.keyword == Keyword::kIf || s.keyword == Keyword::kElseif || s.keyword == Keyword::kWhile) && s.value_count > 0) tests.push_back(id);
+  if ((s.keyword == Keyword::kIf || s.keyword == Keyword::kElseif || s.keyword == Keyword::kWhile) && s.value_count > 0)
+    tests.push_back(id);
   if (s.keyword == Keyword::kSub || s.keyword == Keyword::kEndsub || s.keyword == Keyword::kReturn) {
     sub_lines.push_back(id);
   } else if (!global_label(s.keyword) && s.label != kNoName) {
@@ -106,31 +111,46 @@ bool is_about_foreign(const Program& program, const Statement& s, StopKind kind)
 std::string_view code_of(StopKind kind, const Statement& s) {
   switch (kind) {
     case StopKind::kLineTooLong: return "OW309";
-    case StopKind::kCommentNested: case StopKind::kCommentUnclosed: return "OW308";
-    case StopKind::kLabelMissing: case StopKind::kLabelWord: case StopKind::kLabelNotInteger:
-    case StopKind::kLabelExpression: case StopKind::kM98Number: case StopKind::kLabelForgotten:
+    case StopKind::kCommentNested:
+    case StopKind::kCommentUnclosed: return "OW308";
+    case StopKind::kLabelMissing:
+    case StopKind::kLabelWord:
+    case StopKind::kLabelNotInteger:
+    case StopKind::kLabelExpression:
+    case StopKind::kM98Number:
+    case StopKind::kLabelForgotten:
     case StopKind::kLetterForgotten: return "OW306";
     case StopKind::kWordUnreadable: return "OW318";
     case StopKind::kM98NoTarget: return "OW208";
-    case StopKind::kM98Words: case StopKind::kM98Behind: case StopKind::kM99Jump: case StopKind::kM99Behind:
+    case StopKind::kM98Words:
+    case StopKind::kM98Behind:
+    case StopKind::kM99Jump:
+    case StopKind::kM99Behind:
     case StopKind::kM99Rest: return "OW217";
     case StopKind::kKeywordUnknown: return "OW301";
     case StopKind::kBracketMissing: return "OW302";
-    case StopKind::kLineNumber: case StopKind::kExpression: case StopKind::kParameterRange: case StopKind::kValueFails:
-      return "OW303";
+    case StopKind::kLineNumber:
+    case StopKind::kExpression:
+    case StopKind::kParameterRange:
+    case StopKind::kValueFails: return "OW303";
     case StopKind::kTrailingText: return "OW304";
     case StopKind::kTooManyArguments: return "OW209";
     case StopKind::kWordBefore: return "OW305";
     case StopKind::kZeroForO: return "OW307";
     case StopKind::kBlockDelete: return "OW313";
     case StopKind::kBadCharacter: return s.kind == LineKind::kPercent ? "OW315" : "OW314";
-    case StopKind::kSubNested: case StopKind::kSubNestedInCall: return "OW202";
-    case StopKind::kReturnOutside: case StopKind::kNotInDefinition: return "OW101";
+    case StopKind::kSubNested:
+    case StopKind::kSubNestedInCall: return "OW202";
+    case StopKind::kReturnOutside:
+    case StopKind::kNotInDefinition: return "OW101";
     case StopKind::kLabelUndefined:
       switch (s.keyword) {
-        case Keyword::kElse: case Keyword::kElseif: return "OW105";
-        case Keyword::kBreak: case Keyword::kContinue: return "OW107";
-        case Keyword::kEndwhile: case Keyword::kEndrepeat: return "OW108";
+        case Keyword::kElse:
+        case Keyword::kElseif: return "OW105";
+        case Keyword::kBreak:
+        case Keyword::kContinue: return "OW107";
+        case Keyword::kEndwhile:
+        case Keyword::kEndrepeat: return "OW108";
         default: return "OW106";
       }
     case StopKind::kNotAnIf: return "OW106";
@@ -148,10 +168,14 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kSubBeforeEntry: return "OW404";
     case StopKind::kFilePercent: return "OW409";
     case StopKind::kFileEnd: return "OW315";
-    case StopKind::kStyleNeedsM98: case StopKind::kStyleNeedsCall: case StopKind::kStyleNeedsM99:
-    case StopKind::kStyleNeedsEndsub: case StopKind::kFanucDisabled: return "OW211";
+    case StopKind::kStyleNeedsM98:
+    case StopKind::kStyleNeedsCall:
+    case StopKind::kStyleNeedsM99:
+    case StopKind::kStyleNeedsEndsub:
+    case StopKind::kFanucDisabled: return "OW211";
     case StopKind::kNameUndefined: return "OW603";
-    case StopKind::kNameReadOnly: case StopKind::kParameterReadOnly: return "OW604";
+    case StopKind::kNameReadOnly:
+    case StopKind::kParameterReadOnly: return "OW604";
     case StopKind::kNone: break;
   }
   return "OW303";
@@ -218,7 +242,8 @@ Fix split_line(const Program& program, const Statement& statement, uint64_t at, 
   const uint64_t blanks = statement.offset + before.find_last_not_of(" \t") + 1;
   if (statement.block_delete) before.remove_prefix(before.find('/') + 1);
   const bool good = surely_runs(before) && surely_runs(source.slice({at, statement.end()}));
-  const std::string begin = line_end(source, statement) + indent_of(source, statement) + (statement.block_delete ? "/" : "");
+  const std::string begin =
+      line_end(source, statement) + indent_of(source, statement) + (statement.block_delete ? "/" : "");
   return {std::move(title), good, {{{blanks, at}, begin}}, true};
 }
 
@@ -230,11 +255,14 @@ StatementId outermost(const Program& program, StatementId statement) {
     statement = sub.opener;
   }
   // The blocks of the main program come first, in the order of their openers.
-  const auto main_end = std::ranges::partition_point(program.blocks, [](const Block& b) { return b.region == kMainRegion; });
-  auto at = std::ranges::partition_point(program.blocks.begin(), main_end, [&](const Block& b) { return b.opener <= statement; });
+  const auto main_end =
+      std::ranges::partition_point(program.blocks, [](const Block& b) { return b.region == kMainRegion; });
+  auto at = std::ranges::partition_point(program.blocks.begin(), main_end,
+                                         [&](const Block& b) { return b.opener <= statement; });
   if (at == program.blocks.begin()) return statement;
   StatementId outer = statement;
-  for (auto block = static_cast<BlockId>(at - program.blocks.begin() - 1); block != kNoBlock; block = program.blocks[block].parent) {
+  for (auto block = static_cast<BlockId>(at - program.blocks.begin() - 1); block != kNoBlock;
+       block = program.blocks[block].parent) {
     const Block& b = program.blocks[block];
     if (b.end != kNoStatement && b.end >= statement) outer = b.opener;
   }
@@ -265,7 +293,8 @@ StatementId telling_call(const Program& program, const FlowStop& stop) {
   const NameId sub = program.regions[program.region_of[stop.statement]].name;
   if (sub == kNoName) return kNoStatement;
   int calls = 0;
-  const bool several = std::ranges::any_of(program.by_label[sub], [&](StatementId id) { return program.at(id).is(Keyword::kCall) && ++calls > 1; });
+  const bool several = std::ranges::any_of(
+      program.by_label[sub], [&](StatementId id) { return program.at(id).is(Keyword::kCall) && ++calls > 1; });
   return several ? stop.call : kNoStatement;
 }
 
@@ -278,10 +307,11 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
     const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
     const Statement& s = place.program->at(decision.statement);
     const bool repeat = s.is(Keyword::kRepeat);
-    const std::string outcome = repeat ? (decision.taken ? " repeats" : " does not repeat")
-                                       : (decision.taken ? " is true" : " is false");
-    finding.path.push_back({s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
-                            decision.program == nullptr ? nullptr : decision.program->source});
+    const std::string outcome =
+        repeat ? (decision.taken ? " repeats" : " does not repeat") : (decision.taken ? " is true" : " is false");
+    finding.path.push_back(
+        {s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
+         decision.program == nullptr ? nullptr : decision.program->source});
   }
   relate(in, finding, stop.call_elsewhere, "called here");
   relate(finding, in.program, telling_call(in.program, stop), "called here");
@@ -307,14 +337,21 @@ auto list_of(const Lists& lists, const Reporter& out) {
 
 }  // namespace
 
-std::span<const FlowStop* const> stops_of(const Input& in, const Reporter& out) { return list_of(in.index.by_code, out); }
+std::span<const FlowStop* const> stops_of(const Input& in, const Reporter& out) {
+  return list_of(in.index.by_code, out);
+}
 
-std::span<const Hazard* const> warned_of(const Input& in, const Reporter& out) { return list_of(in.index.warned_by_code, out); }
+std::span<const Hazard* const> warned_of(const Input& in, const Reporter& out) {
+  return list_of(in.index.warned_by_code, out);
+}
 
-std::span<const StatementId> unmet_of(const Input& in, const Reporter& out) { return list_of(in.index.unmet_by_code, out); }
+std::span<const StatementId> unmet_of(const Input& in, const Reporter& out) {
+  return list_of(in.index.unmet_by_code, out);
+}
 
 std::optional<FlowStop> as_stop(const Input& in, const Reporter& out, const Hazard& warned) {
-  if (std::ranges::any_of(stops_of(in, out), [&](const FlowStop* stop) { return stop->statement == warned.statement; })) return std::nullopt;
+  if (std::ranges::any_of(stops_of(in, out), [&](const FlowStop* stop) { return stop->statement == warned.statement; }))
+    return std::nullopt;
   FlowStop stop;
   stop.statement = warned.statement;
   stop.kind = warned.warned;
@@ -322,28 +359,35 @@ std::optional<FlowStop> as_stop(const Input& in, const Reporter& out, const Haza
   return stop;
 }
 
-bool has_stop(const Input& in, StatementId statement) { return statement < in.index.at.size() && in.index.at[statement]; }
+bool has_stop(const Input& in, StatementId statement) {
+  return statement < in.index.at.size() && in.index.at[statement];
+}
 
 std::string look_alike_text(std::string_view text) {
   const char32_t code = character_at(text).code;
   const LookAlike same = look_alike(code).value();
   const std::string who = fmt::format("the character U+{:04X} {}", static_cast<uint32_t>(code), same.name);
   if (same.plain.empty()) return who + " is here, but no editor shows it";
-  return who + (same.plain == " " ? " looks like a space, but is not one" : " looks like `" + same.plain + "`, but is another character");
+  return who +
+      (same.plain == " " ? " looks like a space, but is not one"
+                         : " looks like `" + same.plain + "`, but is another character");
 }
 
 std::string look_alike_name(const Input& in, std::string_view name) {
   const Names& names = in.program.syntax.names;
   // A letter such as `ä` is no ASCII character, either, and looks like no other.
   const auto differs = [](std::string_view foreign) {
-    while (!is_foreign(foreign[0]) || !look_alike(character_at(foreign).code)) foreign.remove_prefix(character_at(foreign).length);
+    while (!is_foreign(foreign[0]) || !look_alike(character_at(foreign).code))
+      foreign.remove_prefix(character_at(foreign).length);
     return look_alike_text(foreign);
   };
   const std::string plain = plain_text(name);
   const bool known = plain != name && (names.find(plain) != kNoName || in.linked.search_path().find(plain));
-  if (plain != name) return !known ? std::string() : "in `<" + std::string(name) + ">` " + differs(name) + ": write `<" + plain + ">`";
+  if (plain != name)
+    return !known ? std::string() : "in `<" + std::string(name) + ">` " + differs(name) + ": write `<" + plain + ">`";
   for (const NameId id : in.index.foreign_names) {
-    if (names.text(id) != name && plain_text(names.text(id)) == name) return "in `<" + names.text(id) + ">` " + differs(names.text(id)) + ": write `<" + plain + ">`";
+    if (names.text(id) != name && plain_text(names.text(id)) == name)
+      return "in `<" + names.text(id) + ">` " + differs(names.text(id)) + ": write `<" + plain + ">`";
   }
   return {};
 }
@@ -367,7 +411,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
     for (size_t j = 0; j <= candidate.size(); ++j) d[0][j] = j;
     for (size_t i = 1; i <= word.size(); ++i) {
       for (size_t j = 1; j <= candidate.size(); ++j) {
-        d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (word[i - 1] == candidate[j - 1] ? 0 : 1)});
+        d[i][j] =
+            std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (word[i - 1] == candidate[j - 1] ? 0 : 1)});
         if (i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1]) {
           d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
         }

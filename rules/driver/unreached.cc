@@ -8,12 +8,17 @@
 
 namespace owlint::rules {
 
-Unreached::Unreached(const Input& in) : in_(in), last_(in.program.size()), first_call_(in.program.syntax.names.size(), kNoStatement) {
+Unreached::Unreached(const Input& in)
+    : in_(in), last_(in.program.size()), first_call_(in.program.syntax.names.size(), kNoStatement) {
   for (const Call& call : in.program.calls) {
-    if (call.callee == kNoName) calls_computed_ = true;
-    else if (first_call_[call.callee] == kNoStatement) first_call_[call.callee] = call.statement;
+    if (call.callee == kNoName)
+      calls_computed_ = true;
+    else if (first_call_[call.callee] == kNoStatement)
+      first_call_[call.callee] = call.statement;
   }
-  const auto always = [](const FlowStop& stop) { return stop.reach == Reach::kAlways && stop.kind != StopKind::kFileEnd; };
+  const auto always = [](const FlowStop& stop) {
+    return stop.reach == Reach::kAlways && stop.kind != StopKind::kFileEnd;
+  };
   const auto stop = std::ranges::find_if(in.flow.stops, always);
   if (stop != in.flow.stops.end()) stop_ = stop->statement;
   std::vector<StatementId> last(in.program.regions.size(), kNoStatement);
@@ -23,7 +28,8 @@ Unreached::Unreached(const Input& in) : in_(in), last_(in.program.size()), first
     if (in.flow.executed[id]) known = id;
     // A call that is refused is meant as one.
     const Statement& s = in.program.at(id);
-    if (s.keyword == Keyword::kCall && s.label != kNoName && first_call_[s.label] == kNoStatement) first_call_[s.label] = id;
+    if (s.keyword == Keyword::kCall && s.label != kNoName && first_call_[s.label] == kNoStatement)
+      first_call_[s.label] = id;
   }
 }
 
@@ -35,7 +41,8 @@ std::optional<Related> Unreached::reason(uint64_t offset) const {
   if (in_.flow.executed[id]) return std::nullopt;
   const RegionId region = p.region_of[id];
   // The `sub` line is executed when the definition is skipped, too.
-  if (region != kMainRegion && (last_[id] == kNoStatement || last_[id] == p.regions[region].opener)) return of_sub(region);
+  if (region != kMainRegion && (last_[id] == kNoStatement || last_[id] == p.regions[region].opener))
+    return of_sub(region);
   return of(id);
 }
 
@@ -57,7 +64,8 @@ std::optional<Related> Unreached::of(StatementId statement) const {
   const StatementId last = last_[statement];
   if (last == kNoStatement) return at(statement, "no run gets here");
   const Statement& s = p.at(last);
-  if (stop_ != kNoStatement && (last == stop_ || s.is(Keyword::kCall) || s.kind == LineKind::kM98)) return at(stop_, "the program stops at line {} first");
+  if (stop_ != kNoStatement && (last == stop_ || s.is(Keyword::kCall) || s.kind == LineKind::kM98))
+    return at(stop_, "the program stops at line {} first");
   if (!has_stop(in_, last)) {
     const bool opens = p.block_of[last] != kNoBlock && p.blocks[p.block_of[last]].opener == last;
     if (s.kind == LineKind::kProgramEnd) return at(last, "the program ends at line {} first");
@@ -71,7 +79,8 @@ std::optional<Related> Unreached::of(StatementId statement) const {
 Related Unreached::at(StatementId statement, const std::string& what) const {
   const Statement& s = in_.program.at(statement);
   const bool oword = s.kind == LineKind::kOWord;
-  return {oword ? s.head_span() : s.whole(), fmt::format(fmt::runtime(what), s.line, oword ? in_.program.head(statement) : ""), nullptr};
+  return {oword ? s.head_span() : s.whole(),
+          fmt::format(fmt::runtime(what), s.line, oword ? in_.program.head(statement) : ""), nullptr};
 }
 
 }  // namespace owlint::rules

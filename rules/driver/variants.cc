@@ -51,7 +51,9 @@ ProgramReport join_reports(std::vector<ProgramReport> reports, const Join& join)
   return out;
 }
 
-bool worse(const Finding& a, const Finding& b) { return a.severity > b.severity || (a.severity == b.severity && a.stops && !b.stops); }
+bool worse(const Finding& a, const Finding& b) {
+  return a.severity > b.severity || (a.severity == b.severity && a.stops && !b.stops);
+}
 bool as_bad(const Finding& a, const Finding& b) { return a.severity == b.severity && a.stops == b.stops; }
 
 /// Puts together what the versions say of one file: a finding is reported once, with the versions in which it is worst.
@@ -93,12 +95,18 @@ bool on_deleted_line(const Source& source, const Finding& f) {
 }
 
 /// Whether one way of running the program is enough for the finding to be true. The others say that something never happens.
-bool enough_once(const Finding& f) { return f.stops || f.never_ends || f.runs_other || find_rule(f.code)->group == Group::kHazards; }
+bool enough_once(const Finding& f) {
+  return f.stops || f.never_ends || f.runs_other || find_rule(f.code)->group == Group::kHazards;
+}
 
 void depends_on(Finding& f, bool on) {
   f.block_delete = on ? "on" : "off";
   if (f.reach == Reach::kAlways) f.reach = Reach::kMaybe;
-  f.path.insert(f.path.begin(), {f.span, on ? "when block delete is on, as when LinuxCNC starts (lines that begin with `/` are skipped)" : "when block delete is off (lines that begin with `/` run)", nullptr});
+  f.path.insert(f.path.begin(),
+                {f.span,
+                 on ? "when block delete is on, as when LinuxCNC starts (lines that begin with `/` are skipped)"
+                    : "when block delete is off (lines that begin with `/` run)",
+                 nullptr});
   // The fix is made of the lines that run in this case, and may be wrong in the other one.
   for (Fix& fix : f.fixes) fix.safe = false;
 }
@@ -107,7 +115,9 @@ void depends_on(Finding& f, bool on) {
 void stops_also(Finding& f, const Finding& other) {
   const auto add = [&](const Consequence& stop) {
     const bool known = stop.interpreter.empty() || stop.interpreter == f.interpreter ||
-                       std::ranges::any_of(f.consequences, [&](const Consequence& c) { return c.span == stop.span && c.interpreter == stop.interpreter; });
+        std::ranges::any_of(f.consequences, [&](const Consequence& c) {
+                         return c.span == stop.span && c.interpreter == stop.interpreter;
+                       });
     if (!known) f.consequences.push_back(stop);
   };
   if (other.stops) add({other.code, other.span, other.interpreter});
@@ -158,7 +168,8 @@ std::vector<Finding> join_settings(const Source& source, Lists on_and_off) {
   return findings;
 }
 
-ProgramReport lint_both_settings(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library) {
+ProgramReport lint_both_settings(const std::shared_ptr<const Program>& program, const Profile& profile,
+                                 const LintOptions& options, Library& library) {
   ProgramReport off = lint_one_way(program, profile, options, library);
   if (!off.deletes_lines) return off;
   Profile with = profile;
@@ -168,12 +179,14 @@ ProgramReport lint_both_settings(const std::shared_ptr<const Program>& program, 
   std::vector<ProgramReport> reports;
   reports.push_back(lint_one_way(program, with, others, library));
   reports.push_back(std::move(off));
-  return join_reports(std::move(reports), [](const Source& source, Lists lists) { return join_settings(source, std::move(lists)); });
+  return join_reports(std::move(reports),
+                      [](const Source& source, Lists lists) { return join_settings(source, std::move(lists)); });
 }
 
 }  // namespace
 
-ProgramReport lint_all_ways(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library) {
+ProgramReport lint_all_ways(const std::shared_ptr<const Program>& program, const Profile& profile,
+                            const LintOptions& options, Library& library) {
   if (!options.all_versions) return lint_both_settings(program, profile, options, library);
   std::vector<ProgramReport> reports;
   for (const Version version : kAllVersions) {

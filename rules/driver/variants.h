@@ -15,10 +15,12 @@ inline FindingPlace place_of(const Finding& f) { return {f.span.begin, f.span.en
 void put_in_order(std::vector<Finding>& findings);
 
 /// Checks a program under the profile's version and its setting of block delete.
-ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library);
+ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const Profile& profile,
+                           const LintOptions& options, Library& library);
 
 /// Checks a program under every version that is asked for. A program with lines that begin with `/` is checked with block
 /// delete off, as `rs274` runs it, and on, as LinuxCNC starts (measured).
-ProgramReport lint_all_ways(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options, Library& library);
+ProgramReport lint_all_ways(const std::shared_ptr<const Program>& program, const Profile& profile,
+                            const LintOptions& options, Library& library);
 
 }  // namespace owlint

@@ -19,7 +19,8 @@ void check(const Input& in, Reporter& out) {
     } else if (!known_prefix(s.code)) {
       Finding& f = out.add(s.span, "there is no rule `" + s.code + "`");
       const std::string_view near = nearest_rule(s.code);
-      f.help = near.empty() ? "write an existing code; `owlint rules` lists all codes" : "write `" + std::string(near) + "`";
+      f.help =
+          near.empty() ? "write an existing code; `owlint rules` lists all codes" : "write `" + std::string(near) + "`";
       f.reach = Reach::kAlways;
       // LinuxCNC passes comments on, so no change of one is safe.
       if (!near.empty()) f.fixes.push_back({"write `" + std::string(near) + "`", false, {{s.span, std::string(near)}}});
@@ -35,32 +36,35 @@ extern const Rule kOw001{
     .summary = "a suppression names a code that does not exist",
     .group = Group::kLinter,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A comment such as `(owlint: ignore OW999)` with a code that no rule has: usually a typing error, or
+    .page =
+        {
+            .what =
+                R"(A comment such as `(owlint: ignore OW999)` with a code that no rule has: usually a typing error, or
 a prefix with an extra digit.)",
-        .why = R"(A misspelt suppression suppresses nothing. The finding is still reported, and a reader of the
+            .why = R"(A misspelt suppression suppresses nothing. The finding is still reported, and a reader of the
 program believes that somebody has checked this line.
 
 To LinuxCNC the line is an ordinary comment.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 (owlint: ignore OW999 because it was checked by the foreman)
 G1 Z-2 F80
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G1 Z-2 F80
 G0 Z5
 M2
 )",
-        .fix = R"(Correct the code (`owlint rules` lists all of them) or remove the comment. A prefix such as `OW3` is
+            .fix =
+                R"(Correct the code (`owlint rules` lists all of them) or remove the comment. A prefix such as `OW3` is
 allowed; it means all codes that begin with it.)",
-        .level_reason = "Warning: to LinuxCNC it is an ordinary comment; only owlint is affected.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason = "Warning: to LinuxCNC it is an ordinary comment; only owlint is affected.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -16,7 +16,9 @@ Span removed(const Input& in, const Suppression& unused) {
   const bool alone = std::next(first) == in.suppressions.end() || comment(*std::next(first)) != unused.comment.begin;
   if (!alone) {
     Span span = unused.span;
-    while (span.begin > unused.comment.begin && std::string_view(" ,\t").find(source.bytes()[span.begin - 1]) != std::string_view::npos) --span.begin;
+    while (span.begin > unused.comment.begin &&
+           std::string_view(" ,\t").find(source.bytes()[span.begin - 1]) != std::string_view::npos)
+      --span.begin;
     return span;
   }
   const Span line = source.line(source.position(unused.comment.begin).line);
@@ -25,7 +27,8 @@ Span removed(const Input& in, const Suppression& unused) {
   const bool bracket = source.bytes()[opened] == '(';
   uint64_t closed = bracket ? line.begin + text.find(')', unused.comment.begin - line.begin) + 1 : line.end;
   const std::string_view around = source.slice({line.begin, opened});
-  const bool whole = around.find_first_not_of(" \t") == std::string_view::npos && source.slice({closed, line.end}).find_first_not_of(" \t\r") == std::string_view::npos;
+  const bool whole = around.find_first_not_of(" \t") == std::string_view::npos &&
+      source.slice({closed, line.end}).find_first_not_of(" \t\r") == std::string_view::npos;
   if (whole) return {line.begin, std::min<uint64_t>(line.end + 1, source.bytes().size())};
   return {opened, closed};
 }
@@ -51,14 +54,16 @@ extern const Rule kOw002{
     .summary = "a suppression that suppresses nothing",
     .group = Group::kLinter,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A comment such as `(owlint: ignore OW301)`, but the line or file that it is for has no finding with
+    .page =
+        {
+            .what =
+                R"(A comment such as `(owlint: ignore OW301)`, but the line or file that it is for has no finding with
 that code.)",
-        .why = R"(The mistake has been fixed since, or the comment is at the wrong line. If it stays, it hides the
+            .why = R"(The mistake has been fixed since, or the comment is at the wrong line. If it stays, it hides the
 next mistake of that kind there.
 
 To LinuxCNC the line is an ordinary comment.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [3]
   (owlint: ignore OW301)
@@ -68,7 +73,7 @@ o100 repeat [3]
 o100 endrepeat
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [3]
   G91 G0 X10
@@ -77,13 +82,13 @@ o100 repeat [3]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Remove the comment, or move it. A comment on a line of its own applies to the next line; a comment
+            .fix = R"(Remove the comment, or move it. A comment on a line of its own applies to the next line; a comment
 at the end of a line without an O-word applies to that line; `(owlint: ignore-file …)` applies to
 the whole file.)",
-        .level_reason = "Warning: the machine is not affected, but the comment would hide the next mistake there.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason = "Warning: the machine is not affected, but the comment would hide the next mistake there.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

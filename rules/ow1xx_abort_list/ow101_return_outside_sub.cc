@@ -11,7 +11,9 @@ namespace {
 /// Whether a line above, as `o<f> sbu`, was to begin the sub that this one ends.
 bool sub_misspelt(const Program& p, StatementId id) {
   const NameId label = p.at(id).label;
-  return label != kNoName && std::ranges::any_of(p.by_label[label], [&](StatementId line) { return line < id && p.at(line).is(Keyword::kUnknown); });
+  return label != kNoName && std::ranges::any_of(p.by_label[label], [&](StatementId line) {
+           return line < id && p.at(line).is(Keyword::kUnknown);
+         });
 }
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -27,7 +29,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   f.help = "remove the line, or end the program with `M2`";
   const bool misspelt = sub_misspelt(p, id);
   if (misspelt) f.help = "correct the line with its label above: it does not begin a sub";
-  if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement && !misspelt) f.fixes.push_back({"end the program here with `M2`", false, {{s.head_span(), "M2"}}});
+  if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement && !misspelt)
+    f.fixes.push_back({"end the program here with `M2`", false, {{s.head_span(), "M2"}}});
   return &f;
 }
 
@@ -55,10 +58,11 @@ extern const Rule kOw101{
     .summary = "`return` or `endsub` that is not inside a sub",
     .group = Group::kAbortList,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `return` or `endsub` in the main program. It may be left over from code that was moved out of a
+    .page =
+        {
+            .what = R"(A `return` or `endsub` in the main program. It may be left over from code that was moved out of a
 sub, the `sub` line may be gone, or somebody used `return` to end the program early.)",
-        .why = R"(The interpreter stops when a run gets to such a line. In a branch that is not taken there is no
+            .why = R"(The interpreter stops when a run gets to such a line. In a branch that is not taken there is no
 message. The message is `not in a subroutine definition: 'o110 return'`.
 
 After a call has come back to the main program, LinuxCNC does something else: it ignores `return`
@@ -67,7 +71,7 @@ meant. `endsub` then stops with `Not in subroutine definition`.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) `return` only prints the message, and the program goes on with
 the next line. `endsub` still stops.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 0]
@@ -78,7 +82,7 @@ G10 L20 P1 Z0
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 0]
@@ -89,12 +93,13 @@ G10 L20 P1 Z0
 G0 Z5
 M2
 )",
-        .fix = R"(To end the program early, use `M2` or `M30`; they also work inside an `if`. If the line belongs to a
+            .fix =
+                R"(To end the program early, use `M2` or `M30`; they also work inside an `if`. If the line belongs to a
 sub, put the `sub` line back before the sub's first line.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "not in a subroutine definition: 'o110 return'",
-        .options = "",
-    },
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "not in a subroutine definition: 'o110 return'",
+            .options = "",
+        },
     .check = check,
 };
 

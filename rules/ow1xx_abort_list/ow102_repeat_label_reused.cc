@@ -16,16 +16,18 @@ extern const Rule kOw102{
     .summary = "a label on `repeat` that another block already has",
     .group = Group::kAbortList,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `repeat` whose label was already used for another `repeat`, `while`, `do` or `if` in the same sub
+    .page =
+        {
+            .what =
+                R"(A `repeat` whose label was already used for another `repeat`, `while`, `do` or `if` in the same sub
 (or in the main program), even if that block has already ended.)",
-        .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. At a
+            .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. At a
 `repeat` with a label from another line it stops, also if the earlier block was skipped. There is no
 error only if no run gets to both lines.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) it goes on, and the second `endrepeat` jumps back to the
 **first** block. Both blocks then run for ever.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
   G91 G0 X10
@@ -39,7 +41,7 @@ o100 repeat [4]
 o100 endrepeat
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
   G91 G0 X10
@@ -53,12 +55,14 @@ o110 repeat [4]
 o110 endrepeat
 M2
 )",
-        .fix = R"(Give the second block a label of its own, on its `repeat` and its `endrepeat`. Labels of blocks are
+            .fix =
+                R"(Give the second block a label of its own, on its `repeat` and its `endrepeat`. Labels of blocks are
 local to a sub, so another sub may use the same number.)",
-        .level_reason = "Error if a run gets to both blocks: the program stops at the second. Warning if no run does.",
-        .interpreter = "duplicate O-word label: 'o100 repeat [4]' - defined in line N",
-        .options = "",
-    },
+            .level_reason =
+                "Error if a run gets to both blocks: the program stops at the second. Warning if no run does.",
+            .interpreter = "duplicate O-word label: 'o100 repeat [4]' - defined in line N",
+            .options = "",
+        },
     .check = check,
 };
 

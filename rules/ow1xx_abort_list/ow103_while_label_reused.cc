@@ -17,18 +17,20 @@ extern const Rule kOw103{
     .summary = "a label on `while` that another block already has, and that does not close a `do`",
     .group = Group::kAbortList,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `while` whose label was already used for another block in the same sub or main program. The same
+    .page =
+        {
+            .what =
+                R"(A `while` whose label was already used for another block in the same sub or main program. The same
 error appears at the `while` that closes a `do`, if the label of that `do` was used for something
 else before; the `do` line itself gives no error.)",
-        .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. A
+            .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. A
 `while` with a label from another line stops the program, also if the earlier block has ended or was
 skipped. Only a label that a `do` opened is allowed, because `while` closes the `do`.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) it goes on, and the second `endwhile` jumps back to the
 **first** loop. That loop runs again, one pass at a time, while its condition is true, and the
 program may never end.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]
   G81 X#<x> Y0 Z-5 R2 F80
@@ -42,7 +44,7 @@ o100 endwhile
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]
   G81 X#<x> Y0 Z-5 R2 F80
@@ -56,12 +58,13 @@ o110 endwhile
 G80
 M2
 )",
-        .fix = R"(Give the second loop a label of its own: on its first line, its last line, and every `break` and
+            .fix = R"(Give the second loop a label of its own: on its first line, its last line, and every `break` and
 `continue` of the loop.)",
-        .level_reason = "Error if a run gets to both blocks: the program stops at the second. Warning if no run does.",
-        .interpreter = "duplicate O-word label: 'o100 while [#<y> LT 40]' - defined in line N",
-        .options = "",
-    },
+            .level_reason =
+                "Error if a run gets to both blocks: the program stops at the second. Warning if no run does.",
+            .interpreter = "duplicate O-word label: 'o100 while [#<y> LT 40]' - defined in line N",
+            .options = "",
+        },
     .check = check,
 };
 

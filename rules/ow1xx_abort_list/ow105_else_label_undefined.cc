@@ -7,7 +7,8 @@ namespace owlint::rules {
 namespace {
 
 void check(const Input& in, Reporter& out) {
-  check_parts(in, out, [](Keyword k) { return k == Keyword::kElse || k == Keyword::kElseif; }, "`if`");
+  check_parts(
+      in, out, [](Keyword k) { return k == Keyword::kElse || k == Keyword::kElseif; }, "`if`");
 }
 
 }  // namespace
@@ -18,15 +19,17 @@ extern const Rule kOw105{
     .summary = "`else` or `elseif` with a label that no `if` has",
     .group = Group::kAbortList,
     .level = Severity::kError,
-    .page = {
-        .what = R"(An `else` or `elseif` whose label no line opens in this sub or main program: a typing error in the
+    .page =
+        {
+            .what =
+                R"(An `else` or `elseif` whose label no line opens in this sub or main program: a typing error in the
 number, or the `if` line is gone.)",
-        .why = R"(If the condition is true, the interpreter runs the first branch, gets to the `else`, does not know
+            .why = R"(If the condition is true, the interpreter runs the first branch, gets to the `else`, does not know
 its label, and stops. If the condition is false, the interpreter looks for the label of the `if`,
 skips the wrong `else`, and runs **neither branch**, without a message.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) LinuxCNC **crashes** at this line.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 0]
@@ -36,7 +39,7 @@ o101 else
 o100 endif
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 0]
@@ -46,11 +49,11 @@ o100 else
 o100 endif
 M2
 )",
-        .fix = R"(Write the label of the `if` that the branch belongs to.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "undefined O-word label: 'o101 else'",
-        .options = "",
-    },
+            .fix = R"(Write the label of the `if` that the branch belongs to.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "undefined O-word label: 'o101 else'",
+            .options = "",
+        },
     .check = check,
 };
 

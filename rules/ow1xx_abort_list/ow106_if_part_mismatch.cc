@@ -6,7 +6,8 @@ namespace owlint::rules {
 namespace {
 
 void check(const Input& in, Reporter& out) {
-  check_parts(in, out, [](Keyword k) { return k == Keyword::kEndif; }, "`if`");
+  check_parts(
+      in, out, [](Keyword k) { return k == Keyword::kEndif; }, "`if`");
 }
 
 }  // namespace
@@ -17,10 +18,11 @@ extern const Rule kOw106{
     .summary = "`else`, `elseif` or `endif` with a label that does not belong to an `if`",
     .group = Group::kAbortList,
     .level = Severity::kError,
-    .page = {
-        .what = R"(An `else`, `elseif` or `endif` with the label of a `while`, `do` or `repeat`, or an `endif` whose
+    .page =
+        {
+            .what = R"(An `else`, `elseif` or `endif` with the label of a `while`, `do` or `repeat`, or an `endif` whose
 label no line opens. Usually it has the number of the outer block instead of the inner one.)",
-        .why = R"(The interpreter looks up which kind of line opened the label, and stops if it was not an `if`.
+            .why = R"(The interpreter looks up which kind of line opened the label, and stops if it was not an `if`.
 `else` and `elseif` give the message below. An `endif` with a loop's label gives `no matching label:
 '#100' (found 'while' in line N): 'o100 endif'`; an `endif` with an unknown label gives `undefined
 O-word label: 'o101 endif'`. While the interpreter skips to another label, it does not check the
@@ -29,7 +31,7 @@ line.
 Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC. An `endif` with a
 loop's label is ignored. An `else` or `elseif` with a loop's label leaves that loop early, or the
 program never ends.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]
   o110 if [#<x> LT 20]
@@ -42,7 +44,7 @@ o100 endwhile
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]
   o110 if [#<x> LT 20]
@@ -55,11 +57,11 @@ o100 endwhile
 G80
 M2
 )",
-        .fix = R"(Use the label of the `if` that the line belongs to.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "no matching 'if' label: 'o100 else' (found 'while' in line N)",
-        .options = "",
-    },
+            .fix = R"(Use the label of the `if` that the line belongs to.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "no matching 'if' label: 'o100 else' (found 'while' in line N)",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -6,7 +6,8 @@ namespace owlint::rules {
 namespace {
 
 void check(const Input& in, Reporter& out) {
-  check_parts(in, out, [](Keyword k) { return k == Keyword::kEndwhile || k == Keyword::kEndrepeat; }, "`while` or `repeat`");
+  check_parts(
+      in, out, [](Keyword k) { return k == Keyword::kEndwhile || k == Keyword::kEndrepeat; }, "`while` or `repeat`");
 }
 
 }  // namespace
@@ -17,16 +18,18 @@ extern const Rule kOw108{
     .summary = "`endrepeat` or `endwhile` with a label that does not belong to a `repeat` or `while`",
     .group = Group::kAbortList,
     .level = Severity::kError,
-    .page = {
-        .what = R"(An `endwhile` or `endrepeat` that closes another kind of block: `endwhile` for a `repeat`, for a
+    .page =
+        {
+            .what = R"(An `endwhile` or `endrepeat` that closes another kind of block: `endwhile` for a `repeat`, for a
 `do` (which ends with `while`) or for an `if`, or with a label that no line opens.)",
-        .why = R"(The interpreter stops at the line after the first pass. A label that no line opens gives `undefined
+            .why =
+                R"(The interpreter stops at the line after the first pass. A label that no line opens gives `undefined
 O-word label: 'o101 endrepeat'`.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC. With the label of
 another kind of block it jumps back to the first line of that block; for `if` and `do` this never
 ends.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
   G91 G0 X10
@@ -35,7 +38,7 @@ o100 repeat [4]
 o100 endwhile
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
   G91 G0 X10
@@ -44,12 +47,13 @@ o100 repeat [4]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Close `repeat` with `endrepeat`, `while` with `endwhile`, and `do` with `while`, each with the label
+            .fix =
+                R"(Close `repeat` with `endrepeat`, `while` with `endwhile`, and `do` with `while`, each with the label
 of its first line.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "no matching label: 'o100 endwhile' (found 'repeat' in line N)",
-        .options = "",
-    },
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "no matching label: 'o100 endwhile' (found 'repeat' in line N)",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -8,7 +8,8 @@ namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id, const Elsewhere& first) {
   const std::string label = first.program->label_at(first.statement);
-  Finding& f = out.add(in.program.at(id).head_span(), "sub `" + label + "` is already defined on " + line_words(in, first));
+  Finding& f =
+      out.add(in.program.at(id).head_span(), "sub `" + label + "` is already defined on " + line_words(in, first));
   relate(in, f, first, "first defined here");
   f.help = "rename or remove one of the two";
   return &f;
@@ -16,7 +17,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id, const Elsewhere&
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, place_of(in, s.other, s.other_elsewhere)); });
+  for_stops(in, out,
+            [&](const FlowStop& s) { return report(in, out, s.statement, place_of(in, s.other, s.other_elsewhere)); });
   std::unordered_map<NameId, StatementId> first;
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || !p.at(region.opener).is(Keyword::kSub)) continue;
@@ -34,16 +36,19 @@ extern const Rule kOw201{
     .summary = "two definitions of one sub, in one program or in several files",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(Two `sub` lines with the same label in one program, or a sub of the program with the name of a sub
+    .page =
+        {
+            .what =
+                R"(Two `sub` lines with the same label in one program, or a sub of the program with the name of a sub
 that was already called from a file. Unlike labels of blocks, names of subs are global for the whole
 run.)",
-        .why = R"(The interpreter stops at the second `sub` line that a run gets to, even if the two subs are equal. A
+            .why =
+                R"(The interpreter stops at the second `sub` line that a run gets to, even if the two subs are equal. A
 second definition after `M2` or `M30`, or in a skipped block, is never reached: LinuxCNC uses the
 first one, and changes in the other have no effect.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
 o100 endsub
@@ -54,7 +59,7 @@ o100 call [10]
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
 o100 endsub
@@ -66,11 +71,12 @@ o110 call [10]
 G80
 M2
 )",
-        .fix = R"(Remove the old definition, or give one of the two another label and use it in the calls.)",
-        .level_reason = "Error if a run gets to the second definition: the program stops there. Warning if no run does.",
-        .interpreter = "redefining sub: o|100| already defined in file:PROGRAM",
-        .options = "",
-    },
+            .fix = R"(Remove the old definition, or give one of the two another label and use it in the calls.)",
+            .level_reason =
+                "Error if a run gets to the second definition: the program stops there. Warning if no run does.",
+            .interpreter = "redefining sub: o|100| already defined in file:PROGRAM",
+            .options = "",
+        },
     .check = check,
 };
 

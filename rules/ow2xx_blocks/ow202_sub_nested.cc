@@ -24,15 +24,19 @@ Finding* report(const Input& in, Reporter& out, StatementId id, RegionId outer) 
   }
   const Region& region = p.regions[outer];
   const std::string began = " on line " + std::to_string(p.at(region.opener).line);
-  Finding& f = out.add(s.head_span(), region.end == kNoStatement
-                                          ? what + " begins before `" + p.head(region.opener) + "`" + began + " is closed"
-                                          : what + " is inside `" + p.head(region.opener) + "`, which begins" + began);
+  Finding& f = out.add(s.head_span(),
+                       region.end == kNoStatement
+                           ? what + " begins before `" + p.head(region.opener) + "`" + began + " is closed"
+                           : what + " is inside `" + p.head(region.opener) + "`, which begins" + began);
   relate(f, p, region.opener, "the outer sub begins here");
-  f.help = region.end == kNoStatement ? "close it with `" + p.label_text(region.name) + " endsub`" : "move this sub out of the other one";
+  f.help = region.end == kNoStatement ? "close it with `" + p.label_text(region.name) + " endsub`"
+                                      : "move this sub out of the other one";
   if (region.end != kNoStatement && s.is(Keyword::kSub) && s.label != kNoName) {
     const auto lines = p.by_label[s.label];
-    const auto end = std::ranges::find_if(std::ranges::upper_bound(lines, id), lines.end(), [&](StatementId line) { return p.at(line).is(Keyword::kEndsub); });
-    if (end != lines.end() && *end < region.end) f.fixes.push_back(move_up(p, id, *end, region.opener, "move this sub before the other one"));
+    const auto end = std::ranges::find_if(std::ranges::upper_bound(lines, id), lines.end(),
+                                          [&](StatementId line) { return p.at(line).is(Keyword::kEndsub); });
+    if (end != lines.end() && *end < region.end)
+      f.fixes.push_back(move_up(p, id, *end, region.opener, "move this sub before the other one"));
   }
   return &f;
 }
@@ -51,8 +55,11 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, around(p, s.statement)); });
   for (const StatementId id : in.index.sub_lines) {
     const RegionId region = p.region_of[id];
-    if (!p.at(id).is(Keyword::kSub) || region == kMainRegion || p.regions[region].opener == id || has_stop(in, id)) continue;
-    if (std::ranges::any_of(in.flow.hazards, [id](const Hazard& h) { return h.kind == HazardKind::kSubInCall && h.statement == id; })) continue;  // OW411
+    if (!p.at(id).is(Keyword::kSub) || region == kMainRegion || p.regions[region].opener == id || has_stop(in, id))
+      continue;
+    if (std::ranges::any_of(in.flow.hazards,
+                            [id](const Hazard& h) { return h.kind == HazardKind::kSubInCall && h.statement == id; }))
+      continue;  // OW411
     report(in, out, id, region)->reach = in.flow.reach(id);
   }
 }
@@ -65,15 +72,16 @@ extern const Rule kOw202{
     .summary = "a `sub` inside another sub",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A sub that is defined between the `sub` and the `endsub` of another one. A program number such as
+    .page =
+        {
+            .what = R"(A sub that is defined between the `sub` and the `endsub` of another one. A program number such as
 `o300` on a line of its own counts too. Often the `endsub` of the first sub is missing.)",
-        .why = R"(The interpreter stops at the inner `sub` line when it skips the outer definition: before the first
+            .why = R"(The interpreter stops at the inner `sub` line when it skips the outer definition: before the first
 move, even if nothing calls either of them. In a called file LinuxCNC up to 2.9 accepts it; from
 2.10 on it stops there too.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   o110 sub
     G81 X#1 Y#2 Z-5 R2 F80
@@ -85,7 +93,7 @@ o100 call [20]
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o110 sub
   G81 X#1 Y#2 Z-5 R2 F80
 o110 endsub
@@ -97,11 +105,11 @@ o100 call [20]
 G80
 M2
 )",
-        .fix = R"(Define the subs one after the other. A sub may call any sub that is defined above it.)",
-        .level_reason = "Error if LinuxCNC reads the inner `sub`: the program stops there. Warning if no run does.",
-        .interpreter = "Nested subroutine definition",
-        .options = "",
-    },
+            .fix = R"(Define the subs one after the other. A sub may call any sub that is defined above it.)",
+            .level_reason = "Error if LinuxCNC reads the inner `sub`: the program stops there. Warning if no run does.",
+            .interpreter = "Nested subroutine definition",
+            .options = "",
+        },
     .check = check,
 };
 

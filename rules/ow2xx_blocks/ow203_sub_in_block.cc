@@ -12,12 +12,14 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Block& block = p.blocks[p.regions[p.region_of[id]].enclosing];
   const bool loop = block.kind != Keyword::kIf;
-  Finding& f = out.add(p.at(id).head_span(), "sub `" + p.label_at(id) + "` is defined inside `" + p.head_of(block) + "`" +
-                                                 (loop ? ": the second pass defines it again" : ": if that is skipped, the sub is unknown"));
+  Finding& f = out.add(p.at(id).head_span(),
+                       "sub `" + p.label_at(id) + "` is defined inside `" + p.head_of(block) + "`" +
+                           (loop ? ": the second pass defines it again" : ": if that is skipped, the sub is unknown"));
   relate(f, p, block.opener, "the block begins here");
   f.help = "move the definition out of the block, before the first call";
   const Region& region = p.regions[p.region_of[id]];
-  if (region.end != kNoStatement) f.fixes.push_back(move_up(p, id, region.end, outermost(p, id), "move the definition out of the block"));
+  if (region.end != kNoStatement)
+    f.fixes.push_back(move_up(p, id, region.end, outermost(p, id), "move the definition out of the block"));
   return &f;
 }
 
@@ -44,16 +46,17 @@ extern const Rule kOw203{
     .summary = "a sub defined inside an `if` or loop: unknown if skipped, an error the second time",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `sub` … `endsub` inside an `if`, `while`, `do` or `repeat`. The sub then exists only if the
+    .page =
+        {
+            .what = R"(A `sub` … `endsub` inside an `if`, `while`, `do` or `repeat`. The sub then exists only if the
 program runs through that block.)",
-        .why = R"(In a loop the interpreter stops at the `sub` line in the second pass, when the work of the first
+            .why = R"(In a loop the interpreter stops at the `sub` line in the second pass, when the work of the first
 pass is already done. If an `if` is skipped, the sub does not exist: a later call looks for it up to
 the end of the file and stops with `EOF in file … seeking o-word`. If the `if` is not skipped, it
 works.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]
   o200 sub
@@ -65,7 +68,7 @@ o100 endwhile
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o200 sub
   G81 X#1 Y10 Z-5 R2 F80
 o200 endsub
@@ -77,12 +80,12 @@ o100 endwhile
 G80
 M2
 )",
-        .fix = R"(Move the sub to the top of the program, before the block. To choose between two subs, define both
+            .fix = R"(Move the sub to the top of the program, before the block. To choose between two subs, define both
 and choose the `call`.)",
-        .level_reason = "Error if a run stops: the sub is missing, or defined twice. Warning if no run does.",
-        .interpreter = "sub: o|200| found in illegal location",
-        .options = "",
-    },
+            .level_reason = "Error if a run stops: the sub is missing, or defined twice. Warning if no run does.",
+            .interpreter = "sub: o|200| found in illegal location",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -17,7 +17,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   if (region.opener == id && region.likely_end != kNoStatement) {
     const Statement& other = p.at(region.likely_end);
     const bool without = other.kind == LineKind::kWords;
-    f.message += ": `" + (without ? "endsub" : p.head(region.likely_end)) + "` on line " + std::to_string(other.line) + (without ? " has no label" : " has another label");
+    f.message += ": `" + (without ? "endsub" : p.head(region.likely_end)) + "` on line " + std::to_string(other.line) +
+        (without ? " has no label" : " has another label");
     relate(f, p, region.likely_end, "this is probably meant to be `" + end + "`");
     f.help = "write `" + end + "` on line " + std::to_string(other.line);
     f.fixes.push_back({"write `" + end + "`", true, {{other.head_span(), end}}});
@@ -53,10 +54,12 @@ extern const Rule kOw204{
     .summary = "`sub` without its `endsub`",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `sub` line without an `endsub` of the same label below it. If an `endsub` with another label is in
+    .page =
+        {
+            .what =
+                R"(A `sub` line without an `endsub` of the same label below it. If an `endsub` with another label is in
 the right place, the finding names it.)",
-        .why = R"(The interpreter skips everything below the `sub`, also `M2`, and stops at the end of the file. The
+            .why = R"(The interpreter skips everything below the `sub`, also `M2`, and stops at the end of the file. The
 program makes no move, and the message is about the end of the file, not about the sub. From 2.9.10
 on the message is `File ended with no percent sign (%) or program end (M2)`; in a program between
 `%` signs it is `Failed to find sub 'O100' before EOF`; if another `sub` follows, it is `Nested
@@ -64,7 +67,7 @@ subroutine definition`.
 
 If a call enters such a sub at the end of the file, and `M2` ends it, the program runs without a
 message and never comes back from the call.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y#2 Z-5 R2 F80
   G80
@@ -72,7 +75,7 @@ o101 endsub
 o100 call [10] [20]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G81 X#1 Y#2 Z-5 R2 F80
   G80
@@ -80,11 +83,12 @@ o100 endsub
 o100 call [10] [20]
 M2
 )",
-        .fix = R"(Give the `endsub` the label of its `sub`, or add the missing line.)",
-        .level_reason = "Error if a run reads to the end of the file: the program stops there. Warning if the sub runs anyway.",
-        .interpreter = "File ended with no percent sign or program end",
-        .options = "",
-    },
+            .fix = R"(Give the `endsub` the label of its `sub`, or add the missing line.)",
+            .level_reason =
+                "Error if a run reads to the end of the file: the program stops there. Warning if the sub runs anyway.",
+            .interpreter = "File ended with no percent sign or program end",
+            .options = "",
+        },
     .check = check,
 };
 

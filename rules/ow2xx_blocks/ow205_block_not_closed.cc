@@ -33,12 +33,15 @@ void name_mistaken_end(const Program& p, const Block& block, StatementId id, Fin
     f.help = "write `" + right + "`";
   } else {
     const std::string line = "line " + std::to_string(end.line);
-    f.message += end.label == kNoName ? ": `" + std::string(spelling(end.keyword)) + "` on " + line + " has no label" : ": `" + p.head(block.mistaken_end) + "` on " + line + " does not end it";
+    f.message += end.label == kNoName ? ": `" + std::string(spelling(end.keyword)) + "` on " + line + " has no label"
+                                      : ": `" + p.head(block.mistaken_end) + "` on " + line + " does not end it";
     relate(f, p, block.mistaken_end, "this is probably meant to be `" + right + "`");
     f.help = "write `" + right + "` on " + line;
   }
   if (end.label == kNoName) {
-    f.fixes.push_back({"write the label `" + label + "`", false, {{{end.keyword_span().begin, end.keyword_span().begin}, label + " "}}});
+    f.fixes.push_back({"write the label `" + label + "`",
+                       false,
+                       {{{end.keyword_span().begin, end.keyword_span().begin}, label + " "}}});
   } else if (end.is(Keyword::kWhile)) {
     f.fixes.push_back({"write `" + label + "`", false, {{end.label_span(), label}}});
   }
@@ -61,7 +64,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.help = "write `" + p.head(block.end) + "` on " + line;
     return &f;
   }
-  const std::string end = p.label_text(block.label) + " " + std::string(spelling(end_of(block.kind))) + (block.kind == Keyword::kDo ? " [condition]" : "");
+  const std::string end = p.label_text(block.label) + " " + std::string(spelling(end_of(block.kind))) +
+      (block.kind == Keyword::kDo ? " [condition]" : "");
   f.help = "write `" + end + "` where the block ends";
   if (block.suggested_line != 0) {
     f.help = "write `" + end + "`, probably before line " + std::to_string(block.suggested_line);
@@ -69,8 +73,10 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.related.push_back({line, "`" + end + "` probably belongs before this line", nullptr});
     const Statement& opener = p.at(id);
     if (block.kind != Keyword::kDo && would_close(p, block)) {
-      f.fixes.push_back({"write `" + end + "` before line " + std::to_string(block.suggested_line), false,
-                         {{{line.begin, line.begin}, indent_of(*p.source, opener) + end + line_end(*p.source, opener)}}});
+      f.fixes.push_back(
+          {"write `" + end + "` before line " + std::to_string(block.suggested_line),
+           false,
+           {{{line.begin, line.begin}, indent_of(*p.source, opener) + end + line_end(*p.source, opener)}}});
     }
   }
   return &f;
@@ -89,7 +95,8 @@ void check(const Input& in, Reporter& out) {
     if (block.mistaken_end != kNoStatement) {
       // Not for a `while`: LinuxCNC takes it as the beginning of a new loop.
       const bool opens = p.at(block.mistaken_end).is(Keyword::kWhile);
-      if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end]) report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
+      if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end])
+        report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
       continue;
     }
     // So does a line with its label that the interpreter cannot read.
@@ -113,17 +120,19 @@ extern const Rule kOw205{
     .summary = "`if`, `while`, `do` or `repeat` without its end",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A block whose end with the same label is missing: no `endif`, no `endwhile`, no `endrepeat`, or no
+    .page =
+        {
+            .what =
+                R"(A block whose end with the same label is missing: no `endif`, no `endwhile`, no `endrepeat`, or no
 `while` for a `do`.)",
-        .why = R"(The result depends on the condition. If it is true, the lines below run once without a message; a
+            .why = R"(The result depends on the condition. If it is true, the lines below run once without a message; a
 loop does not loop. If it is false, the interpreter skips everything up to the end of the file, also
 `M2`, and stops there. The message is about the end of the file, not about the block. From 2.9.10 on
 it is `File ended with no percent sign (%) or program end (M2)`; in a program between `%` signs it
 is `Failed to find sub 'O#100' before EOF`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -131,7 +140,7 @@ o100 if [#5070 EQ 1]
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -140,12 +149,13 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Add the end with the block's label. If an end with another label is in its place, correct that
+            .fix = R"(Add the end with the block's label. If an end with another label is in its place, correct that
 label.)",
-        .level_reason = "Error if a run skips the block: LinuxCNC reads to the end of the file and stops. Warning if no run does.",
-        .interpreter = "File ended with no percent sign or program end",
-        .options = "",
-    },
+            .level_reason = "Error if a run skips the block: LinuxCNC reads to the end of the file and stops. Warning "
+                            "if no run does.",
+            .interpreter = "File ended with no percent sign or program end",
+            .options = "",
+        },
     .check = check,
 };
 

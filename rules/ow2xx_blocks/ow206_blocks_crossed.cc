@@ -12,7 +12,9 @@ void check(const Input& in, Reporter& out) {
     if (inner.crossed == kNoBlock || inner.end == kNoStatement) continue;
     const Block& outer = p.blocks[inner.crossed];
     if (has_stop(in, inner.end) || has_stop(in, outer.end)) continue;  // reported there, with the same words
-    Finding& f = out.add(p.at(inner.end).head_span(), "`" + p.head(inner.end) + "` is outside `" + p.head_of(outer) + "`, but its block begins inside");
+    Finding& f =
+        out.add(p.at(inner.end).head_span(),
+                "`" + p.head(inner.end) + "` is outside `" + p.head_of(outer) + "`, but its block begins inside");
     relate(f, p, inner.opener, "`" + p.head_of(inner) + "` begins here");
     relate(f, p, outer.end, "`" + p.head_of(outer) + "` ends here");
     f.help = "close the inner block before the end of the outer one";
@@ -29,16 +31,18 @@ extern const Rule kOw206{
     .summary = "two blocks that overlap",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(Two blocks that overlap: the second begins inside the first but ends after it. `o100` begins, `o110`
+    .page =
+        {
+            .what =
+                R"(Two blocks that overlap: the second begins inside the first but ends after it. `o100` begins, `o110`
 begins, `o100` ends, `o110` ends. Usually the two end labels are swapped. If some run stops at the
 inner end, that is reported there as OW106 or OW108. This rule is for all other cases.)",
-        .why = R"(As long as the program enters the outer block, it often runs as intended. If the outer block is
+            .why = R"(As long as the program enters the outer block, it often runs as intended. If the outer block is
 skipped, the first line of the inner block is skipped too, and the interpreter stops at the inner
 end because it does not know the label. The same happens with a loop that makes no pass.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) LinuxCNC **crashes** at the end whose label it does not know.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<depth> = 2
 o100 if [#<depth> GT 1]
   G0 X10
@@ -49,7 +53,7 @@ o100 endif
   o110 endif
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<depth> = 2
 o100 if [#<depth> GT 1]
   G0 X10
@@ -60,11 +64,12 @@ o100 if [#<depth> GT 1]
 o100 endif
 M2
 )",
-        .fix = R"(End the inner block before the outer one.)",
-        .level_reason = "Warning: crossed blocks run as long as the outer block runs. If they stop, another rule reports an error.",
-        .interpreter = "",
-        .options = "",
-    },
+            .fix = R"(End the inner block before the outer one.)",
+            .level_reason = "Warning: crossed blocks run as long as the outer block runs. If they stop, another rule "
+                            "reports an error.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -17,7 +17,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.message += " after line " + std::to_string(p.at(call.statement).line) + " has called it";
     relate(f, p, call.statement, "called here, before the definition");
     const Region& region = p.regions[p.region_of[id]];
-    if (region.opener == id && region.end != kNoStatement) f.fixes.push_back(move_up(p, id, region.end, outermost(p, call.statement), "move the sub above its first call"));
+    if (region.opener == id && region.end != kNoStatement)
+      f.fixes.push_back(move_up(p, id, region.end, outermost(p, call.statement), "move the sub above its first call"));
     break;
   }
   f.help = "move the sub above its first call, or below the program end";
@@ -35,9 +36,11 @@ void check(const Input& in, Reporter& out) {
     if (call.caller == kMainRegion) first_call.emplace(call.callee, call.statement);
   }
   std::vector<StatementId> ends;
-  std::ranges::copy_if(in.index.ends, std::back_inserter(ends), [&](StatementId id) { return p.region_of[id] == kMainRegion; });
+  std::ranges::copy_if(in.index.ends, std::back_inserter(ends),
+                       [&](StatementId id) { return p.region_of[id] == kMainRegion; });
   for (const Region& region : p.regions) {
-    if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub)) continue;
+    if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub))
+      continue;
     const auto call = first_call.find(region.name);
     if (call == first_call.end() || call->second > region.opener || in.flow.executed[call->second]) continue;
     const auto end = std::ranges::lower_bound(ends, call->second);
@@ -53,10 +56,11 @@ extern const Rule kOw207{
     .summary = "`call` before the definition",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `call` of a sub that is defined further down. It is an error if the program then runs into the
+    .page =
+        {
+            .what = R"(A `call` of a sub that is defined further down. It is an error if the program then runs into the
 definition, and a warning if no run gets there.)",
-        .why = R"(LinuxCNC looks ahead for the `sub` line, runs the sub, and goes on after the `call`. When the
+            .why = R"(LinuxCNC looks ahead for the `sub` line, runs the sub, and goes on after the `call`. When the
 program later comes to the definition itself, it stops, although it is the same sub; the parts
 before are already cut. If `M2` or `M30` comes between the calls and the definition, it works.
 
@@ -64,7 +68,7 @@ While it looks ahead, LinuxCNC does not see other subs on the way. If the called
 them, the program stops with `EOF in file … seeking o-word`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 call [10]
 o100 call [30]
 o100 sub
@@ -73,7 +77,7 @@ o100 sub
 o100 endsub
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
   G80
@@ -82,12 +86,13 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Put all subs at the top of the program. If they have to be at the bottom, end the program with `M2`
+            .fix =
+                R"(Put all subs at the top of the program. If they have to be at the bottom, end the program with `M2`
 before them.)",
-        .level_reason = "Error if the program runs into the definition: the program stops. Warning if no run does.",
-        .interpreter = "sub: o|100| found in illegal location",
-        .options = "",
-    },
+            .level_reason = "Error if the program runs into the definition: the program stops. Warning if no run does.",
+            .interpreter = "sub: o|100| found in illegal location",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -47,8 +47,11 @@ void check(const Input& in, Reporter& out) {
     }
     const std::string label = label_text(stop.detail);
     const bool machine = in.profile.setup != nullptr;
-    Finding& f = out.add(s.head_span(), "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` " +
-                                            (machine ? "on the machine's search path" : in.profile.sub_path.empty() ? "in its folder" : "in its folder or those of `--sub-path`"));
+    Finding& f = out.add(s.head_span(),
+                         "no sub `" + label + "` in this program, and no file `" + stop.detail + ".ngc` " +
+                             (machine                           ? "on the machine's search path"
+                                  : in.profile.sub_path.empty() ? "in its folder"
+                                                                : "in its folder or those of `--sub-path`"));
     if (in.linked.target(stop.detail).opaque) {
       f.message = "no sub `" + label + "` in this program, and owlint does not look for a file with such a name";
       f.help = "define the sub, or correct the name";
@@ -56,9 +59,12 @@ void check(const Input& in, Reporter& out) {
     }
     if (const auto found = by_name.find(stop.detail); found != by_name.end()) {
       const Region& region = *found->second;
-      f.message = "`" + label + "` is not known here: the program has not run its definition on line " + std::to_string(p.at(region.opener).line) + " before";
-      relate(f, p, region.opener, region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
-      f.help = p.at(region.opener).refused ? "correct that line: LinuxCNC does not read it as the beginning of a sub" : "define the sub before the call, outside of blocks";
+      f.message = "`" + label + "` is not known here: the program has not run its definition on line " +
+          std::to_string(p.at(region.opener).line) + " before";
+      relate(f, p, region.opener,
+             region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
+      f.help = p.at(region.opener).refused ? "correct that line: LinuxCNC does not read it as the beginning of a sub"
+                                           : "define the sub before the call, outside of blocks";
       return &f;
     }
     if (const std::string other = look_alike_name(in, stop.detail); !other.empty()) {
@@ -69,7 +75,8 @@ void check(const Input& in, Reporter& out) {
     std::string near_file;
     const Elsewhere late = defined_elsewhere(in, stop.detail);
     if (late.program != nullptr) {
-      f.message = "`" + label + "` is not known here: the program has not run its definition on " + line_words(in, late) + " before";
+      f.message = "`" + label + "` is not known here: the program has not run its definition on " +
+          line_words(in, late) + " before";
       relate(in, f, late, "defined here");
       f.help = "define the sub before the call that leads here, or move it into a file of its own";
       return &f;
@@ -87,18 +94,26 @@ void check(const Input& in, Reporter& out) {
     }
     if (!near.empty()) {
       f.help = "write `" + label_text(near) + "`";
-      if (s.label != kNoName) f.fixes.push_back({f.help, false, {{s.label_span(), s.is(Keyword::kCall) ? label_text(near) : (s.kind == LineKind::kM98 ? "P" : "Q") + near}}});
+      if (s.label != kNoName)
+        f.fixes.push_back(
+            {f.help,
+             false,
+             {{s.label_span(),
+               s.is(Keyword::kCall) ? label_text(near) : (s.kind == LineKind::kM98 ? "P" : "Q") + near}}});
       relate(f, p, by_name.at(near)->opener, "`" + label_text(near) + "` is defined here");
     } else if (!near_file.empty()) {
       const auto file = in.linked.search_path().find(near_file);
       f.help = "did you mean `" + label_text(near_file) + "`, in " + (file ? file->path : near_file + ".ngc") + "?";
-      if (s.is(Keyword::kCall) && s.label != kNoName) f.fixes.push_back({"write `" + label_text(near_file) + "`", false, {{s.label_span(), label_text(near_file)}}});
+      if (s.is(Keyword::kCall) && s.label != kNoName)
+        f.fixes.push_back({"write `" + label_text(near_file) + "`", false, {{s.label_span(), label_text(near_file)}}});
     } else if (p.sub_file && machine) {
       f.group = stop.detail;
       f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {
       f.group = stop.detail;
-      f.help = "define the sub, or correct the name; if it is in a file, use `--sub-path DIR`, or `--ini FILE` with the machine's INI";
+      f.help =
+          "define the sub, or correct the name; if it is in a file, use `--sub-path DIR`, or `--ini FILE` with the "
+          "machine's INI";
     } else {
       f.help = "define the sub, or correct the label";
     }
@@ -131,10 +146,13 @@ void check_setup(const SetupInput& in, Reporter& out) {
   if (!whole) return;  // a folder is missing, which OW407 says: the files may be meant to be there
   for (const IniCall& call : in.setup.calls) {
     for (const std::string& name : called_names(call.code)) {
-      if (has_file(in.setup, call, name) || leaves_folders(name) || expands(name) || in.profile.may_be_python()) continue;
+      if (has_file(in.setup, call, name) || leaves_folders(name) || expands(name) || in.profile.may_be_python())
+        continue;
       if (in.setup.search_path->find_other_case(name)) continue;  // OW402 says so
       const bool named = !call.name.empty();
-      Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + label_text(name) + "`, but there is no file `" + name + ".ngc` on the machine's search path");
+      Finding& f = out.add(call.source, call.span,
+                           "`" + std::string(call.key) + "` calls `" + label_text(name) + "`, but there is no file `" +
+                               name + ".ngc` on the machine's search path");
       if (call.key == "REMAP") {  // measured: the interpreter does not even start
         f.stops = true;
         f.reach = Reach::kAlways;
@@ -155,20 +173,22 @@ extern const Rule kOw208{
     .summary = "a `call` or M98 of a sub that LinuxCNC cannot find",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `call`, or `M98 P…`, of a sub that is not defined in the program, and there is no file with its
+    .page =
+        {
+            .what = R"(A `call`, or `M98 P…`, of a sub that is not defined in the program, and there is no file with its
 name on the machine's search path: the INI's folder, `PROGRAM_PREFIX`, and the folders of
 `SUBROUTINE_PATH` in order. Without an INI owlint knows only the program's own folder and the
 folders of `--sub-path`. A name that it does not find there is a warning, reported once for all
 calls in the checked folder. owlint also looks for the subs that the INI itself calls (`REMAP`,
 `NGCGUI_SUBFILE`, `MDI_COMMAND` …).)",
-        .why = R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`).
+            .why =
+                R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`).
 Then it looks ahead through the rest of the program for the `sub` line, and stops at the end of the
 file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. This
 happens when the call is executed, not when the program is loaded.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
   G80
@@ -177,7 +197,7 @@ o100 call [10]
 o200 call [30]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
   G80
@@ -186,14 +206,15 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Correct the name, or add the sub. If a file on the machine's search path has the sub, give owlint
+            .fix = R"(Correct the name, or add the sub. If a file on the machine's search path has the sub, give owlint
 the INI with `--ini FILE` or `ini = "…"` in `owlint.toml`, or only the file's folder with
 `--sub-path DIR` or `sub-path = ["DIR"]`. If the INI has a `[PYTHON]` section, the name may be a
 Python function, and owlint does not report it.)",
-        .level_reason = "Error if the sub does not exist: the call stops the program. Warning if the file may be in a folder that owlint does not know.",
-        .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
-        .options = "",
-    },
+            .level_reason = "Error if the sub does not exist: the call stops the program. Warning if the file may be "
+                            "in a folder that owlint does not know.",
+            .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
+            .options = "",
+        },
     .check = check,
     .check_setup = check_setup,
 };

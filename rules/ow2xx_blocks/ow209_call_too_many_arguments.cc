@@ -13,8 +13,10 @@ Finding* report(const Input& in, Reporter& out, StatementId id, Span extra) {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, p.syntax.error(p.at(s.statement))->span); });
-  for_unmet_errors(in, out, [&](StatementId id, const LineError& e) { report(in, out, id, e.span)->reach = in.flow.reach(id); });
+  for_stops(in, out,
+            [&](const FlowStop& s) { return report(in, out, s.statement, p.syntax.error(p.at(s.statement))->span); });
+  for_unmet_errors(in, out,
+                   [&](StatementId id, const LineError& e) { report(in, out, id, e.span)->reach = in.flow.reach(id); });
 }
 
 }  // namespace
@@ -25,13 +27,14 @@ extern const Rule kOw209{
     .summary = "more than 30 arguments on a `call`",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `call` with more than 30 values in brackets.)",
-        .why = R"(The arguments become `#1` to `#30` of the sub; there is no place for a 31st. `#31` and above are
+    .page =
+        {
+            .what = R"(A `call` with more than 30 values in brackets.)",
+            .why = R"(The arguments become `#1` to `#30` of the sub; there is no place for a 31st. `#31` and above are
 global, so a sub that reads `#31` reads no argument. The interpreter stops at the line.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y#2 Z#3 R2 F80
   X#4 Y#5 Z#6
@@ -48,7 +51,7 @@ o100 endsub
 o100 call [0][0][-5] [9][0][-5] [18][0][-5] [27][0][-5] [36][0][-5] [0][9][-8] [9][9][-8] [18][9][-8] [27][9][-8] [36][9][-8] [2]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G81 X#1 Y#2 Z#3 R2 F80
   X#4 Y#5 Z#6
@@ -65,12 +68,13 @@ o100 endsub
 o100 call [0][0][-5] [9][0][-5] [18][0][-5] [27][0][-5] [36][0][-5] [0][9][-8] [9][9][-8] [18][9][-8] [27][9][-8] [36][9][-8]
 M2
 )",
-        .fix = R"(Split the work into several calls, or pass what is the same for all of them in a global name such as
+            .fix =
+                R"(Split the work into several calls, or pass what is the same for all of them in a global name such as
 `#<_depth>`.)",
-        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
-        .interpreter = "Too many subroutine parameters",
-        .options = "",
-    },
+            .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
+            .interpreter = "Too many subroutine parameters",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -8,14 +8,18 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
-    Finding& f = out.add(p.at(s.statement).head_span(), "`" + p.head(s.statement) + "` can be the tenth level of calls; LinuxCNC allows nine");
+    Finding& f = out.add(p.at(s.statement).head_span(),
+                         "`" + p.head(s.statement) + "` can be the tenth level of calls; LinuxCNC allows nine");
     const RegionId region = p.region_of[s.statement];
     const bool recursive = p.regions[region].name != kNoName && p.regions[region].name == p.at(s.statement).label;
     if (recursive) {
-      f.message = "`" + p.head(s.statement) + "` calls its own sub" + (s.unproven ? "; owlint cannot tell how deep the calls nest" : " again and again") + ", and LinuxCNC allows nine levels";
+      f.message = "`" + p.head(s.statement) + "` calls its own sub" +
+          (s.unproven ? "; owlint cannot tell how deep the calls nest" : " again and again") +
+          ", and LinuxCNC allows nine levels";
       relate(f, p, p.regions[region].opener, "the sub begins here");
     }
-    f.help = recursive ? "use a loop, or count the depth and stop before the tenth call" : "call the subs one after the other instead";
+    f.help = recursive ? "use a loop, or count the depth and stop before the tenth call"
+                       : "call the subs one after the other instead";
     return &f;
   });
 }
@@ -28,14 +32,15 @@ extern const Rule kOw210{
     .summary = "calls or recursion more than nine levels deep",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A sub that calls a sub that calls a sub …, more than nine levels deep, or a sub that calls itself
+    .page =
+        {
+            .what = R"(A sub that calls a sub that calls a sub …, more than nine levels deep, or a sub that calls itself
 (directly or through other subs) and never stops doing so.)",
-        .why = R"(LinuxCNC allows nine calls inside each other. It stops at the tenth, in the middle of the ninth: a
+            .why = R"(LinuxCNC allows nine calls inside each other. It stops at the tenth, in the middle of the ninth: a
 pecking cycle that calls itself without an exit makes nine pecks and stops.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<peck> sub
   G1 Z[0 - #1] F80
   G0 Z2
@@ -45,7 +50,7 @@ G0 X10 Y10 Z2
 o<peck> call [2]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<peck> sub
   #<depth> = 0
   o100 while [#<depth> LT #1]
@@ -58,12 +63,13 @@ G0 X10 Y10 Z2
 o<peck> call [12]
 M2
 )",
-        .fix = R"(Use a `while` or `repeat` instead of recursion. A recursion with an exit works if it is never more
+            .fix = R"(Use a `while` or `repeat` instead of recursion. A recursion with an exit works if it is never more
 than nine levels deep.)",
-        .level_reason = "Error if a run nests too deep: the program stops. Warning if the depth of a recursion depends on values.",
-        .interpreter = "Too many subroutine levels",
-        .options = "",
-    },
+            .level_reason = "Error if a run nests too deep: the program stops. Warning if the depth of a recursion "
+                            "depends on values.",
+            .interpreter = "Too many subroutine levels",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -29,7 +29,8 @@ void check(const Input& in, Reporter& out) {
         }
         if (contour_of(in, s) != nullptr) {
           const std::string label = p.label_at(s.statement);
-          message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but `Q" + label.substr(1) + "` of a contour needs one with `sub`";
+          message = "`" + p.head(s.statement) + "` is a Fanuc-style sub, but `Q" + label.substr(1) +
+              "` of a contour needs one with `sub`";
           help = "write it as `" + label + " sub` … `" + label + " endsub`";
           break;
         }
@@ -45,7 +46,8 @@ void check(const Input& in, Reporter& out) {
         help = "end a Fanuc-style sub with `M99`";
         break;
       case StopKind::kFanucDisabled:
-        message = line.kind == LineKind::kOWord ? "`" + p.head(s.statement) + "` without a keyword is a Fanuc-style program number, but this machine's INI turns these off"
+        message = line.kind == LineKind::kOWord ? "`" + p.head(s.statement) +
+                "` without a keyword is a Fanuc-style program number, but this machine's INI turns these off"
                                                 : "`M98` is a Fanuc-style call, which this machine's INI turns off";
         help = "call with `call` and define with `sub` and `endsub`, or remove `DISABLE_FANUC_STYLE_SUB` from the INI";
         break;
@@ -64,10 +66,12 @@ void check(const Input& in, Reporter& out) {
   for (const Region& region : p.regions) {
     if (region.name == kNoName || looked[region.name]) continue;
     looked[region.name] = true;
-    if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub)) continue;
+    if (region.opener == kNoStatement || has_stop(in, region.opener) || !p.at(region.opener).is(Keyword::kSub))
+      continue;
     for (const StatementId other : p.by_label[region.name]) {
       if (!p.at(other).is(Keyword::kBare) || has_stop(in, other) || lacks_call(in, other)) continue;
-      Finding& f = out.add(p.at(region.opener).head_span(), "`" + p.label_text(region.name) + "` is both a program number and a sub");
+      Finding& f = out.add(p.at(region.opener).head_span(),
+                           "`" + p.label_text(region.name) + "` is both a program number and a sub");
       relate(f, p, other, "the program number is here");
       f.help = "give the sub another number";
       f.reach = in.flow.reach(region.opener);
@@ -84,18 +88,20 @@ extern const Rule kOw211{
     .summary = "M98, M99 or a bare `O` number mixed with `sub`, `call`, `endsub`",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(LinuxCNC has two kinds of subs: `o100 sub` … `o100 endsub`, called with `o100 call`, and the Fanuc
+    .page =
+        {
+            .what =
+                R"(LinuxCNC has two kinds of subs: `o100 sub` … `o100 endsub`, called with `o100 call`, and the Fanuc
 kind `o100` … `M99`, called with `M98 P100`. This rule finds calls of one kind for a sub of the
 other kind, `M99` in the first kind, and `endsub` or `return` in the second.)",
-        .why = R"(The interpreter stops where the two are mixed: `'O.... sub' subroutine must be called with 'O....
+            .why = R"(The interpreter stops where the two are mixed: `'O.... sub' subroutine must be called with 'O....
 call'`, `Fanuc 'O....' subroutine must be called with 'M98'`, `'O.... endsub' or 'O.... return' must
 follow 'O.... sub' subroutine definition`, `Fanuc 'O....' subroutine definition must end with
 'M99'`. If the end is of the wrong kind, it stops only after the sub has run. Unlike `call`, `M98`
 does not pass arguments and does not restore `#1` to `#30`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G91 G0 X10
   G90 G1 Z-2 F80
@@ -106,7 +112,7 @@ o100 call
 M98 P100
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G91 G0 X10
   G90 G1 Z-2 F80
@@ -117,12 +123,13 @@ o100 call
 o100 call
 M2
 )",
-        .fix = R"(Use one kind for the sub and all its calls; `sub` and `call` can do more. A program may have subs of
+            .fix =
+                R"(Use one kind for the sub and all its calls; `sub` and `call` can do more. A program may have subs of
 both kinds if each is called in its own way.)",
-        .level_reason = "Error if a run mixes both: the program stops. Warning if no run does.",
-        .interpreter = "'O.... sub' subroutine must be called with 'O.... call'",
-        .options = "",
-    },
+            .level_reason = "Error if a run mixes both: the program stops. Warning if no run does.",
+            .interpreter = "'O.... sub' subroutine must be called with 'O.... call'",
+            .options = "",
+        },
     .check = check,
 };
 

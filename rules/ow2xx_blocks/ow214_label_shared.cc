@@ -28,10 +28,13 @@ void check(const Input& in, Reporter& out) {
     if (block != kNoBlock && p.blocks[block].end != kNoStatement && has_stop(in, p.blocks[block].end)) continue;
     // A `do` in a `do` with its label is OW510.
     if (kind == Keyword::kDo && stands_in_its_label(p, block)) continue;
-    Finding& f = out.add(p.at(later).label_span(), "label `" + p.label_text(p.at(later).label) + "` is also used for " + with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
+    Finding& f = out.add(p.at(later).label_span(),
+                         "label `" + p.label_text(p.at(later).label) + "` is also used for " +
+                             with_article(p.at(first).keyword) + " on line " + std::to_string(p.at(first).line));
     relate(f, p, first, "`" + p.head(first) + "` is here");
-    f.help = kind == Keyword::kDo ? "give this block another label: if one run gets to both, its `while` goes back to the first `do`"
-                                  : "give this block another label: LinuxCNC stops if one run gets to both, also in two calls of a sub";
+    f.help = kind == Keyword::kDo
+        ? "give this block another label: if one run gets to both, its `while` goes back to the first `do`"
+        : "give this block another label: LinuxCNC stops if one run gets to both, also in two calls of a sub";
     f.reach = in.flow.reach(later);
     add_relabel_fix(in, later, f);
   }
@@ -45,14 +48,16 @@ extern const Rule kOw214{
     .summary = "one label on several blocks of one scope, but no run gets to two of them",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(Two blocks of the same sub or main program have the same label, but they are in different branches,
+    .page =
+        {
+            .what =
+                R"(Two blocks of the same sub or main program have the same label, but they are in different branches,
 so that each run takes only one of them.)",
-        .why = R"(The program runs, because the interpreter never gets to the second block. But put a loop around it
+            .why = R"(The program runs, because the interpreter never gets to the second block. But put a loop around it
 that takes one branch in the first pass and the other in the second, or call the sub twice, and the
 program stops with `duplicate O-word label` when part of the work is already cut. A second `do` does
 not stop: its `while` goes back to the first `do`.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -67,7 +72,7 @@ o100 endif
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -82,11 +87,11 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Give each block a label of its own.)",
-        .level_reason = "Warning: no run gets to both blocks now, but a run that does stops.",
-        .interpreter = "",
-        .options = "",
-    },
+            .fix = R"(Give each block a label of its own.)",
+            .level_reason = "Warning: no run gets to both blocks now, but a run that does stops.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

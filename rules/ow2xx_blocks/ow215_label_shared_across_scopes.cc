@@ -25,7 +25,9 @@ void check(const Input& in, Reporter& out) {
       const bool subs = p.at(first).opens_sub() || p.at(id).opens_sub();
       if (reported || (!subs && p.region_of[first] == p.region_of[id])) continue;
       reported = true;
-      Finding& f = out.add(p.at(id).label_span(), "`" + p.label_text(label) + "` is also used by `" + p.head(first) + "` on line " + std::to_string(p.at(first).line));
+      Finding& f = out.add(p.at(id).label_span(),
+                           "`" + p.label_text(label) + "` is also used by `" + p.head(first) + "` on line " +
+                               std::to_string(p.at(first).line));
       relate(f, p, first, "first used here");
       f.help = "this runs, because labels are local to a sub; different numbers are easier to read";
       f.reach = in.flow.reach(id);
@@ -41,13 +43,16 @@ extern const Rule kOw215{
     .summary = "one number used in several subs, or both as sub and as block",
     .group = Group::kBlocks,
     .level = Severity::kInfo,
-    .page = {
-        .what = R"(A number that labels blocks in more than one sub (or in a sub and in the main program), or a number
+    .page =
+        {
+            .what =
+                R"(A number that labels blocks in more than one sub (or in a sub and in the main program), or a number
 that is a sub in one place and a block in another.)",
-        .why = R"(LinuxCNC keeps these apart and runs the program as written. But the program is harder to read and to
+            .why =
+                R"(LinuxCNC keeps these apart and runs the program as written. But the program is harder to read and to
 search. If you copy a block from one sub into another, the label is there twice, and the program
 stops.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   o100 if [#1 GT 0]
     G81 X#1 Y10 Z-5 R2 F80
@@ -57,7 +62,7 @@ o100 endsub
 o100 call [#5420]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   o110 if [#1 GT 0]
     G81 X#1 Y10 Z-5 R2 F80
@@ -67,13 +72,13 @@ o100 endsub
 o100 call [#5420]
 M2
 )",
-        .fix = R"(Give the blocks of each sub a range of numbers of their own, for example 110 to 199 inside `o100`.
+            .fix = R"(Give the blocks of each sub a range of numbers of their own, for example 110 to 199 inside `o100`.
 If you have many short subs that all start at `o101`, leave this rule off; it is off unless you
 select it.)",
-        .level_reason = "Info: it runs, and many programs begin with the same number in each sub.",
-        .interpreter = "",
-        .options = "--select OW215",
-    },
+            .level_reason = "Info: it runs, and many programs begin with the same number in each sub.",
+            .interpreter = "",
+            .options = "--select OW215",
+        },
     .check = check,
 };
 

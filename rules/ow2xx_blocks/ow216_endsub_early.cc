@@ -17,7 +17,9 @@ void check(const Input& in, Reporter& out) {
     bool stopped = false;
     for (StatementId id = region.early_end; id <= region.end; ++id) stopped = stopped || has_stop(in, id);
     if (stopped) continue;
-    Finding& f = out.add(p.at(region.early_end).head_span(), "`" + p.head(region.early_end) + "` comes before the sub's last `endsub` on line " + std::to_string(p.at(region.end).line));
+    Finding& f = out.add(p.at(region.early_end).head_span(),
+                         "`" + p.head(region.early_end) + "` comes before the sub's last `endsub` on line " +
+                             std::to_string(p.at(region.end).line));
     relate(f, p, region.end, "the last `endsub` is here");
     f.help = "write `" + p.label_text(region.name) + " return` to leave the sub early";
     f.reach = in.flow.reach(region.early_end);
@@ -34,15 +36,17 @@ extern const Rule kOw216{
     .summary = "an `endsub` before the last `endsub` of its sub",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(An `endsub` inside an `if` or loop of its own sub, with another `endsub` at the end. The first one
+    .page =
+        {
+            .what =
+                R"(An `endsub` inside an `if` or loop of its own sub, with another `endsub` at the end. The first one
 was meant as an early return.)",
-        .why = R"(In a called file, and in subs below the program end, LinuxCNC leaves the sub at the first `endsub`
+            .why = R"(In a called file, and in subs below the program end, LinuxCNC leaves the sub at the first `endsub`
 that it executes, so this works as intended. In the program itself, above the call, the definition
 ends at the first `endsub`. The lines after it run at once as main program and stop, usually at an
 `endif` whose `if` LinuxCNC does not know. If that happens, it is reported there (OW106, OW101).
 This rule is for programs that run now, and stop as soon as somebody moves the sub.)",
-        .bad = R"(G21 G90 F80
+            .bad = R"(G21 G90 F80
 o100 call [10]
 o100 call [-5]
 M2
@@ -54,7 +58,7 @@ o100 sub
   G80
 o100 endsub
 )",
-        .good = R"(G21 G90 F80
+            .good = R"(G21 G90 F80
 o100 call [10]
 o100 call [-5]
 M2
@@ -66,12 +70,13 @@ o100 sub
   G80
 o100 endsub
 )",
-        .fix = R"(Write `return` for every early exit, and keep one `endsub` as the last line of the sub, in files
+            .fix = R"(Write `return` for every early exit, and keep one `endsub` as the last line of the sub, in files
 too.)",
-        .level_reason = "Warning: the program stops as soon as somebody moves the sub. Info in a called file, where every version of LinuxCNC takes it for a `return`.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason = "Warning: the program stops as soon as somebody moves the sub. Info in a called file, "
+                            "where every version of LinuxCNC takes it for a `return`.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -45,8 +45,10 @@ void m98_behind(const Program& p, const Statement& s, Span word, Finding& f) {
   f.help = "write `" + call + "` on a line of its own";
   // With nothing else on the line it stays where it is.
   const size_t words = (sub.end - sub.begin) + (times.end - times.begin);
-  const size_t letters = before.size() - static_cast<size_t>(std::ranges::count_if(before, [](char c) { return c == ' ' || c == '\t'; }));
-  if (s.kind != LineKind::kM98 && letters == words) f.fixes.push_back({"write `" + call + "`", false, {{{s.offset, word.end}, indent_of(*p.source, s) + call}}});
+  const size_t letters =
+      before.size() - static_cast<size_t>(std::ranges::count_if(before, [](char c) { return c == ' ' || c == '\t'; }));
+  if (s.kind != LineKind::kM98 && letters == words)
+    f.fixes.push_back({"write `" + call + "`", false, {{{s.offset, word.end}, indent_of(*p.source, s) + call}}});
 }
 
 void m98_words(const Program& p, const LineError& error, Finding& f) {
@@ -81,11 +83,14 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
       }
       break;
     case StopKind::kM99Behind:
-      f.message = "`M99` comes after other words: LinuxCNC returns from a sub only if `M99` is the first word of the line";
+      f.message =
+          "`M99` comes after other words: LinuxCNC returns from a sub only if `M99` is the first word of the line";
       f.help = "write `M99` on a line of its own";
       f.fixes.push_back(split_line(p, s, s.keyword_span().begin, f.help));
       break;
-    case StopKind::kM99Jump: case StopKind::kM99Rest: default: {
+    case StopKind::kM99Jump:
+    case StopKind::kM99Rest:
+    default: {
       if (interpreter.starts_with("Two m codes")) {
         f.span = error->span;
         f.message = "a second code that ends the program is on the line with `M99`";
@@ -97,7 +102,9 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
       const bool jump = text.find_first_not_of("pP0123456789 \t") == std::string::npos && text.find_first_of("pP") == 0;
       f.message = jump ? "`" + text + "` after `M99`: LinuxCNC cannot return to a line number"
                        : "`" + text + "` after `M99`: in a sub nothing may come after `M99`";
-      f.help = jump ? "use `M99` alone: it returns to the line after the call; choose there with `o100 if [...]` what to do" : "write it on the line before `M99`";
+      f.help = jump
+          ? "use `M99` alone: it returns to the line after the call; choose there with `o100 if [...]` what to do"
+          : "write it on the line before `M99`";
       break;
     }
   }
@@ -112,19 +119,26 @@ void report_dropped(const Input& in, Reporter& out, StatementId id) {
   const std::string text = text_of(p, s.rest_span());
   const bool runs = surely_runs(p.source->slice(s.rest_span()));
   // Measured: the words are checked as on any line, so an axis word without a motion mode, or `H` without its G code, stops.
-  Finding& f = out.add(s.rest_span(), "`" + text + "` on an `M98` line: LinuxCNC " + (runs ? "reads it but does not execute it" : "checks it and may stop here, but never executes it"));
+  Finding& f =
+      out.add(s.rest_span(),
+              "`" + text + "` on an `M98` line: LinuxCNC " +
+                  (runs ? "reads it but does not execute it" : "checks it and may stop here, but never executes it"));
   f.help = "write it on a line of its own, before `M98`";
   f.reach = in.flow.reach(id);
   if (!runs || s.block_delete) return;
   // Never safe: the words would begin to work.
   uint64_t blanks = s.rest_span().begin;
   while (p.source->slice({blanks - 1, blanks}).find_first_of(" \t") == 0) --blanks;
-  f.fixes.push_back({f.help, false, {{{s.offset, s.offset}, indent_of(*p.source, s) + std::string(p.source->slice(s.rest_span())) + line_end(*p.source, s)},
-                                     {{blanks, s.rest_span().end}, ""}}});
+  f.fixes.push_back({f.help,
+                     false,
+                     {{{s.offset, s.offset},
+                       indent_of(*p.source, s) + std::string(p.source->slice(s.rest_span())) + line_end(*p.source, s)},
+                      {{blanks, s.rest_span().end}, ""}}});
 }
 
 void check(const Input& in, Reporter& out) {
-  for_stops(in, out, [&](const FlowStop& stop) { return &report(in, out, stop.statement, stop.kind, stop.interpreter); });
+  for_stops(in, out,
+            [&](const FlowStop& stop) { return &report(in, out, stop.statement, stop.kind, stop.interpreter); });
   for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
     report(in, out, id, error.kind, error.message).reach = in.flow.reach(id);
   });
@@ -139,11 +153,12 @@ extern const Rule kOw217{
     .summary = "M98 or M99 on a line with other words",
     .group = Group::kBlocks,
     .level = Severity::kError,
-    .page = {
-        .what = R"(`G0 X5 M98 P7001`, `G0 X1 M99`, `M99 P100`, `M98 P7001 G0 X5`: a Fanuc-style call or return on a
+    .page =
+        {
+            .what = R"(`G0 X5 M98 P7001`, `G0 X1 M99`, `M99 P100`, `M98 P7001 G0 X5`: a Fanuc-style call or return on a
 line with other words. Only a line number and block delete may come before it, and only a comment
 after it.)",
-        .why = R"(M98 calls and M99 returns only as **the first word of the line**. M98 after other words stops with
+            .why = R"(M98 calls and M99 returns only as **the first word of the line**. M98 after other words stops with
 `Unknown m code used: M98`. With M99 after other words, LinuxCNC first executes those words. Then in
 a sub it stops with `Bug:  Reached convert_stop() from M99 as subprogram return`; in the main
 program the run ends. In a sub nothing may come after M99: `Unexpected character after O-word`.
@@ -155,7 +170,7 @@ program. An assignment there is lost. A word that needs a code, as in `M98 P7001
 program, and so does an axis word where no motion mode is on.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X0 Y0 Z5
 M98 P7001 L3
 M2
@@ -163,7 +178,7 @@ O7001
   G91 G1 Z-1 F80
   G90 G0 Z5 M99
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X0 Y0 Z5
 M98 P7001 L3
 M2
@@ -172,11 +187,12 @@ O7001
   G90 G0 Z5
 M99
 )",
-        .fix = R"(Write M98 with its P and L on a line of its own, and M99 too.)",
-        .level_reason = "Error if a run gets here and the program stops. Warning if the line runs, but without its other words, or no run gets here.",
-        .interpreter = "Bug:  Reached convert_stop() from M99 as subprogram return",
-        .options = "",
-    },
+            .fix = R"(Write M98 with its P and L on a line of its own, and M99 too.)",
+            .level_reason = "Error if a run gets here and the program stops. Warning if the line runs, but without its "
+                            "other words, or no run gets here.",
+            .interpreter = "Bug:  Reached convert_stop() from M99 as subprogram return",
+            .options = "",
+        },
     .check = check,
 };
 

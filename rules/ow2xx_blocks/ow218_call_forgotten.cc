@@ -21,7 +21,8 @@ bool lacks_call(const Input& in, StatementId id) {
   const Statement& s = p.at(id);
   if (!s.is(Keyword::kBare) || s.label == kNoName || s.name_open || s.refused) return false;
   const auto lines = p.by_label[s.label];
-  if (std::ranges::any_of(lines, [&](StatementId line) { return p.at(line).is(Keyword::kSub); })) return s.named || !begins_program(p, id);
+  if (std::ranges::any_of(lines, [&](StatementId line) { return p.at(line).is(Keyword::kSub); }))
+    return s.named || !begins_program(p, id);
   const auto file = in.linked.search_path().find(p.name(s.label));
   if (!file || file->path == p.source->path()) return false;
   // A number may be the program's own.
@@ -54,16 +55,18 @@ extern const Rule kOw218{
     .summary = "the label of a sub without `call`",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(`o<drill>` or `o100` alone on a line, if the program defines that sub, or if a file has its name.)",
-        .why = R"(LinuxCNC takes an O-word without a keyword for a Fanuc-style program number and goes on with the
+    .page =
+        {
+            .what =
+                R"(`o<drill>` or `o100` alone on a line, if the program defines that sub, or if a file has its name.)",
+            .why = R"(LinuxCNC takes an O-word without a keyword for a Fanuc-style program number and goes on with the
 next line. It does not call the sub, and there is **no message**. Inside a sub the line stops the
 program with `Nested subroutine definition` or `Fanuc 'O....' subroutine must be called with 'M98'`.
 
 A number as the first word of the program is the program's own number, and is not reported.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<drill> sub
   G0 X#1 Y10
   G81 X#1 Y10 Z-5 R2 F80
@@ -73,7 +76,7 @@ G0 X0 Y0 Z5
 o<drill>
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<drill> sub
   G0 X#1 Y10
   G81 X#1 Y10 Z-5 R2 F80
@@ -83,13 +86,14 @@ G0 X0 Y0 Z5
 o<drill> call [20]
 M2
 )",
-        .fix = R"(Write `call` after the label, with the arguments in brackets. If the line is left over, remove it.)",
-        .level_reason = "Error if the program stops here. Warning if it runs on, without the sub.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X0",
-        .moves_good = "X20",
-    },
+            .fix =
+                R"(Write `call` after the label, with the arguments in brackets. If the line is left over, remove it.)",
+            .level_reason = "Error if the program stops here. Warning if it runs on, without the sub.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X0",
+            .moves_good = "X20",
+        },
     .check = check,
 };
 

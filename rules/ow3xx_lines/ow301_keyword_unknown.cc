@@ -16,7 +16,9 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   Finding& f = out.add(s.keyword_span(), "`" + word + "` is not an O-word keyword");
   const std::string near = nearest(word, {kKeywordSpellings.begin(), kKeywordSpellings.end()});
-  f.help = "write one of the keywords: sub, call, return, if, while, do, repeat and their ends; `owlint explain OW301` lists them";
+  f.help =
+      "write one of the keywords: sub, call, return, if, while, do, repeat and their ends; `owlint explain OW301` "
+      "lists them";
   if (!near.empty()) {
     f.help = "write `" + near + "`";
     f.fixes.push_back({"write `" + near + "`", false, {{s.keyword_span(), near}}});
@@ -38,12 +40,15 @@ extern const Rule kOw301{
     .summary = "an unknown word after the label",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A line with an O-word whose next word is none of `sub`, `endsub`, `call`, `do`, `while`, `endwhile`,
+    .page =
+        {
+            .what =
+                R"(A line with an O-word whose next word is none of `sub`, `endsub`, `call`, `do`, `while`, `endwhile`,
 `repeat`, `endrepeat`, `if`, `elseif`, `else`, `endif`, `break`, `continue`, `return`. owlint
 suggests the nearest of these. Often it is a word from another control or language: `goto`, `wend`,
 `elsif`, `until`, `for`.)",
-        .why = R"(The interpreter stops at the line, also in a branch that is not taken. Inside a sub it notices only
+            .why =
+                R"(The interpreter stops at the line, also in a branch that is not taken. Inside a sub it notices only
 when the sub is called.
 
 LinuxCNC recognises a keyword by its beginning: `endiff` is `endif` with an extra `f` and stops with
@@ -51,7 +56,7 @@ LinuxCNC recognises a keyword by its beginning: `endiff` is `endif` with an extr
 `end if` is `endif`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -63,7 +68,7 @@ o100 else
 o100 endif
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -75,12 +80,12 @@ o100 else
 o100 endif
 M2
 )",
-        .fix = R"(Write a keyword that LinuxCNC knows. There is no jump to a line: replace `GOTO` by an `if` or a
+            .fix = R"(Write a keyword that LinuxCNC knows. There is no jump to a line: replace `GOTO` by an `if` or a
 loop.)",
-        .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
-        .interpreter = "Unknown control command in o word",
-        .options = "",
-    },
+            .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
+            .interpreter = "Unknown control command in o word",
+            .options = "",
+        },
     .check = check,
 };
 

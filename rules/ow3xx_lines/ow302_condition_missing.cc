@@ -42,7 +42,9 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   } else {
     f.help = "write `" + word + " [" + rest + "]`";
     const uint64_t from = p.source->bytes().find(rest, s.offset + s.keyword_to);
-    f.fixes.push_back({"put the " + what + " in brackets", false, {{{from, from}, "["}, {{from + rest.size(), from + rest.size()}, "]"}}});
+    f.fixes.push_back({"put the " + what + " in brackets",
+                       false,
+                       {{{from, from}, "["}, {{from + rest.size(), from + rest.size()}, "]"}}});
   }
   explain_idiom(in, id, f);
   return &f;
@@ -59,7 +61,9 @@ void report_arguments(const Input& in, Reporter& out) {
     if (written.empty()) continue;
     const Statement& s = in.program.at(id);
     const Span comments{s.offset + s.keyword_to, s.end()};
-    Finding& f = out.add(s.head_span(), "`" + in.program.head(id) + "` is followed by round brackets, and they are a comment: the sub gets no arguments");
+    Finding& f = out.add(s.head_span(),
+                         "`" + in.program.head(id) +
+                             "` is followed by round brackets, and they are a comment: the sub gets no arguments");
     f.help = "write `" + in.program.head(id) + " " + written + "`";
     f.fixes.push_back({"write square brackets", false, {{comments, " " + written}}});
     f.reach = in.flow.reach(id);
@@ -80,16 +84,18 @@ extern const Rule kOw302{
     .summary = "`if`, `elseif`, `while` or `repeat` without `[`, or arguments in round brackets",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A condition or a count that is missing or not in square brackets: `o100 if #1 GT 5`, `o100 repeat
+    .page =
+        {
+            .what = R"(A condition or a count that is missing or not in square brackets: `o100 if #1 GT 5`, `o100 repeat
 3`, `o100 while (#1 LT 3)`. Also the arguments of a call in round brackets: `o100 call (1) (2)`.)",
-        .why = R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment in LinuxCNC, so
+            .why =
+                R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment in LinuxCNC, so
 a condition in them is lost; a comment between the keyword and the bracket has the same effect. In a
 skipped branch there is no message, so the mistake may wait for the first run that gets there. A call
 with its arguments in round brackets passes none of them, and there is **no message**.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if #5070 EQ 1
@@ -98,7 +104,7 @@ o100 endif
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -107,11 +113,12 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Write the whole condition, or the count, in one pair of square brackets.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does, or for a call without its arguments.",
-        .interpreter = "Left bracket missing after 'if'",
-        .options = "",
-    },
+            .fix = R"(Write the whole condition, or the count, in one pair of square brackets.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does, or for a call "
+                            "without its arguments.",
+            .interpreter = "Left bracket missing after 'if'",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -16,11 +16,15 @@ constexpr Words kWords[] = {
     {"Unexpected character after O-word", "this bracket closes nothing", "remove it"},
     {"Unclosed expression", "a bracket is not closed", "close it with `]`"},
     {"Unknown operation name", "this is not an operator", "operators are + - * / ** MOD EQ NE GT GE LT LE AND OR XOR"},
-    {"Unknown operation", "an operator is expected here", "operators are + - * / ** MOD EQ NE GT GE LT LE AND OR XOR; comments are not allowed in brackets"},
-    {"Unknown word", "this is not a function", "functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN; there is no NOT"},
+    {"Unknown operation", "an operator is expected here",
+     "operators are + - * / ** MOD EQ NE GT GE LT LE AND OR XOR; comments are not allowed in brackets"},
+    {"Unknown word", "this is not a function",
+     "functions are ABS ACOS ASIN ATAN COS EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN; there is no NOT"},
     {"bad number format", "a number is expected here", "write a number, `#` and a parameter, `[`, or a function"},
-    {"No characters found", "a value is missing at the end of the line", "write a number, `#` and a parameter, `[`, or a function"},
-    {"Left bracket missing after unary", "the function is not followed by `[`", "put its argument in brackets: `SIN[30]`"},
+    {"No characters found", "a value is missing at the end of the line",
+     "write a number, `#` and a parameter, `[`, or a function"},
+    {"Left bracket missing after unary", "the function is not followed by `[`",
+     "put its argument in brackets: `SIN[30]`"},
     {"Slash missing", "`ATAN` takes two values", "write `ATAN[y]/[x]`"},
     {"Left bracket missing after slash", "`ATAN` takes two values, each in brackets", "write `ATAN[y]/[x]`"},
     {"Equal sign missing", "a parameter without `=`", "write `#1=...`, or a word letter before the parameter"},
@@ -32,7 +36,8 @@ constexpr Words kWords[] = {
     {"Negative argument to sqrt", "this is the root of a negative number", "test the value first"},
     {"Zero or negative argument to ln", "this is the logarithm of zero or a negative number", "test the value first"},
     {"Argument to a", "the argument is not between -1 and 1", "test the value first"},
-    {"Attempt to raise negative", "a negative number can only have a whole number as its power", "test the value first"},
+    {"Attempt to raise negative", "a negative number can only have a whole number as its power",
+     "test the value first"},
     {"Parameter number out of range", "there is no parameter with that number", "the numbers are #1 to #5601"},
     {"Expected", "`EXISTS` takes one parameter", "write `EXISTS[#<name>]`"},
 };
@@ -62,7 +67,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id, const std::strin
 
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& s) { return report(in, out, s.statement, s.interpreter); });
-  for_unmet_errors(in, out, [&](StatementId id, const LineError& e) { report(in, out, id, e.message)->reach = in.flow.reach(id); });
+  for_unmet_errors(
+      in, out, [&](StatementId id, const LineError& e) { report(in, out, id, e.message)->reach = in.flow.reach(id); });
 }
 
 }  // namespace
@@ -73,10 +79,11 @@ extern const Rule kOw303{
     .summary = "a missing or extra bracket, an unknown operator or function, a missing value",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A missing or extra bracket, an operator that LinuxCNC does not have (`=`, `==`, `>`, `<`, `!`,
+    .page =
+        {
+            .what = R"(A missing or extra bracket, an operator that LinuxCNC does not have (`=`, `==`, `>`, `<`, `!`,
 `NOT`), an unknown function, a function without brackets, or an operator without a value beside it.)",
-        .why = R"(The interpreter stops at the line when it evaluates it; in a skipped branch, or in a sub that
+            .why = R"(The interpreter stops at the line when it evaluates it; in a skipped branch, or in a sub that
 nothing calls, there is no message. There are many messages: `Unclosed expression` for a missing
 bracket, `Unexpected character after O-word` for an extra one, `Unknown operation` for `=` and `>`,
 `Unknown word where unary operation could be` for `NOT`, `Unknown word starting with s` for a
@@ -85,7 +92,7 @@ missing after first atan argument`, `bad number format (conversion failed) parsi
 value.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [[#5070 EQ 1] AND [#5063 GT -5]
@@ -94,7 +101,7 @@ o100 endif
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [[#5070 EQ 1] AND [#5063 GT -5]]
@@ -103,12 +110,12 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Close every bracket. The comparisons are `EQ NE GT GE LT LE`, joined with `AND OR XOR`; write `[#1
+            .fix = R"(Close every bracket. The comparisons are `EQ NE GT GE LT LE`, joined with `AND OR XOR`; write `[#1
 EQ 0]` for "not".)",
-        .level_reason = "Error if a run evaluates the line: the program stops. Warning if no run does.",
-        .interpreter = "Unclosed expression",
-        .options = "",
-    },
+            .level_reason = "Error if a run evaluates the line: the program stops. Warning if no run does.",
+            .interpreter = "Unclosed expression",
+            .options = "",
+        },
     .check = check,
 };
 

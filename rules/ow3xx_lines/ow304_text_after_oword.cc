@@ -13,7 +13,8 @@ bool runs_on(Keyword keyword) { return opens_block(keyword) || keyword == Keywor
 /// Whether the text is an O-word that begins or ends something: on a line of its own it is a block without its other end.
 bool is_block_line(std::string_view text) {
   const size_t first = text.find_first_not_of(" \t");
-  return first != std::string_view::npos && (text[first] == 'o' || text[first] == 'O') && small_letters(text).find("call") == std::string::npos;
+  return first != std::string_view::npos && (text[first] == 'o' || text[first] == 'O') &&
+      small_letters(text).find("call") == std::string::npos;
 }
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -23,13 +24,17 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   if (text.size() > 40) text = text.substr(0, 37) + "...";
   Finding& f = out.add(s.rest_span(), "`" + text + "` after `" + p.head(id) + "`: only a comment is allowed here");
   const std::string written = std::string(spelling(s.keyword)) + text.substr(0, text.find_first_of(" \t([;"));
-  const std::string near = s.keyword_to == s.rest_from ? nearest(written, {kKeywordSpellings.begin(), kKeywordSpellings.end()}) : std::string();
+  const std::string near = s.keyword_to == s.rest_from
+      ? nearest(written, {kKeywordSpellings.begin(), kKeywordSpellings.end()})
+      : std::string();
   if (!near.empty() && near != written && written.find_first_of("0123456789") == std::string::npos) {
     f.help = "write `" + near + "`";
     const Span word{s.offset + s.keyword_from, s.offset + s.rest_from + written.size() - spelling(s.keyword).size()};
     // Text that is allowed after one keyword may be an error after another.
-    const bool takes_value = near == "if" || near == "elseif" || near == "while" || near == "repeat" || near == "call" || near == "return" || near == "endsub";
-    if (takes_value || text.find('[') == std::string::npos) f.fixes.push_back({"write `" + near + "`", false, {{word, near}}});
+    const bool takes_value = near == "if" || near == "elseif" || near == "while" || near == "repeat" ||
+        near == "call" || near == "return" || near == "endsub";
+    if (takes_value || text.find('[') == std::string::npos)
+      f.fixes.push_back({"write `" + near + "`", false, {{word, near}}});
   } else if (surely_refused(p.source->slice(s.rest_span()))) {
     f.help = "remove it, or put it in a comment";
   } else {
@@ -74,16 +79,19 @@ extern const Rule kOw304{
     .summary = "other text on the line after the O-word",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(Moves, M-codes, a second O-word or anything else after a complete O-word: `o100 if [#1 GT 0] G0 X5`,
+    .page =
+        {
+            .what =
+                R"(Moves, M-codes, a second O-word or anything else after a complete O-word: `o100 if [#1 GT 0] G0 X5`,
 `o100 endif M2`, `o100 return 5`. An O-word needs a line of its own.)",
-        .why = R"(The interpreter stops at the line. But if it is skipping when it reads the line, it ignores the text
+            .why =
+                R"(The interpreter stops at the line. But if it is skipping when it reads the line, it ignores the text
 without a message, also on the line where the skip ends. So `o100 endif G0 Z50` stops the program if
 the `if` was true, and **leaves out the retract** if it was false. The same is true for `else`,
 `elseif`, `endwhile`, `endrepeat` and for the `endsub` of a definition.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1] G10 L20 P1 Z0
@@ -91,7 +99,7 @@ o100 endif
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -100,11 +108,12 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Write the rest on the next line.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if LinuxCNC ignores the text without a message, or no run gets here.",
-        .interpreter = "Unexpected character after O-word",
-        .options = "",
-    },
+            .fix = R"(Write the rest on the next line.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if LinuxCNC ignores the text without "
+                            "a message, or no run gets here.",
+            .interpreter = "Unexpected character after O-word",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -29,15 +29,16 @@ extern const Rule kOw305{
     .summary = "a word before the O-word",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(An O-word that is not the first thing on its line: `M5 o100 call`, `G0 Z5 o110 endif`, `#1=3 o100
+    .page =
+        {
+            .what = R"(An O-word that is not the first thing on its line: `M5 o100 call`, `G0 Z5 o110 endif`, `#1=3 o100
 call [#1]`. Only the block delete `/` and a line number `N…` may come before it; not even a comment.)",
-        .why = R"(The interpreter reads such a line as ordinary G-code and stops at the `o`. While it skips, or in a
+            .why = R"(The interpreter reads such a line as ordinary G-code and stops at the `o`. While it skips, or in a
 sub that nothing calls, it does not see the O-word: an `endif` or `endwhile` on such a line does not
 end its block, and LinuxCNC skips up to the end of the file.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
   G80
@@ -46,7 +47,7 @@ o100 call [10]
 G0 Z5 o100 call [30]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
   G80
@@ -56,11 +57,11 @@ G0 Z5
 o100 call [30]
 M2
 )",
-        .fix = R"(Write the O-word on a line of its own.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "Bad character 'o' used",
-        .options = "",
-    },
+            .fix = R"(Write the O-word on a line of its own.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "Bad character 'o' used",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -10,7 +10,8 @@ namespace {
 
 /// Whether runs get to the end of the file because the block or sub that begins here has no end.
 bool has_file_end(const Input& in, StatementId opener) {
-  return std::ranges::any_of(in.flow.stops, [&](const FlowStop& s) { return s.statement == opener && s.kind == StopKind::kFileEnd; });
+  return std::ranges::any_of(in.flow.stops,
+                             [&](const FlowStop& s) { return s.statement == opener && s.kind == StopKind::kFileEnd; });
 }
 
 void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
@@ -23,7 +24,8 @@ void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
       f.message = "the O-word has no label before its keyword";
       f.help = "write a number or `<name>` after the `o`: `o100 " + std::string("if` or `o<name> call`");
       break;
-    case StopKind::kLabelNotInteger: case StopKind::kM98Number:
+    case StopKind::kLabelNotInteger:
+    case StopKind::kM98Number:
       f.message = "`" + std::string(p.source->slice(s.label_span())) + "` is not a whole number";
       f.help = "use a whole number or a name in `<>`";
       break;
@@ -79,10 +81,13 @@ extern const Rule kOw306{
     .summary = "a label that is missing, not a whole number, or a name without its `>`",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(An `o` with no number or name after it, a number with decimals such as `o100.5`, a word without `<
+    .page =
+        {
+            .what =
+                R"(An `o` with no number or name after it, a number with decimals such as `o100.5`, a word without `<
 >`, or a name without its `>`.)",
-        .why = R"(`o100.5 if` stops with `Non integer value for integer`; `odrill call` and `o if` stop with `Unknown
+            .why =
+                R"(`o100.5 if` stops with `Non integer value for integer`; `odrill call` and `o if` stop with `Unknown
 word where unary operation could be`; an `o` alone stops with `No characters found in reading real
 value`.
 
@@ -94,7 +99,7 @@ undefined label, or LinuxCNC looks for it up to the end of the file. Inside a su
 with `Nested subroutine definition`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100.5 if [#5070 EQ 1]
@@ -103,7 +108,7 @@ o100.5 endif
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o105 if [#5070 EQ 1]
@@ -112,12 +117,12 @@ o105 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Use a whole number, or a name between `<` and `>`. Number labels in steps of ten, so that there is
+            .fix = R"(Use a whole number, or a name between `<` and `>`. Number labels in steps of ten, so that there is
 room for more blocks.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "Non integer value for integer",
-        .options = "",
-    },
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "Non integer value for integer",
+            .options = "",
+        },
     .check = check,
 };
 

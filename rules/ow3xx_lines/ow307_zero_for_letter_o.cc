@@ -10,7 +10,10 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   const LineError* error = in.program.syntax.error(in.program.at(id));
   Finding& f = out.add(error->span, "this O-word begins with the digit zero instead of the letter O");
   f.help = "write the letter `o`";
-  f.fixes.push_back({"write the letter `o`", !bounds_sub(in.program.at(id)), {{{error->span.begin, error->span.begin + 1}, "o"}}, true});
+  f.fixes.push_back({"write the letter `o`",
+                     !bounds_sub(in.program.at(id)),
+                     {{{error->span.begin, error->span.begin + 1}, "o"}},
+                     true});
   return &f;
 }
 
@@ -27,15 +30,17 @@ extern const Rule kOw307{
     .summary = "the digit 0 instead of the letter O",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A line such as `0100 sub` or `01 endif` that begins with the digit zero and looks like an O-word. On
+    .page =
+        {
+            .what =
+                R"(A line such as `0100 sub` or `01 endif` that begins with the digit zero and looks like an O-word. On
 many screens and printouts the two look the same.)",
-        .why = R"(The interpreter stops at the line. While it skips, or in a sub that nothing calls, it ignores the
+            .why = R"(The interpreter stops at the line. While it skips, or in a sub that nothing calls, it ignores the
 line: a `01 else` does not count, a `01 endif` does not end its block, and LinuxCNC skips everything
 below, up to the end of the file.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
   G80
@@ -44,7 +49,7 @@ o100 call [10]
 0100 call [30]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80
   G80
@@ -53,11 +58,11 @@ o100 call [10]
 o100 call [30]
 M2
 )",
-        .fix = R"(Write a small `o`: it does not look like a zero.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "Bad character '0' used",
-        .options = "",
-    },
+            .fix = R"(Write a small `o`: it does not look like a zero.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "Bad character '0' used",
+            .options = "",
+        },
     .check = check,
 };
 

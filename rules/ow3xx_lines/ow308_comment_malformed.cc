@@ -9,10 +9,12 @@ namespace {
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const LineError* error = in.program.syntax.error(in.program.at(id));
   const bool nested = error->kind == StopKind::kCommentNested;
-  Finding& f = out.add(error->span, nested ? "a comment begins inside another comment" : "the comment is not closed on its line");
+  Finding& f = out.add(error->span,
+                       nested ? "a comment begins inside another comment" : "the comment is not closed on its line");
   f.help = nested ? "use other brackets inside the comment" : "close it with `)`, or begin it with `;`";
   // All of the rest is then a comment, as it was meant or not.
-  if (!nested) f.fixes.push_back({"close the comment at the end of the line", false, {{{error->span.end, error->span.end}, ")"}}});
+  if (!nested)
+    f.fixes.push_back({"close the comment at the end of the line", false, {{{error->span.end, error->span.end}, ")"}}});
   return &f;
 }
 
@@ -34,16 +36,17 @@ extern const Rule kOw308{
     .summary = "a nested or unclosed comment",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `(` inside a `( … )` comment, or a `(` without its `)` on the same line. A comment cannot have
+    .page =
+        {
+            .what = R"(A `(` inside a `( … )` comment, or a `(` without its `)` on the same line. A comment cannot have
 several lines.)",
-        .why = R"(The interpreter stops when it reads the line, even in a branch that is not taken or in a sub that
+            .why = R"(The interpreter stops when it reads the line, even in a branch that is not taken or in a sub that
 nothing calls, because it removes comments first. The two messages are `Nested comment found` and
 `Unclosed comment found`. After `;` any text is allowed, brackets too. A `)` without `(` is not a
 comment: it stops with `Bad character ')' used` when the line is executed.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 (drill 4 holes (deep) through the plate)
 G81 X10 Y10 Z-12 R2 F80
@@ -53,7 +56,7 @@ X10
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 (drill 4 holes, deep, through the plate)
 G81 X10 Y10 Z-12 R2 F80
@@ -63,11 +66,11 @@ X10
 G80
 M2
 )",
-        .fix = R"(Use `[ ]` or a dash inside comments, or begin the comment with `;`.)",
-        .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
-        .interpreter = "Nested comment found",
-        .options = "",
-    },
+            .fix = R"(Use `[ ]` or a dash inside comments, or begin the comment with `;`.)",
+            .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
+            .interpreter = "Nested comment found",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -8,7 +8,8 @@ namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = in.program.at(id);
-  Finding& f = out.add(in.program.syntax.error(s)->span, "the line has " + std::to_string(s.length) + " characters; LinuxCNC reads at most 252");
+  Finding& f = out.add(in.program.syntax.error(s)->span,
+                       "the line has " + std::to_string(s.length) + " characters; LinuxCNC reads at most 252");
   f.help = "split the line, or shorten the comment";
   return &f;
 }
@@ -26,21 +27,22 @@ extern const Rule kOw309{
     .summary = "a line longer than LinuxCNC reads",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A line of more than 252 characters, with spaces and comment. The line end does not count.)",
-        .why = R"(The interpreter stops when it reads the line, anywhere before the program end: in a comment, in a
+    .page =
+        {
+            .what = R"(A line of more than 252 characters, with spaces and comment. The line end does not count.)",
+            .why = R"(The interpreter stops when it reads the line, anywhere before the program end: in a comment, in a
 skipped branch, in a sub that nothing calls. Some post-processors write a whole job description into
 one comment.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 (part 4711 rev C, plate 160x120x12 EN AW-6082, clamp in the low vice with parallels 12 mm, stop on the left, zero on the upper left corner and on the top face, check the height of the clamps before the first run, tool 1 drill 8.5, tool 2 tap M10, tool 3 countersink 90 degrees, deburr all edges 0.3)
 G0 X10 Y10 Z5
 G81 X10 Y10 Z-12 R2 F80
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 (part 4711 rev C, plate 160x120x12 EN AW-6082, clamp in the low vice with parallels 12 mm)
 (stop on the left, zero on the upper left corner and on the top face)
 G0 X10 Y10 Z5
@@ -48,12 +50,12 @@ G81 X10 Y10 Z-12 R2 F80
 G80
 M2
 )",
-        .fix = R"(Split the comment, the expression or the call over several lines. Put a part of a long expression
+            .fix = R"(Split the comment, the expression or the call over several lines. Put a part of a long expression
 into a named parameter first.)",
-        .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
-        .interpreter = "Command too long",
-        .options = "",
-    },
+            .level_reason = "Error if a run reads the line: the program stops. Warning if no run does.",
+            .interpreter = "Command too long",
+            .options = "",
+        },
     .check = check,
 };
 

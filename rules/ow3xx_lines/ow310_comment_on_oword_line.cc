@@ -12,8 +12,10 @@ namespace {
 bool only_comments(std::string_view text) {
   for (size_t at = 0; at < text.size(); ++at) {
     if (text[at] == ';') return true;
-    if (text[at] == '(') at = std::min(text.find(')', at), text.size());
-    else if (text[at] != ' ' && text[at] != '\t' && text[at] != '\r') return false;
+    if (text[at] == '(')
+      at = std::min(text.find(')', at), text.size());
+    else if (text[at] != ' ' && text[at] != '\t' && text[at] != '\r')
+      return false;
   }
   return true;
 }
@@ -34,8 +36,10 @@ void check(const Input& in, Reporter& out) {
     const std::string comment(line.substr(at, line.find_last_not_of(" \t\r") + 1 - at));
     size_t blanks = at;
     while (blanks > 0 && (line[blanks - 1] == ' ' || line[blanks - 1] == '\t')) --blanks;
-    f.fixes.push_back({"move the comment to the line above", false, {{{s.offset, s.offset}, indent_of(*p.source, s) + comment + line_end(*p.source, s)},
-                                                             {{s.offset + blanks, s.offset + at + comment.size()}, ""}}});
+    f.fixes.push_back({"move the comment to the line above",
+                       false,
+                       {{{s.offset, s.offset}, indent_of(*p.source, s) + comment + line_end(*p.source, s)},
+                        {{s.offset + blanks, s.offset + at + comment.size()}, ""}}});
   }
 }
 
@@ -47,13 +51,15 @@ extern const Rule kOw310{
     .summary = "a comment on an O-word line",
     .group = Group::kLine,
     .level = Severity::kInfo,
-    .page = {
-        .what = R"(A `( … )` or `;` comment on a line with an O-word. The documentation calls the result undefined.)",
-        .why = R"(LinuxCNC runs such lines today, but **active comments do nothing there**: it neither shows nor
+    .page =
+        {
+            .what =
+                R"(A `( … )` or `;` comment on a line with an O-word. The documentation calls the result undefined.)",
+            .why = R"(LinuxCNC runs such lines today, but **active comments do nothing there**: it neither shows nor
 evaluates `(MSG,…)`, `(PRINT,…)` and `(DEBUG,…)` on an O-word line, although it executes the line. A
 comment before the O-word, between label and keyword, or between `if` or `return` and the bracket
 stops the program.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 0] (MSG,no contact: check the probe)
@@ -62,7 +68,7 @@ o100 endif
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 0]
@@ -72,12 +78,12 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Write the comment on a line of its own, above or below. This rule is off unless you select it,
+            .fix = R"(Write the comment on a line of its own, above or below. This rule is off unless you select it,
 because an ordinary comment after an O-word is harmless in all versions that were measured.)",
-        .level_reason = "Info: the documentation calls it undefined, but every version runs it.",
-        .interpreter = "",
-        .options = "--select OW310",
-    },
+            .level_reason = "Info: the documentation calls it undefined, but every version runs it.",
+            .interpreter = "",
+            .options = "--select OW310",
+        },
     .check = check,
 };
 

@@ -26,11 +26,12 @@ extern const Rule kOw311{
     .summary = "a capital `O` that looks like a zero",
     .group = Group::kLine,
     .level = Severity::kInfo,
-    .page = {
-        .what = R"(An O-word written with a capital `O`: `O100 sub`.)",
-        .why = R"(LinuxCNC accepts both. But on a screen `O100` and `0100` look the same, and the second stops the
+    .page =
+        {
+            .what = R"(An O-word written with a capital `O`: `O100 sub`.)",
+            .why = R"(LinuxCNC accepts both. But on a screen `O100` and `0100` look the same, and the second stops the
 program, or is ignored in a skipped branch (OW307).)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X0 Y0 Z5
 O100 repeat [4]
   G91 G0 X10
@@ -39,7 +40,7 @@ O100 repeat [4]
 O100 endrepeat
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
   G91 G0 X10
@@ -48,12 +49,12 @@ o100 repeat [4]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Write a small `o`. If your other controls need the capital letter, leave this rule off; it is off
+            .fix = R"(Write a small `o`. If your other controls need the capital letter, leave this rule off; it is off
 unless you select it.)",
-        .level_reason = "Info: LinuxCNC reads both alike; the letter only matters to people.",
-        .interpreter = "",
-        .options = "--select OW311",
-    },
+            .level_reason = "Info: LinuxCNC reads both alike; the letter only matters to people.",
+            .interpreter = "",
+            .options = "--select OW311",
+        },
     .check = check,
 };
 

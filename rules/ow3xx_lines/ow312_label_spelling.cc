@@ -30,13 +30,15 @@ extern const Rule kOw312{
     .summary = "leading zeros, decimals, spaces or capital letters in a label",
     .group = Group::kLine,
     .level = Severity::kInfo,
-    .page = {
-        .what = R"(A label with leading zeros (`o0100`), decimals (`o100.0`), a sign, spaces inside (`o 100`, `o<my
+    .page =
+        {
+            .what = R"(A label with leading zeros (`o0100`), decimals (`o100.0`), a sign, spaces inside (`o 100`, `o<my
 sub>`) or capital letters in a name (`o<Drill>`).)",
-        .why = R"(LinuxCNC reads `o0100`, `o100.0`, `o 1 0 0` and `o<100>` as `o100`, and `o<My Sub>` as `o<mysub>`. A
+            .why =
+                R"(LinuxCNC reads `o0100`, `o100.0`, `o 1 0 0` and `o<100>` as `o100`, and `o<My Sub>` as `o<mysub>`. A
 search for the label does not find them all. The file for `o<Drill> call` must have the name
 `drill.ngc`, in small letters.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X0 Y0 Z5
 o0100 repeat [4]
   G91 G0 X10
@@ -45,7 +47,7 @@ o0100 repeat [4]
 o0100 endrepeat
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X0 Y0 Z5
 o100 repeat [4]
   G91 G0 X10
@@ -54,12 +56,12 @@ o100 repeat [4]
 o100 endrepeat
 M2
 )",
-        .fix = R"(Write a label the same way everywhere: plain digits, or small letters without spaces. This rule is
+            .fix = R"(Write a label the same way everywhere: plain digits, or small letters without spaces. This rule is
 off unless you select it.)",
-        .level_reason = "Info: LinuxCNC reads both spellings as one label.",
-        .interpreter = "",
-        .options = "--select OW312",
-    },
+            .level_reason = "Info: LinuxCNC reads both spellings as one label.",
+            .interpreter = "",
+            .options = "--select OW312",
+        },
     .check = check,
 };
 

@@ -7,7 +7,8 @@ namespace owlint::rules {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
-  Finding& f = out.add(in.program.syntax.error(in.program.at(id))->span, "block delete `/` comes after the line number");
+  Finding& f =
+      out.add(in.program.syntax.error(in.program.at(id))->span, "block delete `/` comes after the line number");
   f.help = "write the `/` before the `N`";
   const Statement& s = in.program.at(id);
   const uint64_t first = s.offset + indent_of(*in.program.source, s).size();
@@ -28,34 +29,35 @@ extern const Rule kOw313{
     .summary = "block delete `/` after the line number",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A line such as `N40 /G0 Z5` or `N40 /o100 call`: the slash comes after the line number. Other
+    .page =
+        {
+            .what = R"(A line such as `N40 /G0 Z5` or `N40 /o100 call`: the slash comes after the line number. Other
 controls allow that, and also several skip levels such as `/2`.)",
-        .why = R"(LinuxCNC looks for `/` only at the very start of the line. Elsewhere it stops with the message
+            .why = R"(LinuxCNC looks for `/` only at the very start of the line. Elsewhere it stops with the message
 below; `/2 G0 X5` stops with `Bad character '2' used`, and `o100 /if [1]` with `Unknown control
 command in o word`, whether block delete is on or off. Skipped lines and subs that nothing calls are
 not checked.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(N10 G21 G90
+            .bad = R"(N10 G21 G90
 N20 G0 X10 Y10 Z5
 N30 G1 Z-2 F80
 N40 /G1 Z-4
 N50 G0 Z5
 N60 M2
 )",
-        .good = R"(N10 G21 G90
+            .good = R"(N10 G21 G90
 N20 G0 X10 Y10 Z5
 N30 G1 Z-2 F80
 /N40 G1 Z-4
 N50 G0 Z5
 N60 M2
 )",
-        .fix = R"(Write the slash before the line number.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "Bad character '/' used",
-        .options = "",
-    },
+            .fix = R"(Write the slash before the line number.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "Bad character '/' used",
+            .options = "",
+        },
     .check = check,
 };
 

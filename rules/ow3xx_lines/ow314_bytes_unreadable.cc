@@ -42,8 +42,10 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 void report_file(const Input& in, Reporter& out) {
   const bool utf16 = in.index.nature.kind == Nature::kUtf16;
   const std::string_view bytes = in.program.source->bytes();
-  Finding& f = out.add({0, std::min<uint64_t>(bytes.size(), 2)}, utf16 ? "this is a UTF-16 file; LinuxCNC cannot read it" : "this is not a text file");
-  f.help = utf16 ? "save it as UTF-8 without byte order mark, or as plain text" : "check that it is the right file; a program is plain text";
+  Finding& f = out.add({0, std::min<uint64_t>(bytes.size(), 2)},
+                       utf16 ? "this is a UTF-16 file; LinuxCNC cannot read it" : "this is not a text file");
+  f.help = utf16 ? "save it as UTF-8 without byte order mark, or as plain text"
+                 : "check that it is the right file; a program is plain text";
   for (const FlowStop& stop : in.flow.stops) {
     if (f.stops && f.reach >= stop.reach) continue;
     f.stops = true;
@@ -82,12 +84,14 @@ extern const Rule kOw314{
     .summary = "a byte order mark, NUL, CR-only line ends, or characters that LinuxCNC does not know",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A byte order mark at the start of the file, no-break spaces, typographic minus signs or quotes from
+    .page =
+        {
+            .what =
+                R"(A byte order mark at the start of the file, no-break spaces, typographic minus signs or quotes from
 a web page or a manual, letters with accents outside comments and names, control characters, NUL
 bytes, or a file whose lines end with CR only. A file that is UTF-16, or not text at all, is
 reported once. The example has a no-break space between `G0` and `X10`, which no editor shows.)",
-        .why = R"(The interpreter stops with `Bad character '\357' used` (a byte order mark), `'\302'` (a no-break
+            .why = R"(The interpreter stops with `Bad character '\357' used` (a byte order mark), `'\302'` (a no-break
 space), `'\303'` (an accented letter); the number is the first byte in octal. A typographic minus
 in a value gives `bad number format (conversion failed) parsing ''`.
 
@@ -96,23 +100,24 @@ is lost. A file with only CR is one long line to LinuxCNC: if it starts with a `
 everything is comment. In comments, and in names between `< >`, accented letters are allowed.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = "G21 G90\n"
-               "G0\xC2\xA0X10 Y10 Z5\n"
-               "G1 Z-2 F80\n"
-               "G0 Z5\n"
-               "M2\n",
-        .good = R"(G21 G90
+            .bad = "G21 G90\n"
+                   "G0\xC2\xA0X10 Y10 Z5\n"
+                   "G1 Z-2 F80\n"
+                   "G0 Z5\n"
+                   "M2\n",
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G1 Z-2 F80
 G0 Z5
 M2
 )",
-        .fix = R"(Save the file as plain text: ASCII or UTF-8 without byte order mark, with lines ending in LF or CR
+            .fix = R"(Save the file as plain text: ASCII or UTF-8 without byte order mark, with lines ending in LF or CR
 LF. Type the marked character again.)",
-        .level_reason = "Error if the program stops at the byte. Warning if LinuxCNC ignores the rest without a message, or no run gets here.",
-        .interpreter = "Bad character '\\302' used",
-        .options = "",
-    },
+            .level_reason = "Error if the program stops at the byte. Warning if LinuxCNC ignores the rest without a "
+                            "message, or no run gets here.",
+            .interpreter = "Bad character '\\302' used",
+            .options = "",
+        },
     .check = check,
 };
 

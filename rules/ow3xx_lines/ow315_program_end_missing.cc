@@ -30,7 +30,8 @@ bool part_of_a_program(const Input& in) {
   if (in.profile.setup == nullptr) return false;
   const std::string_view own = stem_of(in.program.source->path());
   return std::ranges::any_of(std::array{"NGCGUI_PREAMBLE", "NGCGUI_POSTAMBLE"}, [&](const char* key) {
-    return std::ranges::any_of(in.profile.setup->ini.all("DISPLAY", key), [&](const Ini::Entry* entry) { return stem_of(entry->value) == own; });
+    return std::ranges::any_of(in.profile.setup->ini.all("DISPLAY", key),
+                               [&](const Ini::Entry* entry) { return stem_of(entry->value) == own; });
   });
 }
 
@@ -43,12 +44,15 @@ void check(const Input& in, Reporter& out) {
       f.help = "begin the file with `%`, or end it with `M2`";
       if (!begins_pair(p, stop.statement)) return &f;
       const Span first = first_line(p);
-      f.message = "`%` must be the file's first line: line " + std::to_string(p.source->position(first.begin).line) + " comes before it";
+      f.message = "`%` must be the file's first line: line " + std::to_string(p.source->position(first.begin).line) +
+          " comes before it";
       f.help = "put `%` first, or remove it and end the program with `M2`";
       f.related.push_back({first, "this comes before it", nullptr});
       const Span line = p.source->line(p.at(stop.statement).line);
       const Span with_end{line.begin, std::min<uint64_t>(line.end + 1, p.source->bytes().size())};
-      f.fixes.push_back({"put `%` first", false, {{{first.begin, first.begin}, std::string(p.source->slice(with_end))}, {with_end, ""}}});
+      f.fixes.push_back({"put `%` first",
+                         false,
+                         {{{first.begin, first.begin}, std::string(p.source->slice(with_end))}, {with_end, ""}}});
       return &f;
     }
     const uint32_t line = p.syntax.last_code == 0 ? std::max(1U, p.syntax.lines) : p.syntax.last_code;
@@ -83,10 +87,11 @@ extern const Rule kOw315{
     .summary = "the program reaches the end of the file without M2, M30 or `%`",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A program without `M2` or `M30` at its end, one that has it only in a branch, or one that begins
+    .page =
+        {
+            .what = R"(A program without `M2` or `M30` at its end, one that has it only in a branch, or one that begins
 with `%` but has no second `%`.)",
-        .why = R"(The machine makes all moves, then the interpreter reports an error at the end of the file. The job
+            .why = R"(The machine makes all moves, then the interpreter reports an error at the end of the file. The job
 never counts as finished, and the resets that `M2` and `M30` make are missing. If a file begins with
 `%` and has no closing one, the message is `File ended with no percent sign`; a `%` only at the end
 stops with `Bad character '%' used`. From 2.9.10 on the message is `File ended with no percent sign
@@ -99,7 +104,7 @@ the program there.)
 A file that other programs call needs no program end. Neither does a file that ngcgui puts before or
 after a program (with `(not_a_subfile)` in it, or named in the INI as `NGCGUI_PREAMBLE` or
 `NGCGUI_POSTAMBLE`).)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 S1200 M3
 G0 X10 Y10 Z5
 G81 X10 Y10 Z-5 R2 F80
@@ -107,7 +112,7 @@ X30
 G80
 M5
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 S1200 M3
 G0 X10 Y10 Z5
 G81 X10 Y10 Z-5 R2 F80
@@ -116,11 +121,11 @@ G80
 M5
 M2
 )",
-        .fix = R"(End the program with `M2` or `M30`, on a line that every run reaches.)",
-        .level_reason = "Error: every run that gets to the end of the file stops there, after the last move.",
-        .interpreter = "File ended with no percent sign or program end",
-        .options = "",
-    },
+            .fix = R"(End the program with `M2` or `M30`, on a line that every run reaches.)",
+            .level_reason = "Error: every run that gets to the end of the file stops there, after the last move.",
+            .interpreter = "File ended with no percent sign or program end",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -9,7 +9,9 @@ namespace owlint::rules {
 namespace {
 
 /// Whether `line` belongs to a sub, where calls can lead.
-bool in_sub(const Program& p, StatementId before) { return p.region_of[before] != kMainRegion && p.regions[p.region_of[before]].end != before; }
+bool in_sub(const Program& p, StatementId before) {
+  return p.region_of[before] != kMainRegion && p.regions[p.region_of[before]].end != before;
+}
 
 /// The first line of code outside of subs in the statements from `first` on, up to `last` or to a program end; 0 if there is none.
 uint32_t code_outside(const Input& in, StatementId first, StatementId last) {
@@ -30,7 +32,8 @@ void check_sub_file(const Input& in, Reporter& out) {
   const auto lines = p.by_label[p.entry];
   const StatementId opener = *std::ranges::find_if(lines, [&](StatementId id) { return p.at(id).is(Keyword::kSub); });
   const std::string sub = p.label_text(p.entry);
-  const auto report = [&](uint32_t line, const std::string& why, StatementId place, const std::string& words, const std::string& help) {
+  const auto report = [&](uint32_t line, const std::string& why, StatementId place, const std::string& words,
+                          const std::string& help) {
     if (line == 0) return;
     Finding& f = out.add(p.source->line(line), "this line never runs when `" + sub + "` is called: " + why);
     relate(f, p, place, words);
@@ -42,7 +45,8 @@ void check_sub_file(const Input& in, Reporter& out) {
   const StatementId end = p.regions[p.region_of[opener]].end;
   if (end == kNoStatement) return;
   const std::string closed = "`" + sub + " endsub`";
-  report(code_outside(in, end, static_cast<StatementId>(p.size())), "LinuxCNC goes back at " + closed, end, "a call ends here", "move it above " + closed);
+  report(code_outside(in, end, static_cast<StatementId>(p.size())), "LinuxCNC goes back at " + closed, end,
+         "a call ends here", "move it above " + closed);
 }
 
 void check(const Input& in, Reporter& out) {
@@ -50,20 +54,27 @@ void check(const Input& in, Reporter& out) {
   if (p.sub_file) return check_sub_file(in, out);
   // The first line after an executed program end that no run gets to.
   StatementId end = kNoStatement;
-  const auto first = std::ranges::find_if(in.index.ends, [&](StatementId id) { return in.flow.executed[id] && !p.at(id).has_m99(); });
-  for (StatementId id = first == in.index.ends.end() ? static_cast<StatementId>(p.size()) : *first; id < p.size(); ++id) {
+  const auto first =
+      std::ranges::find_if(in.index.ends, [&](StatementId id) { return in.flow.executed[id] && !p.at(id).has_m99(); });
+  for (StatementId id = first == in.index.ends.end() ? static_cast<StatementId>(p.size()) : *first; id < p.size();
+       ++id) {
     const Statement& s = p.at(id);
-    const bool ends = (s.kind == LineKind::kProgramEnd || (s.kind == LineKind::kPercent && id > 0)) && in.flow.executed[id];
+    const bool ends =
+        (s.kind == LineKind::kProgramEnd || (s.kind == LineKind::kPercent && id > 0)) && in.flow.executed[id];
     if (ends && p.region_of[id] == kMainRegion && p.block_of[id] == kNoBlock) end = id;
     if (in.flow.executed[id] && !ends && id > 0 && p.region_of[id] == kMainRegion) end = kNoStatement;
     if (end == kNoStatement) continue;
     uint32_t line = 0;
     if (s.plain_code_follows && !in_sub(p, id) && (id == end || !in.flow.executed[id])) line = s.first_plain_line;
-    if (id > end && p.region_of[id] == kMainRegion && !in.flow.executed[id] && s.kind != LineKind::kPercent && s.kind != LineKind::kProgramEnd && !s.nul) line = s.line;
+    if (id > end && p.region_of[id] == kMainRegion && !in.flow.executed[id] && s.kind != LineKind::kPercent &&
+        s.kind != LineKind::kProgramEnd && !s.nul)
+      line = s.line;
     if (line == 0) continue;
     // Inside a block that runs past the end on another path, nothing is certain.
     bool within = false;
-    for (const Block& block : p.blocks) within = within || (block.opener < end && block.end != kNoStatement && block.end > end && block.region == kMainRegion);
+    for (const Block& block : p.blocks)
+      within =
+          within || (block.opener < end && block.end != kNoStatement && block.end > end && block.region == kMainRegion);
     if (within) return;
     const Span span = p.source->line(line);
     Finding& f = out.add(span, "no run gets to this line: the program ends on line " + std::to_string(p.at(end).line));
@@ -82,18 +93,20 @@ extern const Rule kOw316{
     .summary = "lines after the program end that no run reaches",
     .group = Group::kLine,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(Lines after an `M2` or `M30` that every run reaches, or after the closing `%`. Subs below the
+    .page =
+        {
+            .what = R"(Lines after an `M2` or `M30` that every run reaches, or after the closing `%`. Subs below the
 program end are not reported, because a call looks ahead for them.
 
 In a file that other programs call: lines outside its subs. Such a file has the sub with its own
 name, and calls nothing outside the sub.)",
-        .why = R"(LinuxCNC never reads these lines. It never makes moves there, and never reports mistakes there; what
+            .why =
+                R"(LinuxCNC never reads these lines. It never makes moves there, and never reports mistakes there; what
 looks like a second operation is not cut.
 
 When a file is called, LinuxCNC skips to the sub with the file's name and returns at its `endsub`.
 It executes nothing above or below: a `G21` or `#<depth> = 5` there has no effect.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G81 X10 Y10 Z-5 R2 F80
 G80
@@ -103,7 +116,7 @@ G81 X30 Y10 Z-5 R2 F80
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G81 X10 Y10 Z-5 R2 F80
 G80
@@ -112,12 +125,12 @@ G81 X30 Y10 Z-5 R2 F80
 G80
 M2
 )",
-        .fix = R"(Remove the early program end if you want the lines below it; otherwise remove the lines. If a part
+            .fix = R"(Remove the early program end if you want the lines below it; otherwise remove the lines. If a part
 should run only sometimes, put it into an `if`.)",
-        .level_reason = "Warning: the program runs but these lines never do.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason = "Warning: the program runs but these lines never do.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -16,7 +16,8 @@ void check(const Input& in, Reporter& out) {
     const std::string written(p.source->slice(span));
     std::string read = written;
     std::erase_if(read, [](char c) { return c == ' ' || c == '\t'; });
-    Finding& f = out.add(span, "`" + written + "` is read as `" + read + "`: LinuxCNC removes spaces, also inside numbers");
+    Finding& f =
+        out.add(span, "`" + written + "` is read as `" + read + "`: LinuxCNC removes spaces, also inside numbers");
     f.reach = in.flow.reach(id);
     f.help = "write the number without a space";
     if (!p.at(id).is(Keyword::kCall)) continue;
@@ -38,34 +39,35 @@ extern const Rule kOw317{
     .summary = "a space inside a number in brackets: LinuxCNC reads one number",
     .group = Group::kLine,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(`o100 call [1 2]`, `o100 repeat [1 0]`: two numbers in one pair of brackets, with a space between
+    .page =
+        {
+            .what = R"(`o100 call [1 2]`, `o100 repeat [1 0]`: two numbers in one pair of brackets, with a space between
 them.)",
-        .why = R"(LinuxCNC removes all spaces before it reads a line. `[1 2]` is the number 12: the sub gets **one
+            .why = R"(LinuxCNC removes all spaces before it reads a line. `[1 2]` is the number 12: the sub gets **one
 argument, 12**, and its `#2` is 0. There is no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G0 X#1 Y#2
 o100 endsub
 o100 call [1 2]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G0 X#1 Y#2
 o100 endsub
 o100 call [1] [2]
 M2
 )",
-        .fix = R"(Write each argument in its own brackets; write a number without spaces.)",
-        .level_reason = "Warning: LinuxCNC runs the line, with one number instead of two.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X12",
-        .moves_good = "X1",
-    },
+            .fix = R"(Write each argument in its own brackets; write a number without spaces.)",
+            .level_reason = "Warning: LinuxCNC runs the line, with one number instead of two.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X12",
+            .moves_good = "X1",
+        },
     .check = check,
 };
 

@@ -33,23 +33,25 @@ extern const Rule kOw318{
     .summary = "text, or a word of another language, in a program",
     .group = Group::kLine,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A line with text outside a comment, or with words of another control or of BASIC: `GOTO 20`, `END1`,
+    .page =
+        {
+            .what =
+                R"(A line with text outside a comment, or with words of another control or of BASIC: `GOTO 20`, `END1`,
 `GOSUB`, `THEN`, a title above the program. owlint checks lines with two letters in a row, and says
 what LinuxCNC has instead.)",
-        .why = R"(A word is a letter and a value. The interpreter stops when it executes such a line, with `Unknown
+            .why = R"(A word is a letter and a value. The interpreter stops when it executes such a line, with `Unknown
 word where unary operation could be` or `Unknown word starting with e`. In a skipped branch there is
 no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 GOTO 90
 G1 Z-2 F80
 N90 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 o100 if [#5070 EQ 1]
   G1 Z-2 F80
@@ -57,12 +59,13 @@ o100 endif
 G0 Z5
 M2
 )",
-        .fix = R"(Write text in a comment. Replace a jump by an `if` or a loop, and a loop of another control by `o100
+            .fix =
+                R"(Write text in a comment. Replace a jump by an `if` or a loop, and a loop of another control by `o100
 while`.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "Unknown word where unary operation could be",
-        .options = "",
-    },
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "Unknown word where unary operation could be",
+            .options = "",
+        },
     .check = check,
 };
 

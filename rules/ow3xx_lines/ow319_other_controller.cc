@@ -8,8 +8,10 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Nature& nature = in.index.nature;
   if (nature.kind != Nature::kOtherController) return;
-  Finding& f = out.add(nature.mark, "this looks like a program for " + std::string(nature.controller) + "; owlint checks for LinuxCNC");
-  if (nature.other_mark.end > nature.other_mark.begin) f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
+  Finding& f = out.add(
+      nature.mark, "this looks like a program for " + std::string(nature.controller) + "; owlint checks for LinuxCNC");
+  if (nature.other_mark.end > nature.other_mark.begin)
+    f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
   f.help = "leave the file out of the check";
   f.reach = Reach::kAlways;
 }
@@ -22,16 +24,17 @@ extern const Rule kOw319{
     .summary = "a program for another controller",
     .group = Group::kLine,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A program that looks like one for another controller: FluidNC, grbl and grblHAL, Fanuc macro B,
+    .page =
+        {
+            .what = R"(A program that looks like one for another controller: FluidNC, grbl and grblHAL, Fanuc macro B,
 Haas, Mach3 and Mach4, PathPilot, a 3D printer (Marlin, Klipper), Siemens, Heidenhain. owlint
 recognises it by lines that only that controller has and that stop LinuxCNC: a line that cannot be a
 typing error, or two of different kinds, or a code that LinuxCNC does not have in a file whose
 comments name the controller. A few such lines in a program with O-word blocks are mistakes, and are
 reported as mistakes.)",
-        .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller first;
+            .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller first;
 other stops in the file are info, and what no run reaches is not reported.)",
-        .bad = R"(O9010
+            .bad = R"(O9010
 IF [#1 EQ #0] GOTO 90
 #2 = 0
 WHILE [#2 LT 5] DO 1
@@ -40,7 +43,7 @@ WHILE [#2 LT 5] DO 1
 END 1
 N90 M99
 )",
-        .good = R"(o9010 sub
+            .good = R"(o9010 sub
   #2 = 0
   o100 while [#2 LT 5]
     G0 X[#2 * 10]
@@ -50,11 +53,11 @@ o9010 endsub
 o9010 call
 M2
 )",
-        .fix = R"(Write the program for LinuxCNC, or leave the file out of the check.)",
-        .level_reason = "Warning: the program stops, but perhaps it is meant for another machine.",
-        .interpreter = "",
-        .options = "",
-    },
+            .fix = R"(Write the program for LinuxCNC, or leave the file out of the check.)",
+            .level_reason = "Warning: the program stops, but perhaps it is meant for another machine.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -10,9 +10,11 @@ void check(const Input& in, Reporter& out) {
     const Program& p = in.program;
     const Program& file = *stop.file;
     const std::string& path = file.source->path();
-    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` reads " + path + ", which does not define that sub");
+    Finding& f = out.add(p.at(stop.statement).head_span(),
+                         "`" + p.head(stop.statement) + "` reads " + path + ", which does not define that sub");
     if (path == p.source->path()) {
-      f.message = "`" + p.head(stop.statement) + "` finds this program itself: its file " + file_name(*file.source) + " has the name of the sub";
+      f.message = "`" + p.head(stop.statement) + "` finds this program itself: its file " + file_name(*file.source) +
+          " has the name of the sub";
       f.help = "give the program another name";
       return &f;
     }
@@ -21,15 +23,17 @@ void check(const Input& in, Reporter& out) {
       if (region.opener != kNoStatement && only == nullptr) only = &region;
     }
     if (only != nullptr && file.name(only->name) == stop.detail && file.source->bytes().starts_with("\xEF\xBB\xBF")) {
-      f.message = "`" + p.head(stop.statement) + "` reads " + path + ", but a byte order mark hides the sub's first line";
+      f.message =
+          "`" + p.head(stop.statement) + "` reads " + path + ", but a byte order mark hides the sub's first line";
       relate(in, f, {&file, only->opener}, "a byte order mark comes before this line; no editor shows it");
       f.help = "save " + file_name(*file.source) + " as UTF-8 without byte order mark, or as plain text";
     } else if (only != nullptr) {
       relate(in, f, {&file, only->opener}, "the file defines this sub");
       f.help = "give the sub the name of its file, and call it by that name";
     } else {
-      f.help = file.size() == 0 && file.source->bytes().empty() ? "write the sub into the file: it is empty"
-                                                                : "put `o<" + stop.detail + "> sub` and its `endsub` around the lines of the file";
+      f.help = file.size() == 0 && file.source->bytes().empty()
+          ? "write the sub into the file: it is empty"
+          : "put `o<" + stop.detail + "> sub` and its `endsub` around the lines of the file";
     }
     return &f;
   });
@@ -43,14 +47,16 @@ extern const Rule kOw401{
     .summary = "the called file exists but does not define the sub",
     .group = Group::kFiles,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A call finds a file of that name on the search path, but the file has no `sub` line with the name.)",
-        .why = R"(LinuxCNC reads the file from its beginning, looks for `o<name> sub`, and stops at the end of the
+    .page =
+        {
+            .what =
+                R"(A call finds a file of that name on the search path, but the file has no `sub` line with the name.)",
+            .why = R"(LinuxCNC reads the file from its beginning, looks for `o<name> sub`, and stops at the end of the
 file. It does not look further along the search path. So an empty or forgotten file of the same name
 hides the right one.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<bore> call [12]
 M2
 ; file: bore.ngc
@@ -58,7 +64,7 @@ o<bore_d> sub
   G2 X0 Y0 I[#1/2]
 o<bore_d> endsub
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<bore> call [12]
 M2
 ; file: bore.ngc
@@ -66,11 +72,11 @@ o<bore> sub
   G2 X0 Y0 I[#1/2] F200
 o<bore> endsub
 )",
-        .fix = R"(Give the sub the name of its file. A copied file usually still has the old name inside.)",
-        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
-        .interpreter = "EOF in file:FILE seeking o-word: o<bore> from line: 0",
-        .options = "",
-    },
+            .fix = R"(Give the sub the name of its file. A copied file usually still has the old name inside.)",
+            .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
+            .interpreter = "EOF in file:FILE seeking o-word: o<bore> from line: 0",
+            .options = "",
+        },
     .check = check,
 };
 

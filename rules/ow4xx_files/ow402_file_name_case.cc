@@ -9,7 +9,9 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const std::string other = in.linked.search_path().find_other_case(stop.detail).value_or(stop.detail);
-    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` looks for `" + stop.detail + ".ngc`, but the file is named " + other);
+    Finding& f =
+        out.add(p.at(stop.statement).head_span(),
+                "`" + p.head(stop.statement) + "` looks for `" + stop.detail + ".ngc`, but the file is named " + other);
     f.help = "rename the file to `" + stop.detail + ".ngc`: LinuxCNC looks only for names in small letters";
     return &f;
   });
@@ -17,7 +19,8 @@ void check(const Input& in, Reporter& out) {
   if (!p.sub_file || name == small_letters(name)) return;
   for (const Region& region : p.regions) {
     if (region.name != p.entry || region.opener == kNoStatement) continue;
-    Finding& f = out.add(p.at(region.opener).head_span(), "no call can find this sub: the file is named `" + name + "`");
+    Finding& f =
+        out.add(p.at(region.opener).head_span(), "no call can find this sub: the file is named `" + name + "`");
     f.help = "rename the file to `" + small_letters(name) + "`: LinuxCNC looks only for names in small letters";
     f.reach = Reach::kNever;
     return;
@@ -29,7 +32,9 @@ void check_setup(const SetupInput& in, Reporter& out) {
     if (call.name.empty() || in.setup.search_path->find(small_letters(call.name))) continue;
     const auto other = in.setup.search_path->find_other_case(call.name);
     if (!other) continue;
-    Finding& f = out.add(call.source, call.span, "`" + std::string(call.key) + "` calls `" + small_letters(call.name) + ".ngc`, but the file is named " + *other);
+    Finding& f = out.add(call.source, call.span,
+                         "`" + std::string(call.key) + "` calls `" + small_letters(call.name) +
+                             ".ngc`, but the file is named " + *other);
     f.help = "rename the file to `" + small_letters(call.name) + ".ngc`";
   }
 }
@@ -42,13 +47,16 @@ extern const Rule kOw402{
     .summary = "a file whose name has capital letters can never be called",
     .group = Group::kFiles,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A called name matches a file only if capital and small letters count as the same; or a sub file has
+    .page =
+        {
+            .what =
+                R"(A called name matches a file only if capital and small letters count as the same; or a sub file has
 capital letters in its name.)",
-        .why = R"(LinuxCNC changes the whole line to small letters before it looks for the file: `o<Probe> call` looks
+            .why =
+                R"(LinuxCNC changes the whole line to small letters before it looks for the file: `o<Probe> call` looks
 for `probe.ngc`. On Linux, `Probe.ngc` is a different file, so the call stops as if there were no
 file. `NO_DOWNCASE_OWORD` in the INI was tried and does not change this.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<Probe> call
 M2
 ; file: machine.ini
@@ -59,7 +67,7 @@ o<probe> sub
   G38.2 Z-10 F50
 o<probe> endsub
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<Probe> call
 M2
 ; file: machine.ini
@@ -70,11 +78,11 @@ o<probe> sub
   G38.2 Z-10 F50
 o<probe> endsub
 )",
-        .fix = R"(Rename the file.)",
-        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
-        .interpreter = "EOF in file:PROGRAM seeking o-word: o<probe> from line: 2",
-        .options = "--ini machine.ini",
-    },
+            .fix = R"(Rename the file.)",
+            .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
+            .interpreter = "EOF in file:PROGRAM seeking o-word: o<probe> from line: 2",
+            .options = "--ini machine.ini",
+        },
     .check = check,
     .check_setup = check_setup,
 };

@@ -8,7 +8,9 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
-    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` calls a sub that comes before the called one in this file: LinuxCNC does not know it");
+    Finding& f = out.add(p.at(stop.statement).head_span(),
+                         "`" + p.head(stop.statement) +
+                             "` calls a sub that comes before the called one in this file: LinuxCNC does not know it");
     for (const Region& region : p.regions) {
       if (region.opener != kNoStatement && p.name(region.name) == stop.detail) {
         relate(f, p, region.opener, "defined here, but LinuxCNC skips this line");
@@ -28,14 +30,17 @@ extern const Rule kOw404{
     .summary = "a helper before the called sub in its file is unknown",
     .group = Group::kFiles,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A called file has a helper sub before the sub with the file's name, and that sub calls the helper.)",
-        .why = R"(For `o<drill> call` LinuxCNC reads `drill.ngc` up to the line `o<drill> sub` and ignores everything
+    .page =
+        {
+            .what =
+                R"(A called file has a helper sub before the sub with the file's name, and that sub calls the helper.)",
+            .why =
+                R"(For `o<drill> call` LinuxCNC reads `drill.ngc` up to the line `o<drill> sub` and ignores everything
 before it. When the sub calls the helper, LinuxCNC looks for a file with the helper's name, and then
 from the call to the end of the file. It does not find the helper, and stops.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<drill> call [10]
 M2
 ; file: drill.ngc
@@ -46,7 +51,7 @@ o<drill> sub
   o<peck> call [#1]
 o<drill> endsub
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<drill> call [10]
 M2
 ; file: drill.ngc
@@ -58,12 +63,13 @@ o<peck> sub
   G81 X#1 Y0 Z-5 R2 F80
 o<peck> endsub
 )",
-        .fix = R"(Give the helper a file of its own. If you move it after the called sub, it runs up to LinuxCNC 2.9,
+            .fix =
+                R"(Give the helper a file of its own. If you move it after the called sub, it runs up to LinuxCNC 2.9,
 and stops from 2.10 on.)",
-        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
-        .interpreter = "EOF in file:FILE seeking o-word: o<peck> from line: N",
-        .options = "",
-    },
+            .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
+            .interpreter = "EOF in file:FILE seeking o-word: o<peck> from line: N",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -32,17 +32,21 @@ void check(const Input& in, Reporter& out) {
       const StatementId opener = opener_of_target(p, call);
       const Statement& sub = p.at(opener);
       if (opener > call.statement) {
-        Finding& f = out.add(p.at(call.statement).head_span(), "`" + p.head(call.statement) + "` runs " + files[0].path + ", not the sub on line " + std::to_string(sub.line) + ", which comes later");
+        Finding& f = out.add(p.at(call.statement).head_span(),
+                             "`" + p.head(call.statement) + "` runs " + files[0].path + ", not the sub on line " +
+                                 std::to_string(sub.line) + ", which comes later");
         relate(f, p, opener, "this sub is not called there");
         f.help = "define the sub before the call, or rename it";
         f.reach = in.flow.reach(call.statement);
         continue;
       }
-      Finding& f = out.add(sub.head_span(), "`" + p.label_text(call.callee) + "` hides the file " + files[0].path + " of the same name");
+      Finding& f = out.add(sub.head_span(),
+                           "`" + p.label_text(call.callee) + "` hides the file " + files[0].path + " of the same name");
       f.help = "rename the sub, unless this program needs its own version";
       f.reach = in.flow.reach(opener);
     } else if (files.size() > 1 && !same_bytes(files[0].path, files[1].path)) {
-      Finding& f = out.add(p.at(call.statement).head_span(), "`" + p.head(call.statement) + "` runs " + files[0].path + ", which hides " + files[1].path);
+      Finding& f = out.add(p.at(call.statement).head_span(),
+                           "`" + p.head(call.statement) + "` runs " + files[0].path + ", which hides " + files[1].path);
       f.help = "remove or rename the file that you do not want";
       f.reach = in.flow.reach(call.statement);
     }
@@ -57,13 +61,14 @@ extern const Rule kOw405{
     .summary = "a sub hides a file, or a file hides another one further along the search path",
     .group = Group::kFiles,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A sub of the program has the name of a file on the search path, or the search path has two files
+    .page =
+        {
+            .what = R"(A sub of the program has the name of a file on the search path, or the search path has two files
 with the same name but different contents.)",
-        .why = R"(LinuxCNC uses a sub that it knows before it looks for a file, and it uses the first file that it
+            .why = R"(LinuxCNC uses a sub that it knows before it looks for a file, and it uses the first file that it
 finds: first the current folder, then `PROGRAM_PREFIX`, then `SUBROUTINE_PATH` from left to right.
 So an old copy in the program's folder hides the corrected file of the shop, without a message.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<face> call
 M2
 ; file: machine.ini
@@ -78,7 +83,7 @@ o<face> sub
   G1 Z-1 F100
 o<face> endsub
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<face> call
 M2
 ; file: machine.ini
@@ -89,11 +94,11 @@ o<face> sub
   G1 Z-1 F100
 o<face> endsub
 )",
-        .fix = R"(Keep one of the two. If the program needs its own version, give it another name.)",
-        .level_reason = "Warning: the program runs, but perhaps with the other file.",
-        .interpreter = "",
-        .options = "--ini machine.ini",
-    },
+            .fix = R"(Keep one of the two. If the program needs its own version, give it another name.)",
+            .level_reason = "Warning: the program runs, but perhaps with the other file.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
     .check = check,
 };
 

@@ -19,29 +19,37 @@ std::string words_of(const IniFolder& folder) { return "`" + folder.text + "` of
 void check_setup(const SetupInput& in, Reporter& out) {
   std::vector<const IniFolder*> missing;
   for (const IniFolder& folder : in.setup.folders) {
-    if (!folder.exists && (folder.key == "PROGRAM_PREFIX" || folder.key == "SUBROUTINE_PATH")) missing.push_back(&folder);
+    if (!folder.exists && (folder.key == "PROGRAM_PREFIX" || folder.key == "SUBROUTINE_PATH"))
+      missing.push_back(&folder);
   }
   if (missing.empty()) return;
   // A name that begins at the root or at somebody's home is right on the machine, as a rule, where this computer lacks it.
   // So is the link `../../nc_files` that LinuxCNC makes beside a copy of one of its configurations.
   const auto of_machine = [](const IniFolder* folder) {
-    return folder->text.starts_with('/') || folder->text.starts_with('~') || (folder->text.starts_with("..") && folder->text.find("/nc_files") != std::string::npos);
+    return folder->text.starts_with('/') || folder->text.starts_with('~') ||
+        (folder->text.starts_with("..") && folder->text.find("/nc_files") != std::string::npos);
   };
   std::stable_partition(missing.begin(), missing.end(), [&](const IniFolder* folder) { return !of_machine(folder); });
   const bool elsewhere = of_machine(missing[0]);
   const IniFolder& first = *missing[0];
   const bool several = missing.size() > 1;
   Finding& f = out.add(first.source, first.span, "the folder " + words_of(first) + " does not exist" + path_of(first));
-  if (several) f.message = std::to_string(missing.size()) + " folders of this INI do not exist; the first is " + words_of(first) + path_of(first);
+  if (several)
+    f.message = std::to_string(missing.size()) + " folders of this INI do not exist; the first is " + words_of(first) +
+        path_of(first);
   for (const IniFolder* folder : std::span(missing).subspan(1)) {
-    f.related.push_back({folder->span, words_of(*folder) + " does not exist" + path_of(*folder), folder->source == first.source ? nullptr : folder->source});
+    f.related.push_back({folder->span, words_of(*folder) + " does not exist" + path_of(*folder),
+                         folder->source == first.source ? nullptr : folder->source});
   }
-  const bool blank = std::ranges::any_of(missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
+  const bool blank = std::ranges::any_of(
+      missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
   if (elsewhere && !blank) f.weight = Weight::kAside;
-  f.help = blank ? "remove the spaces around the names: they count as part of the names"
-           : elsewhere ? "if the INI is from another computer, name this computer's folders with `--sub-path`; else make the folder, or correct its name"
-           : several ? "make the folders or correct their names; if the INI is from another computer, name this computer's folders with `--sub-path`"
-                     : "make the folder, or correct its name";
+  f.help = blank  ? "remove the spaces around the names: they count as part of the names"
+      : elsewhere ? "if the INI is from another computer, name this computer's folders with `--sub-path`; else make "
+                    "the folder, or correct its name"
+      : several ? "make the folders or correct their names; if the INI is from another computer, name this computer's "
+                  "folders with `--sub-path`"
+                : "make the folder, or correct its name";
 }
 
 }  // namespace
@@ -52,13 +60,15 @@ extern const Rule kOw407{
     .summary = "a folder in PROGRAM_PREFIX or SUBROUTINE_PATH that does not exist",
     .group = Group::kFiles,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A folder that the INI names in `PROGRAM_PREFIX` or `SUBROUTINE_PATH` does not exist. Relative names
+    .page =
+        {
+            .what =
+                R"(A folder that the INI names in `PROGRAM_PREFIX` or `SUBROUTINE_PATH` does not exist. Relative names
 count from the INI's folder, `~/` from the home folder of the user who starts LinuxCNC.)",
-        .why = R"(LinuxCNC searches the other folders and gives no message. It does not find the subs in the missing
+            .why = R"(LinuxCNC searches the other folders and gives no message. It does not find the subs in the missing
 folder, and the first call of one of them stops the program. Spaces around the `:` are part of the
 names.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10
 M2
 ; file: machine.ini
@@ -69,7 +79,7 @@ o<face> sub
   G1 Z-1 F100
 o<face> endsub
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10
 M2
 ; file: machine.ini
@@ -80,11 +90,12 @@ o<face> sub
   G1 Z-1 F100
 o<face> endsub
 )",
-        .fix = R"(Correct the INI.)",
-        .level_reason = "Warning: LinuxCNC starts without the folder; the calls of its subs stop later. Info for a name that begins with `/` or `~`, which may exist on the machine only.",
-        .interpreter = "",
-        .options = "--ini machine.ini",
-    },
+            .fix = R"(Correct the INI.)",
+            .level_reason = "Warning: LinuxCNC starts without the folder; the calls of its subs stop later. Info for a "
+                            "name that begins with `/` or `~`, which may exist on the machine only.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
     .check = check,
     .check_setup = check_setup,
 };

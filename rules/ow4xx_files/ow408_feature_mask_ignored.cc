@@ -9,7 +9,7 @@ struct Bit {
   uint32_t mask;
   std::string_view key;
 };
-constexpr Bit kBits[] = {{0x01, "RETAIN_G43"}, {0x02, "OWORD_NARGS"}, {0x04, "INI_VARS"},
+constexpr Bit kBits[] = {{0x01, "RETAIN_G43"},   {0x02, "OWORD_NARGS"},       {0x04, "INI_VARS"},
                          {0x08, "HAL_PIN_VARS"}, {0x10, "NO_DOWNCASE_OWORD"}, {0x20, "OWORD_WARNONLY"}};
 
 void check(const Input&, Reporter&) {}
@@ -23,7 +23,8 @@ void check_setup(const SetupInput& in, Reporter& out) {
     if ((*in.setup.mask & bit.mask) != 0) keys += (keys.empty() ? "`" : ", `") + std::string(bit.key) + " = 1`";
   }
   Finding& f = out.add(entry->source, entry->span, "LinuxCNC ignores the mask `" + entry->key + "` since version 2.8");
-  f.help = keys.empty() ? "remove the line: none of its bits means anything" : "write " + keys + " instead, in `[RS274NGC]`";
+  f.help =
+      keys.empty() ? "remove the line: none of its bits means anything" : "write " + keys + " instead, in `[RS274NGC]`";
 }
 
 }  // namespace
@@ -34,31 +35,34 @@ extern const Rule kOw408{
     .summary = "the INI sets the FEATURE mask, which LinuxCNC ignores since 2.8",
     .group = Group::kFiles,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(`FEATURE` or `FEATURES` in the `[RS274NGC]` section of the INI, with a mask that is not 0.)",
-        .why = R"(Up to LinuxCNC 2.7 each bit of the mask turned a feature on. Since 2.8 each feature has a key of its
+    .page =
+        {
+            .what = R"(`FEATURE` or `FEATURES` in the `[RS274NGC]` section of the INI, with a mask that is not 0.)",
+            .why =
+                R"(Up to LinuxCNC 2.7 each bit of the mask turned a feature on. Since 2.8 each feature has a key of its
 own, and LinuxCNC ignores the mask: with `FEATURES = 0x20` the O-word errors still stop the program.
 If you gave no version, owlint applies the mask as documented, and reports this.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10
 M2
 ; file: machine.ini
 [RS274NGC]
 FEATURES = 0x2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10
 M2
 ; file: machine.ini
 [RS274NGC]
 OWORD_NARGS = 1
 )",
-        .fix = R"(Write the keys that replaced the bits, and remove the mask. `INI_VARS` and `HAL_PIN_VARS` are on by
+            .fix =
+                R"(Write the keys that replaced the bits, and remove the mask. `INI_VARS` and `HAL_PIN_VARS` are on by
 default.)",
-        .level_reason = "Warning: LinuxCNC starts and runs, without the features in the mask.",
-        .interpreter = "",
-        .options = "--ini machine.ini",
-    },
+            .level_reason = "Warning: LinuxCNC starts and runs, without the features in the mask.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
     .check = check,
     .check_setup = check_setup,
 };

@@ -9,7 +9,9 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const Program& file = *stop.file;
-    Finding& f = out.add(p.at(stop.statement).head_span(), "`" + p.head(stop.statement) + "` finds a `%` before the sub in " + file.source->path() + ": it ends this program");
+    Finding& f = out.add(p.at(stop.statement).head_span(),
+                         "`" + p.head(stop.statement) + "` finds a `%` before the sub in " + file.source->path() +
+                             ": it ends this program");
     for (StatementId id = 0; id < file.size(); ++id) {
       if (file.at(id).kind != LineKind::kPercent) continue;
       relate(in, f, {&file, id}, "this `%`");
@@ -28,14 +30,15 @@ extern const Rule kOw409{
     .summary = "a sub file with `%` lines, called from a program with `%` lines: the interpreter stops",
     .group = Group::kFiles,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A program between `%` lines calls a file that is between `%` lines too.)",
-        .why = R"(In a program that begins with `%`, the next `%` line ends the program, also in a called file.
+    .page =
+        {
+            .what = R"(A program between `%` lines calls a file that is between `%` lines too.)",
+            .why = R"(In a program that begins with `%`, the next `%` line ends the program, also in a called file.
 LinuxCNC finds the first `%` of the file before it finds the sub, and stops. A program without `%`
 can call the same file.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(%
+            .bad = R"(%
 G21 G90
 o<slot> call
 %
@@ -46,7 +49,7 @@ o<slot> sub
 o<slot> endsub
 %
 )",
-        .good = R"(%
+            .good = R"(%
 G21 G90
 o<slot> call
 %
@@ -55,11 +58,11 @@ o<slot> sub
   G1 X10 F100
 o<slot> endsub
 )",
-        .fix = R"(Remove the `%` lines from called files: they end with `endsub`.)",
-        .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
-        .interpreter = "Failed to find sub 'Oslot' before EOF",
-        .options = "",
-    },
+            .fix = R"(Remove the `%` lines from called files: they end with `endsub`.)",
+            .level_reason = "Error if a run gets to the call: the program stops. Warning if no run does.",
+            .interpreter = "Failed to find sub 'Oslot' before EOF",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -36,7 +36,8 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(h.statement);
     Finding& f = findings.emplace_back();
     f.span = s.head_span();
-    f.message = "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " + file_name(*runs.program->source) + ", not the sub in this file";
+    f.message = "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " +
+        file_name(*runs.program->source) + ", not the sub in this file";
     relate(in, f, runs, "this sub runs: LinuxCNC read it first");
     if (s.label != kNoName) relate(f, p, own_sub(p, s.label), "this sub does not run");
     f.help = "give the sub in this file a name that no other file uses, or move it to a file of its own";
@@ -61,17 +62,18 @@ extern const Rule kOw410{
     .summary = "two files have a helper sub with the same label: LinuxCNC always calls the first one",
     .group = Group::kFiles,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A file calls a helper sub that it defines itself, but another file of the same run has a sub with
+    .page =
+        {
+            .what = R"(A file calls a helper sub that it defines itself, but another file of the same run has a sub with
 the same label.)",
-        .why = R"(LinuxCNC has one table of subs for the whole run, not one for each file. The first `o500 sub` that
+            .why = R"(LinuxCNC has one table of subs for the whole run, not one for each file. The first `o500 sub` that
 it reads goes into the table. Every later `o500 call`, from any file, runs that one. In the example
 the machine moves to X1 twice and never to X9. There is no message, and each of the two files works
 when it is used alone.
 
 LinuxCNC 2.10 does not accept helpers in called files (OW403), but it still runs a sub of the main
 program with the same label.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<probe_left> call
 o<probe_right> call
 M2
@@ -90,7 +92,7 @@ o500 sub
   G0 X9
 o500 endsub
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<probe_left> call
 o<probe_right> call
 M2
@@ -111,14 +113,15 @@ o<go_right> sub
   G0 X9
 o<go_right> endsub
 )",
-        .fix = R"(Move each helper to a file of its own, with the helper's name, or at least give it a label that no
+            .fix = R"(Move each helper to a file of its own, with the helper's name, or at least give it a label that no
 other file uses, such as `o<probe_right_500>`.)",
-        .level_reason = "Error if some run certainly calls the other sub: other lines run than intended. Warning if owlint is not sure.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X1",
-        .moves_good = "X9",
-    },
+            .level_reason = "Error if some run certainly calls the other sub: other lines run than intended. Warning "
+                            "if owlint is not sure.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X1",
+            .moves_good = "X9",
+        },
     .check = check,
 };
 

@@ -16,20 +16,25 @@ const Region* cut_short(const Program& p, StatementId end) {
 /// Whether it is in a block of its sub, and so may be passed over.
 bool in_block(const Program& p, StatementId statement) {
   const StatementId sub = p.regions[p.region_of[statement]].opener;
-  return std::ranges::any_of(p.blocks, [&](const Block& b) { return sub < b.opener && b.opener < statement && b.end != kNoStatement && statement < b.end; });
+  return std::ranges::any_of(p.blocks, [&](const Block& b) {
+    return sub < b.opener && b.opener < statement && b.end != kNoStatement && statement < b.end;
+  });
 }
 
 Finding& report_sub(const Program& p, const Hazard& h, Reporter& out) {
   const Region& region = p.regions[p.region_of[h.statement]];
-  Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` is inside `" + p.head(region.opener) +
-                                                          "`: its lines run here at once, and its `endsub` ends the outer sub");
+  Finding& f = out.add(p.at(h.statement).head_span(),
+                       "`" + p.head(h.statement) + "` is inside `" + p.head(region.opener) +
+                           "`: its lines run here at once, and its `endsub` ends the outer sub");
   f.help = "move this sub to a file of its own, with its name";
   return f;
 }
 
 Finding& report_end(const Program& p, const Hazard& h, Reporter& out) {
   const Region& region = p.regions[p.region_of[h.statement]];
-  Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` ends `" + p.label_text(region.name) + "`: the lines below it do not run");
+  Finding& f =
+      out.add(p.at(h.statement).head_span(),
+              "`" + p.head(h.statement) + "` ends `" + p.label_text(region.name) + "`: the lines below it do not run");
   const std::string own = p.label_text(region.name);
   f.help = "remove the line, or write `" + own + " return` to end the sub here";
   f.fixes.push_back({"write `" + own + " return`", false, {{p.at(h.statement).head_span(), own + " return"}}});
@@ -46,7 +51,8 @@ void check(const Input& in, Reporter& out) {
     if (!sub) {
       // The `endsub` of an inner `sub` is reported there, the only one of its sub by OW204.
       const bool of_inner = std::ranges::any_of(in.flow.hazards, [&](const Hazard& other) {
-        return other.kind == HazardKind::kSubInCall && other.statement < h.statement && p.at(other.statement).label == p.at(h.statement).label;
+        return other.kind == HazardKind::kSubInCall && other.statement < h.statement &&
+            p.at(other.statement).label == p.at(h.statement).label;
       });
       if (of_inner || cut_short(p, h.statement) == nullptr) continue;
     }
@@ -66,15 +72,17 @@ extern const Rule kOw411{
     .summary = "a `sub`, or an `endsub` with another label, inside a called sub: other lines run than intended",
     .group = Group::kFiles,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(Inside the sub of a called file there is another `sub`, or an `endsub` with another label.)",
-        .why = R"(When LinuxCNC executes a called sub, a `sub` line does nothing, and **any** `endsub` returns to the
+    .page =
+        {
+            .what = R"(Inside the sub of a called file there is another `sub`, or an `endsub` with another label.)",
+            .why =
+                R"(When LinuxCNC executes a called sub, a `sub` line does nothing, and **any** `endsub` returns to the
 caller. So the inner sub runs as part of the outer one, with the outer sub's values, its `endsub`
 ends the call, and the rest of the outer sub never runs. In the example the machine goes to X7 and
 X57, and never to X3. There is no message.
 
 LinuxCNC 2.10 stops at the inner `sub` (OW202).)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<outer> call [7]
 M2
 ; file: outer.ngc
@@ -87,7 +95,7 @@ o<outer> sub
   G0 X3
 o<outer> endsub
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<outer> call [7]
 M2
 ; file: outer.ngc
@@ -101,14 +109,15 @@ o<step> sub
   G0 X[#1 + 50]
 o<step> endsub
 )",
-        .fix = R"(Move the inner sub to a file of its own, with the sub's name. To leave a sub early, write `return`
+            .fix = R"(Move the inner sub to a file of its own, with the sub's name. To leave a sub early, write `return`
 with the sub's own label.)",
-        .level_reason = "Error if some run gets to the line: the lines after it never run. Warning for an early exit in a block, which works.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X57",
-        .moves_good = "X3",
-    },
+            .level_reason = "Error if some run gets to the line: the lines after it never run. Warning for an early "
+                            "exit in a block, which works.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X57",
+            .moves_good = "X3",
+        },
     .check = check,
 };
 

@@ -10,7 +10,10 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kStaleRepeatCount || h.other == kNoStatement) continue;
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` leaves a `repeat` before its last pass: the next call of the sub runs only the remaining passes");
+    Finding& f = out.add(
+        p.at(h.statement).head_span(),
+        "`" + p.head(h.statement) +
+            "` leaves a `repeat` before its last pass: the next call of the sub runs only the remaining passes");
     relate(f, p, h.other, "the count of this `repeat` stays");
     f.help = "use a `while` with a counter, or leave the loop before returning";
     f.reach = h.reach;
@@ -25,13 +28,14 @@ extern const Rule kOw502{
     .summary = "after a `return` out of a `repeat`, the next call of the sub runs only the remaining passes",
     .group = Group::kHazards,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A sub that can `return` from inside a `repeat`, and is called more than once.)",
-        .why = R"(LinuxCNC keeps the number of remaining passes with the label of the `repeat`. `return` does not
+    .page =
+        {
+            .what = R"(A sub that can `return` from inside a `repeat`, and is called more than once.)",
+            .why = R"(LinuxCNC keeps the number of remaining passes with the label of the `repeat`. `return` does not
 clear it. So the next call does not start again: it makes only the passes that were left. Measured:
 `repeat [4]`, left in its first pass, makes three passes in the next call and four in the one after.
 There is no message.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   o110 repeat [4]
     G91 G38.3 Z-2 F50
@@ -49,7 +53,7 @@ o100 call
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   #<n> = 0
   o110 while [#<n> LT 4]
@@ -69,12 +73,12 @@ o100 call
 G0 Z5
 M2
 )",
-        .fix = R"(Use a `while` with a counter, which starts again in each call, or let the `repeat` run to its end
+            .fix = R"(Use a `while` with a counter, which starts again in each call, or let the `repeat` run to its end
 and skip the work inside.)",
-        .level_reason = "Warning: the program runs, but the next call makes fewer passes.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason = "Warning: the program runs, but the next call makes fewer passes.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

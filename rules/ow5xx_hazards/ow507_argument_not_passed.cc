@@ -19,14 +19,20 @@ void report(const Input& in, Reporter& out, StatementId id, const Reads& reads) 
   const bool one = reads.size() == 1;
   uint32_t bits = 0;
   for (const auto& [n, read] : reads) bits |= 1U << n;
-  const std::string passes = "`" + in.program.head(id) + "` passes " + std::to_string(call.value_count) + (call.value_count == 1 ? " argument" : " arguments");
+  const std::string passes = "`" + in.program.head(id) + "` passes " + std::to_string(call.value_count) +
+      (call.value_count == 1 ? " argument" : " arguments");
   const std::string where = line_words(in, place_of(in, first->other, first->other_elsewhere));
-  Finding& f = out.add(call.head_span(), passes + ", but the sub reads " + argument_words(bits) + (one ? " on " : ", first on ") + where + (one ? ": it is 0 there" : ": they are 0 there"));
-  for (const auto& [n, read] : reads) relate(in, f, place_of(in, read->other, read->other_elsewhere), "`#" + std::to_string(n) + "` is read here");
-  f.help = one ? "pass a " + ordinal(number) + " argument, or set `#" + std::to_string(number) + "` in the sub before it is read"
-               : "pass " + std::to_string(reads.rbegin()->first) + " arguments, or set these in the sub before they are read";
+  Finding& f = out.add(call.head_span(),
+                       passes + ", but the sub reads " + argument_words(bits) + (one ? " on " : ", first on ") + where +
+                           (one ? ": it is 0 there" : ": they are 0 there"));
+  for (const auto& [n, read] : reads)
+    relate(in, f, place_of(in, read->other, read->other_elsewhere), "`#" + std::to_string(n) + "` is read here");
+  f.help = one
+      ? "pass a " + ordinal(number) + " argument, or set `#" + std::to_string(number) + "` in the sub before it is read"
+      : "pass " + std::to_string(reads.rbegin()->first) + " arguments, or set these in the sub before they are read";
   // Calls all over a shop that lack the same arguments of a sub in a file of its own are one question to its author.
-  if (place_of(in, first->other, first->other_elsewhere).program != &in.program) f.group = in.program.label_at(id) + " " + argument_words(bits);
+  if (place_of(in, first->other, first->other_elsewhere).program != &in.program)
+    f.group = in.program.label_at(id) + " " + argument_words(bits);
   f.reach = first->reach;
 }
 
@@ -55,17 +61,18 @@ extern const Rule kOw507{
     .summary = "the sub reads `#n`, but this call does not pass it: it is 0",
     .group = Group::kHazards,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A `call` with fewer values than the sub uses: the sub reads `#3`, but the call passes two values.
+    .page =
+        {
+            .what = R"(A `call` with fewer values than the sub uses: the sub reads `#3`, but the call passes two values.
 
 Arguments that the sub treats as optional are not reported: those that it tests (`if [#3 EQ 0]`,
 `EXISTS[#3]`, or `#<depth> = #3` and then `if [#<depth> EQ 0]`), all arguments of a sub that reads
 `#<n_args>`, and those that most calls leave out.)",
-        .why = R"(LinuxCNC sets arguments that are not passed to **0**. The documentation says that they keep the
+            .why = R"(LinuxCNC sets arguments that are not passed to **0**. The documentation says that they keep the
 caller's values, but the interpreter does not do that, so setting `#3` before the call does not
 help. A depth, a feed or a safe height of 0 can mean a plunge or a rapid move through the part,
 without a message.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G0 X#1 Y#2
   G1 Z-5 F80
@@ -76,7 +83,7 @@ o100 call [10] [10] [5]
 o100 call [30] [10]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G0 X#1 Y#2
   G1 Z-5 F80
@@ -87,12 +94,13 @@ o100 call [10] [10] [5]
 o100 call [30] [10] [5]
 M2
 )",
-        .fix = R"(Pass a value for every argument. If 0 means "use the default", pass `[0]` so that a reader can see
+            .fix = R"(Pass a value for every argument. If 0 means "use the default", pass `[0]` so that a reader can see
 it, or test it in the sub.)",
-        .level_reason = "Warning: the program runs with 0. Arguments that the sub treats as optional are not reported.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason =
+                "Warning: the program runs with 0. Arguments that the sub treats as optional are not reported.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

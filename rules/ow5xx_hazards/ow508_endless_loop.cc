@@ -14,7 +14,9 @@ StatementId second_end(const Input& in, BlockId block) {
   if (block == kNoBlock || in.program.blocks[block].end == kNoStatement) return kNoStatement;
   const Block& loop = in.program.blocks[block];
   for (const StatementId id : in.index.stray_parts) {
-    if (id > loop.end && in.program.at(id).label == loop.label && in.program.region_of[id] == loop.region && loops_again(in, id)) return id;
+    if (id > loop.end && in.program.at(id).label == loop.label && in.program.region_of[id] == loop.region &&
+        loops_again(in, id))
+      return id;
   }
   return kNoStatement;
 }
@@ -27,7 +29,8 @@ bool waits_for_equal(const Program& p, StatementId opener) {
   const Expr& condition = p.syntax.exprs[p.syntax.values[p.at(test).first]];
   if (condition.op != Operator::kNe) return false;
   const Expr& left = p.syntax.exprs[condition.left()];
-  const StatementId end = block == kNoBlock ? opener : std::min<StatementId>(p.blocks[block].end, static_cast<StatementId>(p.size()));
+  const StatementId end =
+      block == kNoBlock ? opener : std::min<StatementId>(p.blocks[block].end, static_cast<StatementId>(p.size()));
   for (StatementId id = opener; id < end; ++id) {
     const Statement& s = p.at(id);
     for (uint32_t i = 0; s.has_items() && i < s.item_count; ++i) {
@@ -35,7 +38,10 @@ bool waits_for_equal(const Program& p, StatementId opener) {
       if (left.op == Operator::kNamed && item.target_name == left.name()) return true;
       double number = 0;
       double assigned = 0;
-      if (left.op == Operator::kParameter && item.target != kNoExpr && literal_value(p.syntax.exprs, left.left(), &number) && literal_value(p.syntax.exprs, item.target, &assigned) && number == assigned) return true;
+      if (left.op == Operator::kParameter && item.target != kNoExpr &&
+          literal_value(p.syntax.exprs, left.left(), &number) &&
+          literal_value(p.syntax.exprs, item.target, &assigned) && number == assigned)
+        return true;
     }
   }
   return false;
@@ -48,15 +54,17 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(h.statement);
     // A `do` in a `do` with its label is OW510.
     const auto nested = [&](const Block& b) {
-      return b.kind == Keyword::kDo && b.label == s.label && b.opener > h.statement && p.block_of[h.statement] != kNoBlock &&
-             b.opener < p.blocks[p.block_of[h.statement]].end;
+      return b.kind == Keyword::kDo && b.label == s.label && b.opener > h.statement &&
+          p.block_of[h.statement] != kNoBlock && b.opener < p.blocks[p.block_of[h.statement]].end;
     };
     if (s.is(Keyword::kDo) && std::ranges::any_of(p.blocks, nested)) continue;
     const BlockId block = p.block_of[h.statement];
     const StatementId again = second_end(in, block);
     if (again != kNoStatement) {
       const std::string end = p.head(again);
-      Finding& f = out.add(p.at(again).head_span(), "a second `" + end + "` goes back to `" + p.head(h.statement) + "` on line " + std::to_string(s.line) + ", again and again");
+      Finding& f = out.add(p.at(again).head_span(),
+                           "a second `" + end + "` goes back to `" + p.head(h.statement) + "` on line " +
+                               std::to_string(s.line) + ", again and again");
       relate(f, p, h.statement, "it goes back here");
       relate(f, p, p.blocks[block].end, "the loop has already ended here");
       f.help = "remove the line, or give it the label of the loop that it ends";
@@ -68,9 +76,11 @@ void check(const Input& in, Reporter& out) {
     const std::string who = h.not_always ? "some runs never leave" : "no run leaves";
     Finding& f = out.add(s.head_span(), who + " the loop that begins with `" + p.head(h.statement) + "`");
     f.unproven = h.not_always;
-    if (block != kNoBlock && p.blocks[block].end != kNoStatement) relate(f, p, p.blocks[block].end, "the loop goes back from here");
+    if (block != kNoBlock && p.blocks[block].end != kNoStatement)
+      relate(f, p, p.blocks[block].end, "the loop goes back from here");
     f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
-    if (waits_for_equal(p, h.statement)) f.help = "compare with `GT` or `LT` instead of `NE`: the steps may jump over the value";
+    if (waits_for_equal(p, h.statement))
+      f.help = "compare with `GT` or `LT` instead of `NE`: the steps may jump over the value";
     f.reach = h.reach;
     f.never_ends = true;
   }
@@ -84,17 +94,20 @@ extern const Rule kOw508{
     .summary = "a loop that no run leaves",
     .group = Group::kHazards,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `while` or `do` whose condition does not change inside the loop, and that has no `break`, `return`
+    .page =
+        {
+            .what =
+                R"(A `while` or `do` whose condition does not change inside the loop, and that has no `break`, `return`
 or program end: the counter is never changed, or another one is changed, or the condition is
 constant. A second `endwhile` or `endrepeat` for a loop that has already ended has the same effect.
 
 If some runs leave the loop and others never do, it is a warning.)",
-        .why = R"(LinuxCNC gives no message. If the loop has moves, the machine repeats them until somebody stops it.
+            .why =
+                R"(LinuxCNC gives no message. If the loop has moves, the machine repeats them until somebody stops it.
 If it has none, the screen freezes, and the preview of the program never finishes loading.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X0 Y0 Z5
 #<z> = 0
 o100 while [#<z> GT -10]
@@ -105,7 +118,7 @@ o100 while [#<z> GT -10]
 o100 endwhile
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X0 Y0 Z5
 #<z> = 0
 o100 while [#<z> GT -10]
@@ -117,12 +130,12 @@ o100 while [#<z> GT -10]
 o100 endwhile
 M2
 )",
-        .fix = R"(Change the value that the condition tests, in every pass. If the program is meant to run until the
+            .fix = R"(Change the value that the condition tests, in every pass. If the program is meant to run until the
 operator stops it, suppress the finding with a reason.)",
-        .level_reason = "Error: the program never ends.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason = "Error: the program never ends.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -12,8 +12,12 @@ void check(const Input& in, Reporter& out) {
     if (h.kind != HazardKind::kStaleContinue) continue;
     Elsewhere shown = place_of(in, h.other, h.other_elsewhere);
     if (shown.program == nullptr) shown = {&p, h.statement};
-    const std::string effect = shown.program->at(shown.statement).is(Keyword::kEndrepeat) ? " runs its passes twice" : " goes on after its `break`";
-    Finding& f = out.add(p.at(h.statement).head_span(), "`" + p.head(h.statement) + "` still has an effect later: the loop that ends on " + line_words(in, shown) + effect);
+    const std::string effect = shown.program->at(shown.statement).is(Keyword::kEndrepeat)
+        ? " runs its passes twice"
+        : " goes on after its `break`";
+    Finding& f = out.add(p.at(h.statement).head_span(),
+                         "`" + p.head(h.statement) + "` still has an effect later: the loop that ends on " +
+                             line_words(in, shown) + effect);
     relate(in, f, shown, "this loop" + effect);
     f.help = "skip the rest of the `do` loop with an `if` instead";
     f.reach = h.reach;
@@ -28,14 +32,16 @@ extern const Rule kOw509{
     .summary = "a `continue` in a `do … while` makes a later `break` go on, or a later `repeat` run its passes twice",
     .group = Group::kHazards,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A `do` loop with a `continue` that can be executed, and below it (or in a sub called later) a
+    .page =
+        {
+            .what = R"(A `do` loop with a `continue` that can be executed, and below it (or in a sub called later) a
 `repeat`, or a `while` with a `break`.)",
-        .why = R"(`continue` sets a flag that the `while` at the end of a `do` loop does not clear. The next end of a
+            .why =
+                R"(`continue` sets a flag that the `while` at the end of a `do` loop does not clear. The next end of a
 loop that LinuxCNC skips to uses the flag: a later `repeat` **runs its passes twice** (measured: six
 pecks instead of three), and a later `break` does not leave its `while` but begins the next pass.
 There is no message. Versions 2.8.4 to 2.10 behave alike.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<x> = 0
 o100 do
   #<x> = [#<x> + 10]
@@ -52,7 +58,7 @@ o120 endrepeat
 G90 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<x> = 0
 o100 do
   #<x> = [#<x> + 10]
@@ -68,12 +74,13 @@ o120 endrepeat
 G90 G0 Z5
 M2
 )",
-        .fix = R"(Put the rest of the pass into an `if` instead of using `continue`, or write the loop with `while` …
+            .fix =
+                R"(Put the rest of the pass into an `if` instead of using `continue`, or write the loop with `while` …
 `endwhile`, where `continue` works.)",
-        .level_reason = "Warning: the program runs, but a later loop makes a different number of passes.",
-        .interpreter = "",
-        .options = "",
-    },
+            .level_reason = "Warning: the program runs, but a later loop makes a different number of passes.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

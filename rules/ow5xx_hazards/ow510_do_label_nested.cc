@@ -10,7 +10,8 @@ namespace {
 
 /// Whether the flow has found that some run never leaves the loop that begins here.
 bool is_endless(const Input& in, StatementId loop) {
-  return std::ranges::any_of(in.flow.hazards, [loop](const Hazard& h) { return h.kind == HazardKind::kEndlessLoop && h.statement == loop; });
+  return std::ranges::any_of(
+      in.flow.hazards, [loop](const Hazard& h) { return h.kind == HazardKind::kEndlessLoop && h.statement == loop; });
 }
 
 void check(const Input& in, Reporter& out) {
@@ -26,8 +27,10 @@ void check(const Input& in, Reporter& out) {
     if (block.end == kNoStatement) continue;  // nothing goes back from it: OW205
     const StatementId opener = p.blocks[outer].opener;
     const bool endless = is_endless(in, opener) || is_endless(in, block.opener);
-    Finding& f = out.add(p.at(block.opener).head_span(), "`" + p.head_of(block) + "` is inside a `do` with the same label: `" + p.head(block.end) + "` on line " +
-                                                             std::to_string(p.at(block.end).line) + " goes back to the outer one" + (endless ? ", and the program never ends" : ""));
+    Finding& f = out.add(p.at(block.opener).head_span(),
+                         "`" + p.head_of(block) + "` is inside a `do` with the same label: `" + p.head(block.end) +
+                             "` on line " + std::to_string(p.at(block.end).line) + " goes back to the outer one" +
+                             (endless ? ", and the program never ends" : ""));
     relate(f, p, opener, "the outer `do` begins here");
     f.help = "give the inner loop a label of its own";
     f.reach = in.flow.reach(block.opener);
@@ -44,16 +47,17 @@ extern const Rule kOw510{
     .summary = "a `do` inside a `do` with the same label: never ends",
     .group = Group::kHazards,
     .level = Severity::kError,
-    .page = {
-        .what = R"(Two `do` loops with the same label, one inside the other.)",
-        .why = R"(`do` is the only first line of a block that LinuxCNC does not check for a used label. The label
+    .page =
+        {
+            .what = R"(Two `do` loops with the same label, one inside the other.)",
+            .why = R"(`do` is the only first line of a block that LinuxCNC does not check for a used label. The label
 stays with the outer loop, so the inner `while` jumps back to the **outer** `do`. Values that the
 outer loop sets at its start are set again, the inner counter never gets further, and the program
 never ends. In the example the machine drills the first hole for ever. There is no message.
 
 It is an error if some run certainly never ends. Otherwise it is a warning: the loops end, but not
 as written.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<y> = 0
 o100 do
   #<x> = 0
@@ -66,7 +70,7 @@ o100 while [#<y> LT 20]
 G80
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<y> = 0
 o100 do
   #<x> = 0
@@ -79,11 +83,11 @@ o100 while [#<y> LT 20]
 G80
 M2
 )",
-        .fix = R"(Give the inner loop a label of its own, on its `do` and its `while`.)",
-        .level_reason = "Error: the program never ends.",
-        .interpreter = "",
-        .options = "",
-    },
+            .fix = R"(Give the inner loop a label of its own, on its `do` and its `while`.)",
+            .level_reason = "Error: the program never ends.",
+            .interpreter = "",
+            .options = "",
+        },
     .check = check,
 };
 

@@ -16,9 +16,10 @@ void check(const Input& in, Reporter& out) {
     const bool at_definition = std::ranges::any_of(in.flow.hazards, [&](const Hazard& h) {
       return h.kind == HazardKind::kValueAtDefinition && h.statement == s.statement;
     });
-    Finding& f = out.add({line.offset + line.keyword_to, line.end()}, at_definition
-        ? "LinuxCNC also computes the value of `" + p.head(s.statement) + "` when it skips the definition, before any call, and there it fails"
-        : "the value of `" + p.head(s.statement) + "` cannot be computed");
+    Finding& f = out.add({line.offset + line.keyword_to, line.end()},
+                         at_definition ? "LinuxCNC also computes the value of `" + p.head(s.statement) +
+                                 "` when it skips the definition, before any call, and there it fails"
+                                       : "the value of `" + p.head(s.statement) + "` cannot be computed");
     f.help = "compute the value into a parameter on a line before, and return the parameter";
     return &f;
   });
@@ -32,10 +33,12 @@ extern const Rule kOw512{
     .summary = "the value of a `return` or `endsub` is computed when the definition is skipped, and fails there",
     .group = Group::kHazards,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A value on `return` or `endsub` that uses an argument of the sub in a division, a root, a logarithm,
+    .page =
+        {
+            .what =
+                R"(A value on `return` or `endsub` that uses an argument of the sub in a division, a root, a logarithm,
 an arc sine or arc cosine, or in `#[…]`. It matters for subs that are defined above their calls.)",
-        .why = R"(LinuxCNC computes these values not only when the sub runs, but **also when it skips the
+            .why = R"(LinuxCNC computes these values not only when the sub runs, but **also when it skips the
 definition**. At that time there are no arguments: `#1` is the main program's `#1`, usually 0, and
 an `if` around the line does not help. The program stops before its first move with `Attempt to
 divide by zero`, `Negative argument to sqrt`, `Zero or negative argument to ln`, `Argument to asin
@@ -44,7 +47,7 @@ right in every call.
 
 An undefined name does no harm there. In a called file, and in a sub below `M2`, the value is
 computed only in the call. FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o<pitch> sub
   o110 if [#1 EQ 0]
     o<pitch> return [0]
@@ -56,7 +59,7 @@ G1 Z[0 - #<_value>] F80
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o<pitch> sub
   #<p> = 0
   o110 if [#1 NE 0]
@@ -69,12 +72,13 @@ G1 Z[0 - #<_value>] F80
 G0 Z5
 M2
 )",
-        .fix = R"(Compute the value on a line of its own into a local name, and return that name. Ordinary lines are
+            .fix = R"(Compute the value on a line of its own into a local name, and return that name. Ordinary lines are
 skipped with the definition, and a name that is not set yet does no harm there.)",
-        .level_reason = "Error if the value cannot be computed on some run: the program stops. Warning if no run does.",
-        .interpreter = "Attempt to divide by zero",
-        .options = "",
-    },
+            .level_reason =
+                "Error if the value cannot be computed on some run: the program stops. Warning if no run does.",
+            .interpreter = "Attempt to divide by zero",
+            .options = "",
+        },
     .check = check,
 };
 

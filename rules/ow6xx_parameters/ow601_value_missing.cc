@@ -28,9 +28,12 @@ void check(const Input& in, Reporter& out) {
     if (h.kind != HazardKind::kValueNotReturned || asks_afterwards(p, h.statement)) continue;
     const Elsewhere from = place_of(in, h.other, h.other_elsewhere);
     const std::string sub = returning_sub(from, "the sub that was called");
-    Finding& f = out.add(p.at(h.statement).whole(), "`#<_value>` is read here, but " + sub + " can return without a value: then it is 0");
+    Finding& f = out.add(p.at(h.statement).whole(),
+                         "`#<_value>` is read here, but " + sub + " can return without a value: then it is 0");
     if (from.program != nullptr) relate(in, f, from, "this line returns without a value");
-    f.help = "give every `return` and `endsub` of the sub a value, as `endsub [#1]`, or test `#<_value_returned>`, which is 0 then";
+    f.help =
+        "give every `return` and `endsub` of the sub a value, as `endsub [#1]`, or test `#<_value_returned>`, which is "
+        "0 then";
     f.reach = h.reach;
   }
 }
@@ -43,15 +46,18 @@ extern const Rule kOw601{
     .summary = "`#<_value>` is read after a call whose sub may return no value",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(`#<_value>` is read after a call, but the sub can return without a value: its `endsub` has none, or
+    .page =
+        {
+            .what =
+                R"(`#<_value>` is read after a call, but the sub can return without a value: its `endsub` has none, or
 a `return` inside an `if` has none.)",
-        .why = R"(If a sub returns without a value, LinuxCNC sets `#<_value>` to **0**, without a message. A height, a
+            .why =
+                R"(If a sub returns without a value, LinuxCNC sets `#<_value>` to **0**, without a message. A height, a
 width or an angle of 0 then goes into the next move. `#<_value_returned>` says whether there was a
 value: 1 or 0.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   o110 if [#1 GT 10]
     o100 return [#1 / 2]
@@ -62,7 +68,7 @@ o100 call [8]
 G0 X#<_value>
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   o110 if [#1 GT 10]
     o100 return [#1 / 2]
@@ -73,13 +79,14 @@ o100 call [8]
 G0 X#<_value>
 M2
 )",
-        .fix = R"(Give `endsub` and every `return` a value, or test `#<_value_returned>` before you use the value.)",
-        .level_reason = "Warning: the program runs with 0 instead of the value.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X0",
-        .moves_good = "X8",
-    },
+            .fix =
+                R"(Give `endsub` and every `return` a value, or test `#<_value_returned>` before you use the value.)",
+            .level_reason = "Warning: the program runs with 0 instead of the value.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X0",
+            .moves_good = "X8",
+        },
     .check = check,
 };
 

@@ -32,9 +32,13 @@ std::string leading_comment(const Source& source) {
 
 /// What is said of `#<_ini[section]entry>`, which the machine's INI does not have.
 void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
-  f.message = name + " is read here, but " + (profile.setup->reads_ini ? "the machine's INI has no number for it" : "`INI_VARS = 0` in the machine's INI hides its entries");
+  f.message = name + " is read here, but " +
+      (profile.setup->reads_ini ? "the machine's INI has no number for it"
+                                : "`INI_VARS = 0` in the machine's INI hides its entries");
   if (!profile.setup->reads_ini) return;
-  f.help = "write section and entry in capital letters in the INI, and only a decimal number: no unit, no comment after it; `EXISTS[#<…>]` tests it first";
+  f.help =
+      "write section and entry in capital letters in the INI, and only a decimal number: no unit, no comment after it; "
+      "`EXISTS[#<…>]` tests it first";
 }
 
 /// Finds the words for a local name that is read without a value: which other name was probably meant.
@@ -58,15 +62,17 @@ class LocalNames {
     const Elsewhere other = owner(name, reader, caller);
     if (other.statement == kNoStatement) return suggest(name, reader, f);
     f.message = "`#<" + name + ">` has no value in " + region_words(p, reader) + ": " + belongs(other, f);
-    f.help = (reader == kMainRegion ? "return the value with `endsub [#<" + name + ">]`, and read `#<_value>`"
-                                    : "a name without `_` starts without a value in every call: pass the value as an argument") +
-             ", or write `#<_" + name + ">` in both places, which is global";
+    f.help = (reader == kMainRegion
+                  ? "return the value with `endsub [#<" + name + ">]`, and read `#<_value>`"
+                  : "a name without `_` starts without a value in every call: pass the value as an argument") +
+        ", or write `#<_" + name + ">` in both places, which is global";
   }
 
   /// The same for a name that a sub assigns from itself, which is 0 there (measured).
   void explain_zero(const std::string& name, RegionId sub, Finding& f) {
     const Program& p = in_.program;
-    f.message = "`#<" + name + ">` is 0 here: a name without `_` starts without a value in every call of " + region_words(p, sub);
+    f.message = "`#<" + name + ">` is 0 here: a name without `_` starts without a value in every call of " +
+        region_words(p, sub);
     const auto call = std::ranges::find(p.calls, sub, &Call::target);
     const Elsewhere other = owner(name, sub, call == p.calls.end() ? Elsewhere{} : Elsewhere{&p, call->statement});
     if (other.statement != kNoStatement) f.message += "; " + belongs(other, f);
@@ -76,7 +82,8 @@ class LocalNames {
  private:
   bool assigns(RegionId region, const std::string& name) const {
     const NameId id = in_.program.syntax.names.find(name);
-    return id != kNoName && in_.data.first_assignment(region, flow::key_of_name(in_.program.syntax, id)) != kNoStatement;
+    return id != kNoName &&
+        in_.data.first_assignment(region, flow::key_of_name(in_.program.syntax, id)) != kNoStatement;
   }
 
   /// A line that assigns the name for somebody else: for the caller, or else in the caller's file, or else in this one.
@@ -93,7 +100,8 @@ class LocalNames {
     for (StatementId line = 0; id != kNoName && line < p.size(); ++line) {
       const Statement& s = p.at(line);
       for (uint32_t i = 0; i < s.item_count; ++i) {
-        if (p.syntax.items[s.first + i].target_name != id || (&p == &in_.program && p.region_of[line] == reader)) continue;
+        if (p.syntax.items[s.first + i].target_name != id || (&p == &in_.program && p.region_of[line] == reader))
+          continue;
         if (caller.statement != kNoStatement && p.region_of[line] == p.region_of[caller.statement]) return {&p, line};
         if (first.program == nullptr) first = {&p, line};
       }
@@ -113,7 +121,8 @@ class LocalNames {
     if (!near.empty()) {
       f.help = "did you mean `#<" + near + ">`?";
     } else if (reader != kMainRegion) {
-      f.help = "assign it in the sub, pass it as an argument, or write `#<_" + name + ">`, which is global: a name without `_` starts without a value in every call";
+      f.help = "assign it in the sub, pass it as an argument, or write `#<_" + name +
+          ">`, which is global: a name without `_` starts without a value in every call";
     }
   }
 
@@ -135,7 +144,8 @@ template <typename Each>
 void for_names(const Program& p, ExprId id, const Each& each) {
   const Expr& expr = p.syntax.exprs[id];
   if (expr.op == Operator::kNumber) return;
-  if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return each(expr.name(), expr.op == Operator::kExistsNamed);
+  if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed)
+    return each(expr.name(), expr.op == Operator::kExistsNamed);
   for_names(p, expr.left(), each);
   if (expr.right() != kNoExpr) for_names(p, expr.right(), each);
 }
@@ -158,11 +168,14 @@ void check_own_values(const Input& in, LocalNames& names, Reporter& out) {
         const Item& item = p.syntax.items[s.first + i];
         if (item.target_name == kNoName) continue;
         bool reads_itself = false;
-        for_names(p, item.value, [&](NameId name, bool exists) { reads_itself |= name == item.target_name && !exists; });
+        for_names(p, item.value,
+                  [&](NameId name, bool exists) { reads_itself |= name == item.target_name && !exists; });
         if (!reads_itself) continue;
         const std::string& name = p.name(item.target_name);
         const flow::ParameterKey key = flow::key_of_name(p.syntax, item.target_name);
-        if (name.starts_with('_') || in.data.assigned_before(r, id, key) || in.data.read_above(r, id, key) || given(in, name, r)) continue;
+        if (name.starts_with('_') || in.data.assigned_before(r, id, key) || in.data.read_above(r, id, key) ||
+            given(in, name, r))
+          continue;
         Finding& f = out.add(item_span(p, id, i), "");
         names.explain_zero(name, r, f);
         f.reach = in.flow.reach(id);
@@ -187,9 +200,12 @@ void check_comments(const Input& in, LocalNames& names, Reporter& out) {
     if (!shown.acts || shown.local.empty() || given(in, shown.local, shown.region)) continue;
     const StatementId above = shown.above;
     if (above != kNoStatement && p.at(above).kind == LineKind::kProgramEnd) continue;
-    if (shown.key != flow::kComputedKey && in.data.assigned_before(shown.region, above == kNoStatement ? 0 : above + 1, shown.key)) continue;
+    if (shown.key != flow::kComputedKey &&
+        in.data.assigned_before(shown.region, above == kNoStatement ? 0 : above + 1, shown.key))
+      continue;
     // Without an INI, a name that the sub assigns below may be one that Python gives it.
-    const bool below = shown.key != flow::kComputedKey && in.data.first_assignment(shown.region, shown.key) != kNoStatement;
+    const bool below =
+        shown.key != flow::kComputedKey && in.data.first_assignment(shown.region, shown.key) != kNoStatement;
     if (below && in.profile.setup == nullptr && is_entry(p, shown.region)) continue;
     const bool runs = reached(in, shown.region);
     if (runs && above != kNoStatement && in.flow.reach(above) == Reach::kNever) continue;
@@ -208,13 +224,15 @@ void check_unreached(const Input& in, LocalNames& names, Reporter& out) {
     if (reached(in, r)) continue;
     const auto missing = [&](NameId name) {
       const std::string& text = p.name(name);
-      return !text.starts_with('_') && !remap_gives(text, "", {}) && in.data.first_assignment(r, flow::key_of_name(p.syntax, name)) == kNoStatement;
+      return !text.starts_with('_') && !remap_gives(text, "", {}) &&
+          in.data.first_assignment(r, flow::key_of_name(p.syntax, name)) == kNoStatement;
     };
     std::set<NameId> told;
     for (const StatementId id : in.data.lines_of(r)) {
       for_names_of(p, p.at(id), [&](NameId name, bool exists) {
         if (!missing(name) || !told.insert(name).second || exists) return;
-        Finding& f = out.add(p.at(id).whole(), "`#<" + p.name(name) + ">` is read here, but " + region_words(p, r) + " never assigns it");
+        Finding& f = out.add(p.at(id).whole(),
+                             "`#<" + p.name(name) + ">` is read here, but " + region_words(p, r) + " never assigns it");
         f.help = "assign it first, or pass it as an argument";
         names.explain(p.name(name), r, {}, f);
         f.reach = Reach::kNever;
@@ -231,7 +249,9 @@ void check(const Input& in, Reporter& out) {
     const Statement& line = p.at(s.statement);
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
-    Finding& f = out.add(line.whole(), name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
+    Finding& f = out.add(
+        line.whole(),
+        name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
     f.uncertain = some && !s.detail.starts_with("_");  // a list of cases may name all that there are
     // A global that the program says it needs comes from outside.
@@ -243,15 +263,20 @@ void check(const Input& in, Reporter& out) {
     }
     if (const auto since = predefined_since(s.detail)) {
       const std::string version(version_text(in.profile.version));
-      f.message = name + " is read here, but " + (*since > in.profile.version ? "LinuxCNC " + version + " does not have it; it came with " + std::string(version_text(*since)) : "not every release of LinuxCNC " + version + " has it");
-      f.help = "do not use it, test it first with `EXISTS[" + name.substr(1, name.size() - 2) + "]`, or give the machine's version with `--linuxcnc`";
+      f.message = name + " is read here, but " +
+          (*since > in.profile.version
+               ? "LinuxCNC " + version + " does not have it; it came with " + std::string(version_text(*since))
+               : "not every release of LinuxCNC " + version + " has it");
+      f.help = "do not use it, test it first with `EXISTS[" + name.substr(1, name.size() - 2) +
+          "]`, or give the machine's version with `--linuxcnc`";
     } else if (s.detail.starts_with("_ini[") && in.profile.setup != nullptr) {
       tell_entry(in.profile, name, f);
     } else if (const std::string other = look_alike_name(in, s.detail); !other.empty()) {
       f.help = other;
     } else if (!s.detail.starts_with("_")) {
       const bool called = s.call != kNoStatement || s.call_elsewhere.program != nullptr;
-      names.explain(s.detail, p.region_of[s.statement], called ? place_of(in, s.call, s.call_elsewhere) : Elsewhere{}, f);
+      names.explain(s.detail, p.region_of[s.statement], called ? place_of(in, s.call, s.call_elsewhere) : Elsewhere{},
+                    f);
     }
     return &f;
   });
@@ -269,10 +294,12 @@ extern const Rule kOw603{
     .summary = "`#<name>` is read but not assigned on every path",
     .group = Group::kDataFlow,
     .level = Severity::kError,
-    .page = {
-        .what = R"(A `#<name>` that is read, but no line before it has given it a value: a typing error in the name, an
+    .page =
+        {
+            .what =
+                R"(A `#<name>` that is read, but no line before it has given it a value: a typing error in the name, an
 assignment in only one branch, or a name that belongs to the caller or to the called sub.)",
-        .why = R"(The interpreter stops at the line that reads the name, on the first run that gets there without an
+            .why = R"(The interpreter stops at the line that reads the name, on the first run that gets there without an
 assignment. Numbers are 0 before they are assigned, but names have no value. `#<name>` belongs to
 the sub that is running: the main program's `#<depth>` does not exist inside a sub, and the sub's
 does not exist outside. `#<_name>` with an underscore is global. In a sub, a name starts again in
@@ -287,7 +314,7 @@ is an entry of the machine's INI; owlint looks it up if it knows the INI. It ass
 `#<_hal[pin]>` exists. A name that only some releases of the version have is a warning.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 o100 if [#5070 EQ 1]
@@ -296,7 +323,7 @@ o100 endif
 G0 Z[#<top> + 5]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
 #<top> = 0
@@ -306,12 +333,13 @@ o100 endif
 G0 Z[#<top> + 5]
 M2
 )",
-        .fix = R"(Assign the name before the branch, pass it to the sub as an argument, or use a global name with an
+            .fix = R"(Assign the name before the branch, pass it to the sub as an argument, or use a global name with an
 underscore.)",
-        .level_reason = "Error if a run gets here without the name: the program stops. Warning if another program may have set the global name. Info if a list of cases may name every value that there is.",
-        .interpreter = "Named parameter #<top> not defined",
-        .options = "",
-    },
+            .level_reason = "Error if a run gets here without the name: the program stops. Warning if another program "
+                            "may have set the global name. Info if a list of cases may name every value that there is.",
+            .interpreter = "Named parameter #<top> not defined",
+            .options = "",
+        },
     .check = check,
 };
 

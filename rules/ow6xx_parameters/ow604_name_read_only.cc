@@ -12,7 +12,9 @@ void check(const Input& in, Reporter& out) {
     const Statement& line = p.at(s.statement);
     const bool missing = s.interpreter == "Parameter number out of range";
     const std::string what = s.detail.empty() ? "this parameter" : "`#<" + s.detail + ">`";
-    Finding& f = out.add(line.whole(), missing ? "there is no parameter with this number: the numbers are #1 to #5601" : what + " belongs to LinuxCNC and cannot be set");
+    Finding& f = out.add(line.whole(),
+                         missing ? "there is no parameter with this number: the numbers are #1 to #5601"
+                                 : what + " belongs to LinuxCNC and cannot be set");
     if (s.detail.starts_with("_ini[")) f.message = what + " is an entry of the machine's INI and cannot be set";
     f.help = "use another name or number";
     return &f;
@@ -27,36 +29,40 @@ extern const Rule kOw604{
     .summary = "an assignment to a predefined or read-only parameter",
     .group = Group::kDataFlow,
     .level = Severity::kError,
-    .page = {
-        .what = R"(An assignment to a name that LinuxCNC predefines, such as `#<_feed>`, `#<_x>`, `#<_a>`, `#<_line>`,
+    .page =
+        {
+            .what =
+                R"(An assignment to a name that LinuxCNC predefines, such as `#<_feed>`, `#<_x>`, `#<_a>`, `#<_line>`,
 `#<_task>` or `#<_value>`; to an entry of the machine's INI (`#<_ini[section]entry>`); or to a
 numbered parameter that only shows the machine's state, such as `#5400` (tool) or `#5420`
 (position).)",
-        .why = R"(The interpreter stops at the line when it executes it. In a sub that nothing calls, or in a skipped
+            .why =
+                R"(The interpreter stops at the line when it executes it. In a sub that nothing calls, or in a skipped
 branch, there is no message. For numbers the message is `Parameter is readonly`. It is easy to
 choose a global name that LinuxCNC already uses: `#<_a>` is the position of the A axis, `#<_feed>`
 the current feed. Without the underscore (`#<feed>`) the name is free.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<_feed> = 120
 G0 X10 Y10 Z5
 G1 Z-2 F#<_feed>
 G0 Z5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<_cut_feed> = 120
 G0 X10 Y10 Z5
 G1 Z-2 F#<_cut_feed>
 G0 Z5
 M2
 )",
-        .fix = R"(Choose another name. To set the feed, the speed or the position, program it: `F120`, `S800`, `G92`.)",
-        .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
-        .interpreter = "Cannot assign to read-only parameter #<_feed>",
-        .options = "",
-    },
+            .fix =
+                R"(Choose another name. To set the feed, the speed or the position, program it: `F120`, `S800`, `G92`.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .interpreter = "Cannot assign to read-only parameter #<_feed>",
+            .options = "",
+        },
     .check = check,
 };
 

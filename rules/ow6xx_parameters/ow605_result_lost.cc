@@ -16,9 +16,12 @@ void check_numbers(const Input& in, const Call& call, Reporter& out) {
     if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
     const StatementId assigned = in.data.last_assignment(call.target, n);
     const std::string number = "`#" + std::to_string(n) + "`";
-    Finding& f = out.add(p.at(assigned).whole(), number + " is assigned here, but the caller does not see it: the end of " + region_words(p, call.target) + " restores the caller's " + number);
+    Finding& f = out.add(p.at(assigned).whole(),
+                         number + " is assigned here, but the caller does not see it: the end of " +
+                             region_words(p, call.target) + " restores the caller's " + number);
     relate(f, p, call.statement, "called here; " + number + " is read after the call");
-    f.help = "return it with `endsub [#" + std::to_string(n) + "]` and read `#<_value>`, or use a number above #30 or a name that begins with `_`";
+    f.help = "return it with `endsub [#" + std::to_string(n) +
+        "]` and read `#<_value>`, or use a number above #30 or a name that begins with `_`";
     f.reach = in.flow.reach(call.statement);
   }
 }
@@ -62,7 +65,8 @@ bool changes(const Sub& sub, uint32_t n) {
   const bool used = (sub.data->of(sub.region).arguments >> n & 1) != 0;
   for (uint32_t i = 0; i < s.item_count && used; ++i) {
     const Item& item = p.syntax.items[s.first + i];
-    if (flow::assigns(item) && flow::key_of_target(p.syntax, item) == n) return p.syntax.exprs[item.value].op != Operator::kNumber;
+    if (flow::assigns(item) && flow::key_of_target(p.syntax, item) == n)
+      return p.syntax.exprs[item.value].op != Operator::kNumber;
   }
   return true;
 }
@@ -106,7 +110,8 @@ class ByReference {
     if (!flow::is_global(key)) return false;
     const std::vector<flow::ParameterId>& writes = sub.data->of(sub.region).writes;
     const std::string text = flow::parameter_text(in_.program, flow::parameter_of(key));
-    return std::ranges::any_of(writes, [&](flow::ParameterId w) { return flow::parameter_text(*sub.program, w) == text; });
+    return std::ranges::any_of(writes,
+                               [&](flow::ParameterId w) { return flow::parameter_text(*sub.program, w) == text; });
   }
 
   void report(const Call& call, const Sub& sub, uint32_t n, flow::ParameterKey key) {
@@ -125,14 +130,16 @@ class ByReference {
     } else {
       f.related.push_back({sub.program->at(assigned).whole(), own + " is changed here", sub.program->source});
     }
-    f.help = "return the new value with `" + p.label_text(call.callee) + " endsub [#" + std::to_string(n) + "]`, and write `" + text + " = #<_value>` after the call";
+    f.help = "return the new value with `" + p.label_text(call.callee) + " endsub [#" + std::to_string(n) +
+        "]`, and write `" + text + " = #<_value>` after the call";
     f.reach = in_.flow.reach(call.statement);
   }
 
   const Input& in_;
   Reporter& out_;
   Subs subs_;
-  std::map<std::tuple<const Program*, RegionId, uint32_t>, int> left_;  ///< by sub and argument: calls that may still be looked at
+  std::map<std::tuple<const Program*, RegionId, uint32_t>, int>
+      left_;  ///< by sub and argument: calls that may still be looked at
 };
 
 void check(const Input& in, Reporter& out) {
@@ -157,19 +164,21 @@ extern const Rule kOw605{
     .summary = "a sub assigns #1 to #30 for its caller, but the call restores them",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A sub puts its result into one of `#1` to `#30` and does not use it itself. The main program reads
+    .page =
+        {
+            .what =
+                R"(A sub puts its result into one of `#1` to `#30` and does not use it itself. The main program reads
 this number after the call and never sets it.
 
 A sub changes an argument. The caller passes a parameter and reads it after the call as if the sub had
 changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. A parameter that
 `(debug, #5)` or another such comment shows counts as read.)",
-        .why = R"(A call saves `#1` to `#30` and restores them when the sub returns. The sub's result is lost: the
+            .why = R"(A call saves `#1` to `#30` and restores them when the sub returns. The sub's result is lost: the
 caller gets its own old value, usually 0. There is no message. Nothing is passed by reference: the sub
 gets the values of its arguments.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   #5 = [#1 + #2]
 o100 endsub
@@ -178,7 +187,7 @@ o100 call [10] [20]
 G0 X#5
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   #5 = [#1 + #2]
 o100 endsub [#5]
@@ -187,14 +196,14 @@ o100 call [10] [20]
 G0 X#<_value>
 M2
 )",
-        .fix = R"(Return one value with `endsub [...]`. For several values, use numbers above `#30` or names that
+            .fix = R"(Return one value with `endsub [...]`. For several values, use numbers above `#30` or names that
 begin with `_`.)",
-        .level_reason = "Warning: the program runs, but its caller keeps the old value.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X0",
-        .moves_good = "X30",
-    },
+            .level_reason = "Warning: the program runs, but its caller keeps the old value.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X0",
+            .moves_good = "X30",
+        },
     .check = check,
 };
 

@@ -18,8 +18,12 @@ void check(const Input& in, Reporter& out) {
     // An argument in the middle has to be passed because of those after it.
     const int read = sub.last_argument();
     if (s.value_count <= read) continue;
-    const std::string reads = read == 0 ? "reads none" : read == 1 ? "reads only `#1`" : "reads only `#1` to `#" + std::to_string(read) + "`";
-    Finding& f = out.add(s.head_span(), "`" + p.head(call.statement) + "` passes " + std::to_string(s.value_count) + (s.value_count == 1 ? " argument" : " arguments") + ", but the sub " + reads);
+    const std::string reads = read == 0 ? "reads none"
+        : read == 1                     ? "reads only `#1`"
+                                        : "reads only `#1` to `#" + std::to_string(read) + "`";
+    Finding& f = out.add(s.head_span(),
+                         "`" + p.head(call.statement) + "` passes " + std::to_string(s.value_count) +
+                             (s.value_count == 1 ? " argument" : " arguments") + ", but the sub " + reads);
     relate(f, p, p.regions[call.target].opener, "the sub begins here");
     f.help = "remove the argument, or use it in the sub";
     f.reach = in.flow.reach(call.statement);
@@ -34,14 +38,15 @@ extern const Rule kOw606{
     .summary = "an argument that the sub never reads",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A call passes more arguments than its sub reads, and the sub is in the same program. For example,
+    .page =
+        {
+            .what = R"(A call passes more arguments than its sub reads, and the sub is in the same program. For example,
 the call passes a feed but the sub has a fixed number, or there is one `[...]` too many.)",
-        .why = R"(LinuxCNC accepts up to 30 arguments for every sub, and gives no message if the sub does not read
+            .why = R"(LinuxCNC accepts up to 30 arguments for every sub, and gives no message if the sub does not read
 them. The value in the call has no effect: in the first program below, the machine goes to X0.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G0 Z5
   G0 X#<_x_start>
@@ -51,7 +56,7 @@ G0 X50 Z5
 o100 call [20]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G0 Z5
   G0 X#1
@@ -60,13 +65,13 @@ G0 X50 Z5
 o100 call [20]
 M2
 )",
-        .fix = R"(Remove the unused arguments from the call, or read them in the sub.)",
-        .level_reason = "Warning: the program runs, and the argument has no effect.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X0",
-        .moves_good = "X20",
-    },
+            .fix = R"(Remove the unused arguments from the call, or read them in the sub.)",
+            .level_reason = "Warning: the program runs, and the argument has no effect.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X0",
+            .moves_good = "X20",
+        },
     .check = check,
 };
 

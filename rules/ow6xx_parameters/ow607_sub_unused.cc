@@ -27,7 +27,8 @@ std::vector<RegionId> called_by_no_other(const Program& p) {
 }
 
 /// The regions that can be reached from `todo` by calls.
-std::vector<bool> reached(const Program& p, std::vector<RegionId> todo, const std::vector<std::vector<RegionId>>& called) {
+std::vector<bool> reached(const Program& p, std::vector<RegionId> todo,
+                          const std::vector<std::vector<RegionId>>& called) {
   std::vector<bool> seen(p.regions.size());
   while (!todo.empty()) {
     const RegionId region = todo.back();
@@ -52,7 +53,7 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   const std::vector<RegionId> alone = called_by_no_other(p);
   if (alone.empty() || does_nothing(p)) return;  // other programs call a collection of subs
-  if (!p.syntax.errors.empty()) return;  // the call may be on a line that is broken
+  if (!p.syntax.errors.empty()) return;          // the call may be on a line that is broken
   std::unordered_set<std::string> from_files;
   for (const LinkedFile& file : in.linked.files()) {
     if (calls_anything(*file.program)) return;
@@ -73,7 +74,9 @@ void check(const Input& in, Reporter& out) {
   for (const RegionId r : alone) {
     const Region& region = p.regions[r];
     if (used[r]) continue;
-    if (std::ranges::any_of(p.regions, [&](const Region& other) { return other.name == region.name && &other != &region; })) continue;
+    if (std::ranges::any_of(p.regions,
+                            [&](const Region& other) { return other.name == region.name && &other != &region; }))
+      continue;
     if (!in.data.structure().regular || in_cycles(p)) return;
     Finding& f = out.add(p.at(region.opener).head_span(), "nothing calls " + region_words(p, r));
     f.help = "call it or remove it; check that the calls have this label";
@@ -89,15 +92,17 @@ extern const Rule kOw607{
     .summary = "a sub that nothing calls",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A sub that neither the program nor a file that it calls ever calls. A file's own sub (with the name
+    .page =
+        {
+            .what =
+                R"(A sub that neither the program nor a file that it calls ever calls. A file's own sub (with the name
 of the file) is not reported, because other programs call it; nor is a file that has only subs. If a
 call has a computed label, nothing is reported.)",
-        .why = R"(LinuxCNC skips the definition. That is harmless, but the moves in it are never made: a call is
+            .why = R"(LinuxCNC skips the definition. That is harmless, but the moves in it are never made: a call is
 missing, or it has another label. In the first program below the hole at X20 is missing.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 o100 sub
   G0 X#1
   G1 Z-5 F80
@@ -112,7 +117,7 @@ G0 Z5
 o100 call [10]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 o100 sub
   G0 X#1
   G1 Z-5 F80
@@ -128,13 +133,13 @@ o100 call [10]
 o200 call
 M2
 )",
-        .fix = R"(Call the sub, or remove it. If you keep a sub for later, suppress the finding with a reason.)",
-        .level_reason = "Warning: the program runs without the sub; perhaps a call is missing or misspelt.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X10",
-        .moves_good = "X20",
-    },
+            .fix = R"(Call the sub, or remove it. If you keep a sub for later, suppress the finding with a reason.)",
+            .level_reason = "Warning: the program runs without the sub; perhaps a call is missing or misspelt.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X10",
+            .moves_good = "X20",
+        },
     .check = check,
 };
 

@@ -17,7 +17,9 @@ void check(const Input& in, Reporter& out) {
       f.reach = in.flow.reach(c.statement);
       continue;
     }
-    const std::string says = s.is(Keyword::kWhile) && !c.truth ? "is always false: the loop makes no more passes" : c.truth ? "is always true" : "is always false: its lines never run";
+    const std::string says = s.is(Keyword::kWhile) && !c.truth ? "is always false: the loop makes no more passes"
+        : c.truth                                              ? "is always true"
+                                                               : "is always false: its lines never run";
     Finding& f = out.add(s.head_span(), "the condition of " + head + " " + says);
     f.help = "check the comparison: the direction, the number, the parameter";
     f.reach = in.flow.reach(c.statement);
@@ -32,18 +34,20 @@ extern const Rule kOw608{
     .summary = "a condition that is the same every time; a branch that never runs",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A condition whose result is already known, from an earlier condition or from an assignment: an inner
+    .page =
+        {
+            .what =
+                R"(A condition whose result is already known, from an earlier condition or from an assignment: an inner
 `if` that contradicts the outer one, an `elseif` with the condition of a branch above it, a `while`
 whose counter starts on the wrong side.
 
 `[1]` and `[0]` are not reported, because they are written on purpose. Nor is a number that is set
 once in the program, for the user to change.)",
-        .why = R"(LinuxCNC evaluates the condition and goes the same way every time, without a message. The lines of
+            .why = R"(LinuxCNC evaluates the condition and goes the same way every time, without a message. The lines of
 the other branch never run: in the first program below the machine stays at X0.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #1 = 0
 G0 X0 Z5
 o100 while [#1 GT 5]
@@ -52,7 +56,7 @@ o100 while [#1 GT 5]
 o100 endwhile
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #1 = 0
 G0 X0 Z5
 o100 while [#1 LT 5]
@@ -61,13 +65,13 @@ o100 while [#1 LT 5]
 o100 endwhile
 M2
 )",
-        .fix = R"(Reverse the comparison, or compare with another number or parameter.)",
-        .level_reason = "Warning: the program runs, but a part of it never runs, or always.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X0",
-        .moves_good = "X50",
-    },
+            .fix = R"(Reverse the comparison, or compare with another number or parameter.)",
+            .level_reason = "Warning: the program runs, but a part of it never runs, or always.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X0",
+            .moves_good = "X50",
+        },
     .check = check,
 };
 

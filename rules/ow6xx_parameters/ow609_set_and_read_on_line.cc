@@ -11,7 +11,8 @@ namespace {
 // Depth is bounded by the length of a line.
 bool reads(const Program& p, ExprId id, flow::ParameterId of) {
   const Expr& expr = p.syntax.exprs[id];
-  if (expr.op == Operator::kNumber || expr.op == Operator::kExistsNamed || expr.op == Operator::kExistsNumbered) return false;
+  if (expr.op == Operator::kNumber || expr.op == Operator::kExistsNamed || expr.op == Operator::kExistsNumbered)
+    return false;
   if (expr.op == Operator::kNamed) return of.named && expr.name() == of.id;
   if (expr.op == Operator::kParameter && !of.named) {
     const Expr& number = p.syntax.exprs[expr.left()];
@@ -37,7 +38,9 @@ void check(const Input& in, Reporter& out) {
       for (uint32_t k = i + 1; k < s.item_count; ++k) {
         if (!reads(p, p.syntax.items[s.first + k].value, parameter)) continue;
         const std::string words = parameter_words(p, parameter);
-        Finding& f = out.add(item_span(p, id, k), "this reads the old value of " + words + ": the value set on this line counts from the next line on");
+        Finding& f = out.add(
+            item_span(p, id, k),
+            "this reads the old value of " + words + ": the value set on this line counts from the next line on");
         f.related.push_back({item_span(p, id, i), "set here", nullptr});
         f.help = "set " + words + " on a line of its own, before this line";
         f.reach = in.flow.reach(id);
@@ -55,33 +58,35 @@ extern const Rule kOw609{
     .summary = "a parameter set and read on one line: the line reads the old value",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A line that first sets a parameter and then reads it: `#1=6 G0 X#1`. A read before the assignment,
+    .page =
+        {
+            .what =
+                R"(A line that first sets a parameter and then reads it: `#1=6 G0 X#1`. A read before the assignment,
 or in the assigned value itself, is normal and not reported.)",
-        .why = R"(LinuxCNC reads all values of a line before it sets anything. The move goes to the **old** value; a
+            .why = R"(LinuxCNC reads all values of a line before it sets anything. The move goes to the **old** value; a
 new name is 0. There is no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #1 = 5
 G0 Y#1
 #1 = 60 G0 X#1
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #1 = 5
 G0 Y#1
 #1 = 60
 G0 X#1
 M2
 )",
-        .fix = R"(Write the assignment on a line of its own, before this line.)",
-        .level_reason = "Warning: the program runs with the old value.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X5",
-        .moves_good = "X60",
-    },
+            .fix = R"(Write the assignment on a line of its own, before this line.)",
+            .level_reason = "Warning: the program runs with the old value.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X5",
+            .moves_good = "X60",
+        },
     .check = check,
 };
 

@@ -40,7 +40,8 @@ void check(const Input& in, Reporter& out) {
     const std::string words = parameter_words(p, u.parameter);
     const std::string where = region_words(p, p.region_of[u.statement]);
     if (u.overwritten != kNoStatement) {
-      Finding& f = out.add(item_span(p, u.statement, u.item), words + " is assigned again before anything reads this value");
+      Finding& f =
+          out.add(item_span(p, u.statement, u.item), words + " is assigned again before anything reads this value");
       relate(f, p, u.overwritten, "assigned again here");
       f.help = "remove one of the two lines, or assign to another parameter";
       f.reach = in.flow.reach(u.statement);
@@ -70,8 +71,9 @@ extern const Rule kOw610{
     .summary = "a parameter that is assigned but never read, or overwritten before it is read",
     .group = Group::kDataFlow,
     .level = Severity::kWarning,
-    .page = {
-        .what = R"(A name that a sub or the main program assigns but never reads, while it reads another name with
+    .page =
+        {
+            .what = R"(A name that a sub or the main program assigns but never reads, while it reads another name with
 almost the same spelling. An argument that only goes into such a name, and so has no effect. A value
 that the next line overwrites.
 
@@ -80,32 +82,33 @@ would do the same. A name that `(debug, …)`, `(print, …)`, `(log, …)` or `
 as read. A name that only renames another parameter (`#<feed> = #3`) is not reported. Other programs
 may read global names and numbers above `#30`, and the Python code of a machine may read all names
 if the INI has a `[PYTHON]` section.)",
-        .why = R"(LinuxCNC makes a new parameter for every new name. So a typing error sets a parameter that nothing
+            .why = R"(LinuxCNC makes a new parameter for every new name. So a typing error sets a parameter that nothing
 reads, and the intended one keeps its old value. There is no message: in the first program below the
 machine goes to X10.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<width> = 10
 G0 Z5 Y#<width>
 #<widht> = 60
 G0 X#<width>
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<width> = 10
 G0 Z5 Y#<width>
 #<width> = 60
 G0 X#<width>
 M2
 )",
-        .fix = R"(Correct the name, or remove the line.)",
-        .level_reason = "Warning if a value is lost: the name is nearly one that is read, the next line overwrites the value, or an argument is never read. Info for a line that has no effect.",
-        .interpreter = "",
-        .options = "",
-        .moves = "X10",
-        .moves_good = "X60",
-    },
+            .fix = R"(Correct the name, or remove the line.)",
+            .level_reason = "Warning if a value is lost: the name is nearly one that is read, the next line overwrites "
+                            "the value, or an argument is never read. Info for a line that has no effect.",
+            .interpreter = "",
+            .options = "",
+            .moves = "X10",
+            .moves_good = "X60",
+        },
     .check = check,
 };
 

@@ -10,8 +10,10 @@ struct Computed {
   explicit Computed(const Program& p) {
     for (const Item& item : p.syntax.items) {
       if ((item.target_name == kNoName && item.target == kNoExpr) || !computes_fraction(p, item.value)) continue;
-      if (item.target_name != kNoName) names.insert(item.target_name);
-      else if (p.syntax.exprs[item.target].op == Operator::kNumber) numbers.insert(static_cast<long>(p.syntax.exprs[item.target].value()));
+      if (item.target_name != kNoName)
+        names.insert(item.target_name);
+      else if (p.syntax.exprs[item.target].op == Operator::kNumber)
+        numbers.insert(static_cast<long>(p.syntax.exprs[item.target].value()));
     }
   }
   std::unordered_set<NameId> names;
@@ -32,7 +34,8 @@ bool computed(const Program& p, const Computed& by, ExprId side) {
 // Depth is bounded by the length of a line.
 bool compares(const Program& p, const Computed& by, ExprId id) {
   const Expr& expr = p.syntax.exprs[id];
-  if (expr.op == Operator::kEq || expr.op == Operator::kNe) return computed(p, by, expr.left()) || computed(p, by, expr.right());
+  if (expr.op == Operator::kEq || expr.op == Operator::kNe)
+    return computed(p, by, expr.left()) || computed(p, by, expr.right());
   if (expr.op != Operator::kAnd && expr.op != Operator::kOr && expr.op != Operator::kXor) return false;
   return compares(p, by, expr.left()) || compares(p, by, expr.right());
 }
@@ -44,7 +47,8 @@ void check(const Input& in, Reporter& out) {
   for (const StatementId id : in.index.tests) {
     const Statement& s = p.at(id);
     if (!compares(p, by, p.syntax.values[s.first])) continue;
-    Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` tests whether a computed value is equal: `EQ` is true only within 0.0001");
+    Finding& f = out.add(
+        s.head_span(), "`" + p.head(id) + "` tests whether a computed value is equal: `EQ` is true only within 0.0001");
     f.help = "compare with `LT` or `GT`, or test the distance: `[ABS[#1 - #2] LT 0.001]`";
     f.reach = in.flow.reach(id);
   }
@@ -58,17 +62,19 @@ extern const Rule kOw611{
     .summary = "`EQ` or `NE` on computed values",
     .group = Group::kDataFlow,
     .level = Severity::kInfo,
-    .page = {
-        .what = R"(A condition with `EQ` or `NE` on a value that is a quotient, a root, an angle or a sum of fractions.
+    .page =
+        {
+            .what =
+                R"(A condition with `EQ` or `NE` on a value that is a quotient, a root, an angle or a sum of fractions.
 This rule is off unless you select it.)",
-        .why = R"(Numbers such as 1/3 or 25.4/20 are rounded, and steps of them do not reach their end exactly. For
+            .why = R"(Numbers such as 1/3 or 25.4/20 are rounded, and steps of them do not reach their end exactly. For
 LinuxCNC two numbers are equal if they differ by less than 0.0001. If a step misses the end by more,
 the loop goes past it, and a loop with `NE` never ends. In the first program below, the step is 1/3
 rounded to four digits and the end is 10, so `EQ` is never true. The loop ends only because of its
 first condition.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
-        .bad = R"(G21 G90
+            .bad = R"(G21 G90
 #<z> = 0
 #<found> = 0
 o100 while [#<z> LT 10]
@@ -80,7 +86,7 @@ o100 endwhile
 G0 X[#<found> * 50]
 M2
 )",
-        .good = R"(G21 G90
+            .good = R"(G21 G90
 #<z> = 0
 #<found> = 0
 o100 while [#<z> LT 10]
@@ -92,13 +98,13 @@ o100 endwhile
 G0 X[#<found> * 50]
 M2
 )",
-        .fix = R"(Compare with `LT`, `LE`, `GT` or `GE`, count passes in whole numbers, or test the distance.)",
-        .level_reason = "Info: the comparison works in most programs, but should be checked.",
-        .interpreter = "",
-        .options = "--extend-select OW611",
-        .moves = "X0",
-        .moves_good = "X50",
-    },
+            .fix = R"(Compare with `LT`, `LE`, `GT` or `GE`, count passes in whole numbers, or test the distance.)",
+            .level_reason = "Info: the comparison works in most programs, but should be checked.",
+            .interpreter = "",
+            .options = "--extend-select OW611",
+            .moves = "X0",
+            .moves_good = "X50",
+        },
     .check = check,
 };
 

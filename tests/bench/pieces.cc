@@ -24,7 +24,9 @@ std::shared_ptr<const Source> input() {
   return source;
 }
 
-void report(benchmark::State& state, const Source& source) { state.SetBytesProcessed(static_cast<int64_t>(state.iterations() * source.bytes().size())); }
+void report(benchmark::State& state, const Source& source) {
+  state.SetBytesProcessed(static_cast<int64_t>(state.iterations() * source.bytes().size()));
+}
 
 void bulk(benchmark::State& state) {
   const auto source = input();

@@ -21,7 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     return 0;
   }
   for (ExprId i = 0; i < pool.size(); ++i) {
-    if ((pool[i].left() != kNoExpr && pool[i].left() >= i) || (pool[i].right() != kNoExpr && pool[i].right() >= i)) std::abort();
+    if ((pool[i].left() != kNoExpr && pool[i].left() >= i) || (pool[i].right() != kNoExpr && pool[i].right() >= i))
+      std::abort();
   }
   double value = 0;
   long number = 0;

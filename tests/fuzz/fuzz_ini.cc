@@ -1,6 +1,6 @@
 // Any bytes are an INI: reading must come back, with values and places inside the file; and so must a machine made of it.
-#include <cstdlib>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 

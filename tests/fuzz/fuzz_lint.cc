@@ -24,7 +24,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   profile.version = static_cast<Version>(data[0] >> 1 & 3);
   LintOptions options;
   options.extend_select = {"OW"};
-  const FileReport report = lint(Source::own("p.ngc", {reinterpret_cast<const char*>(data) + 1, size - 1}), profile, options);
+  const FileReport report =
+      lint(Source::own("p.ngc", {reinterpret_cast<const char*>(data) + 1, size - 1}), profile, options);
   uint64_t last = 0;
   for (const Finding& f : report.findings) {
     inside(f.span, size - 1);

@@ -75,8 +75,9 @@ std::vector<std::string> expectations(const nlohmann::json& findings) {
       return fmt::format("{}:{}", f[end]["line"].get<int>(), f[end]["column"].get<int>());
     };
     const std::string file = f.contains("file") ? f["file"].get<std::string>() + " " : "";
-    out.push_back(fmt::format("{}{} {}-{} {} {} {}", file, f["code"].get<std::string>(), place("start"), place("end"), f["severity"].get<std::string>(),
-                              f["reach"].get<std::string>(), f["stops"].get<bool>() ? "stops" : "runs"));
+    out.push_back(fmt::format("{}{} {}-{} {} {} {}", file, f["code"].get<std::string>(), place("start"), place("end"),
+                              f["severity"].get<std::string>(), f["reach"].get<std::string>(),
+                              f["stops"].get<bool>() ? "stops" : "runs"));
   }
   if (out.empty()) out.emplace_back("nothing");
   return out;

@@ -17,7 +17,8 @@ namespace owlint::test {
 
 namespace {
 
-Run run_program(std::string program, const std::vector<std::string>& arguments, const std::string& input, const std::string& folder) {
+Run run_program(std::string program, const std::vector<std::string>& arguments, const std::string& input,
+                const std::string& folder) {
   const Scratch scratch;
   const std::string in = scratch.write("in", input);
   const std::string out = scratch.write("out", "");
@@ -50,10 +51,16 @@ Run run_program(std::string program, const std::vector<std::string>& arguments, 
 
 }  // namespace
 
-Run owlint(const std::vector<std::string>& arguments, const std::string& input, const std::string& folder) { return run_program(OWLINT_PROGRAM, arguments, input, folder); }
+Run owlint(const std::vector<std::string>& arguments, const std::string& input, const std::string& folder) {
+  return run_program(OWLINT_PROGRAM, arguments, input, folder);
+}
 
 Run shell(const std::string& script, const std::string& folder) {
-  return run_program("/bin/bash", {"-c", std::string("owlint() { ") + OWLINT_PROGRAM + " \"$@\"; }; export OWLINT=" + OWLINT_PROGRAM + "; " + script}, "", folder);
+  return run_program(
+      "/bin/bash",
+      {"-c",
+       std::string("owlint() { ") + OWLINT_PROGRAM + " \"$@\"; }; export OWLINT=" + OWLINT_PROGRAM + "; " + script},
+      "", folder);
 }
 
 std::vector<std::string> words(const std::string& line) {

@@ -50,7 +50,9 @@ TEST_CASE("a record gives back the reports that it was made of, in every format"
     records.add(audit::record_of(checked));
     const checking::Checked back = records.checked(0);
     INFO(name);
-    for (const Format& format : formats()) CHECK(json_of({checked.report.own}, std::string(format.name).c_str()) == json_of({back.report.own}, std::string(format.name).c_str()));
+    for (const Format& format : formats())
+      CHECK(json_of({checked.report.own}, std::string(format.name).c_str()) ==
+            json_of({back.report.own}, std::string(format.name).c_str()));
     CHECK(json_of(checked.report.called) == json_of(back.report.called));
     CHECK(back.report.calls == checked.report.calls);
     CHECK(back.report.sub_file == checked.report.sub_file);
@@ -75,7 +77,9 @@ TEST_CASE("a store of an older owlint gets the steps that it lacks", "[audit]") 
     old.exec(audit::kSteps[0]);
     old.exec("PRAGMA user_version = 1");
     old.exec("PRAGMA application_id = " + std::to_string(audit::kApplicationId));
-    old.exec("INSERT INTO run (started, state, version, tool, options, roots, shard) VALUES ('2026-01-01T00:00:00Z', 'running', '0', '', '{}', '[]', '')");
+    old.exec(
+        "INSERT INTO run (started, state, version, tool, options, roots, shard) VALUES ('2026-01-01T00:00:00Z', "
+        "'running', '0', '', '{}', '[]', '')");
   }
   CHECK_THROWS_WITH(Store::open(path, Store::For::kReading), Catch::Matchers::Contains("older owlint"));
   scratch.write("shop/a.ngc", "o100 if [1]\nM2\n");
@@ -92,11 +96,17 @@ TEST_CASE("a store of an older owlint gets the steps that it lacks", "[audit]") 
 TEST_CASE("what is no store is left alone", "[audit]") {
   const test::Scratch scratch;
   scratch.write("text.db", "not a database at all, but long enough to look like one\n");
-  CHECK_THROWS_WITH(Store::open(scratch.path() + "/text.db", Store::For::kWriting), Catch::Matchers::Contains("is not an owlint store"));
+  CHECK_THROWS_WITH(Store::open(scratch.path() + "/text.db", Store::For::kWriting),
+                    Catch::Matchers::Contains("is not an owlint store"));
   CHECK(test::read_file(scratch.path() + "/text.db") == "not a database at all, but long enough to look like one\n");
-  { SQLite::Database(scratch.path() + "/other.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t (a)"); }
-  CHECK_THROWS_WITH(Store::open(scratch.path() + "/other.db", Store::For::kWriting), Catch::Matchers::Contains("not an owlint store"));
-  CHECK_THROWS_WITH(Store::open(scratch.path() + "/none.db", Store::For::kReading), Catch::Matchers::Contains("there is no store"));
+  {
+    SQLite::Database(scratch.path() + "/other.db", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+        .exec("CREATE TABLE t (a)");
+  }
+  CHECK_THROWS_WITH(Store::open(scratch.path() + "/other.db", Store::For::kWriting),
+                    Catch::Matchers::Contains("not an owlint store"));
+  CHECK_THROWS_WITH(Store::open(scratch.path() + "/none.db", Store::For::kReading),
+                    Catch::Matchers::Contains("there is no store"));
 }
 
 TEST_CASE("a store has one writer", "[audit]") {

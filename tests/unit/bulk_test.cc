@@ -85,8 +85,9 @@ TEST_CASE("files are passed over alike by every kind of vector", "[bulk]") {
 
 TEST_CASE("what may matter is never passed over", "[bulk]") {
   const auto stops_at = [](const std::string& text) { return pass_plain_lines(text, 0).next; };
-  for (const char* line : {"o100 sub", "  O1 if [1]", "G1 X1 (o)", "M2", "m30", "%", "N10 M98 P1", "/G0 X1", "#1=2", "G0 X[1]", "100 sub",
-                           " 5", "sub", "if [1]", "G1 X1\rG0", "\xEF\xBB\xBFG1", "G1 X\xE4", "G0 X1 ; c", "$(x)"}) {
+  for (const char* line :
+       {"o100 sub", "  O1 if [1]", "G1 X1 (o)", "M2", "m30", "%", "N10 M98 P1", "/G0 X1", "#1=2", "G0 X[1]", "100 sub",
+        " 5", "sub", "if [1]", "G1 X1\rG0", "\xEF\xBB\xBFG1", "G1 X\xE4", "G0 X1 ; c", "$(x)"}) {
     INFO(line);
     CHECK(stops_at(std::string("G1 X1\n") + line + "\nG1 X2\n") == 6);
   }

@@ -50,7 +50,8 @@ std::vector<std::string> all_programs() {
 TEST_CASE("lines under random edits are those of the whole text", "[lsp]") {
   std::mt19937 random(42);
   const auto below = [&](size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(random); };
-  const std::vector<std::string> pieces = {"\n", "\r\n", "\r", "G1 X1", "ä", "€", "\U0001F600", "\xFF", "", "\n\n", "a\rb\nc"};
+  const std::vector<std::string> pieces = {"\n",         "\r\n", "\r", "G1 X1", "ä",      "€",
+                                           "\U0001F600", "\xFF", "",   "\n\n",  "a\rb\nc"};
   std::string text = "G0\r\nG1\n";
   lsp::Lines lines(text);
   for (int i = 0; i < 20000; ++i) {
@@ -73,7 +74,8 @@ TEST_CASE("positions go to the protocol and back in every encoding", "[lsp]") {
   const std::string text = "(ä €\U0001F600) o1\nG1\r\n\r(\xFF)";
   for (const Encoding encoding : {Encoding::kUtf8, Encoding::kUtf16, Encoding::kUtf32}) {
     const lsp::Document document("file:///p.ngc", "/p.ngc", text, encoding);
-    for (const size_t offset : {size_t{0}, size_t{1}, size_t{3}, size_t{4}, size_t{7}, size_t{11}, size_t{12}, text.size()}) {
+    for (const size_t offset :
+         {size_t{0}, size_t{1}, size_t{3}, size_t{4}, size_t{7}, size_t{11}, size_t{12}, text.size()}) {
       CHECK(document.offset(document.position(offset)) == offset);
     }
     CHECK(document.offset({{"line", 99}, {"character", 0}}) == text.size());
@@ -88,7 +90,8 @@ TEST_CASE("positions go to the protocol and back in every encoding", "[lsp]") {
 }
 
 TEST_CASE("uris are paths and back", "[lsp]") {
-  for (const char* path : {"/a b/ä.ngc", "/100%.ngc", "/plain.ngc", "/a#b?c.ngc"}) CHECK(lsp::path_of_uri(lsp::uri_of_path(path)) == path);
+  for (const char* path : {"/a b/ä.ngc", "/100%.ngc", "/plain.ngc", "/a#b?c.ngc"})
+    CHECK(lsp::path_of_uri(lsp::uri_of_path(path)) == path);
   CHECK(lsp::path_of_uri("file:///C%3A/x") == "/C:/x");
   CHECK(lsp::path_of_uri("file://host/x%zz") == "/x%zz");
   CHECK(lsp::path_of_uri("untitled:1") == "untitled:1");
@@ -97,7 +100,8 @@ TEST_CASE("uris are paths and back", "[lsp]") {
 TEST_CASE("a line's tokens", "[lsp]") {
   const auto kinds = [](std::string_view line) {
     std::string out;
-    for (const lsp::Token& t : lsp::tokenize(line)) out += "CLKPNOFW"[static_cast<size_t>(t.kind)] + std::string(line.substr(t.begin, t.end - t.begin)) + "|";
+    for (const lsp::Token& t : lsp::tokenize(line))
+      out += "CLKPNOFW"[static_cast<size_t>(t.kind)] + std::string(line.substr(t.begin, t.end - t.begin)) + "|";
     return out;
   };
   CHECK(kinds("o100 if [#1 GT 5] (c)") == "Lo100|Kif|P#1|OGT|N5|C(c)|");
@@ -114,7 +118,8 @@ TEST_CASE("the parameters of a line, as LinuxCNC reads them", "[lsp]") {
     std::string out;
     for (const lsp::ParameterUse& use : lsp::parameter_uses(line)) {
       out += use.name.empty() ? "?" : use.name;
-      out += std::string(use.assigned ? "=" : "") + (use.printed ? "!" : "") + "@" + std::string(line.substr(use.begin, use.end - use.begin)) + "|";
+      out += std::string(use.assigned ? "=" : "") + (use.printed ? "!" : "") + "@" +
+          std::string(line.substr(use.begin, use.end - use.begin)) + "|";
     }
     return out;
   };
@@ -144,5 +149,6 @@ TEST_CASE("indentation follows blocks", "[format]") {
   CHECK(indented("o1 if [#1]\nG0\nM2\n") == "o1 if [#1]\nG0\nM2\n");  // not closed
   CHECK(indented("o1 if [#1]\n\n\tG0\r\no1 endif\nM2\n") == "o1 if [#1]\n\n  G0\r\no1 endif\nM2\n");
   const std::string longest(251, 'G');
-  CHECK(indented("o1 if [#1]\n" + longest + "\no1 endif\n") == "o1 if [#1]\n " + longest + "\no1 endif\n");  // 252 is the limit
+  CHECK(indented("o1 if [#1]\n" + longest + "\no1 endif\n") ==
+        "o1 if [#1]\n " + longest + "\no1 endif\n");  // 252 is the limit
 }

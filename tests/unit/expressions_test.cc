@@ -26,7 +26,8 @@ struct Parsed {
 
 /// What an expression of literals gives, as `G0 X` prints it, or what LinuxCNC says; empty when it has parameters.
 std::string outcome(const std::string& expression) {
-  const auto report = lint(Source::own("p.ngc", fmt::format("G21 G90\n#100=[{}]\nG0 X#100\nM2\n", expression)), Profile{}, LintOptions{});
+  const auto report = lint(Source::own("p.ngc", fmt::format("G21 G90\n#100=[{}]\nG0 X#100\nM2\n", expression)),
+                           Profile{}, LintOptions{});
   for (const Finding& f : report.findings) {
     if (f.stops && !f.interpreter.empty()) return f.interpreter;
   }
@@ -52,7 +53,8 @@ TEST_CASE("expressions give what LinuxCNC gives", "[expressions]") {
     const std::string wanted = row.substr(tab + 1);
     ++rows;
     INFO(expression);
-    const bool parameters = expression.find('#') != std::string::npos && std::isdigit(static_cast<unsigned char>(wanted[0])) != 0;
+    const bool parameters =
+        expression.find('#') != std::string::npos && std::isdigit(static_cast<unsigned char>(wanted[0])) != 0;
     CHECK(outcome(expression) == (parameters ? "" : wanted));
   }
   CHECK(rows > 80);

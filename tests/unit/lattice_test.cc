@@ -85,7 +85,8 @@ TEST_CASE("a value that grows in each pass of a loop comes to rest", "[lattice]"
       value = next;
     }
     INFO("step " << step);
-    CHECK(changes <= 2 * static_cast<int>(known.thresholds().numbers().size()) + 2);  // each end may rest below and at a threshold
+    CHECK(changes <=
+          2 * static_cast<int>(known.thresholds().numbers().size()) + 2);  // each end may rest below and at a threshold
     CHECK(known.range(value).has(now));
   }
 }

@@ -7,7 +7,9 @@ using namespace owlint;
 
 TEST_CASE("characters are read as UTF-8, or as Windows writes them", "[syntax]") {
   CHECK(character_at("A").code == 'A');
-  CHECK(character_at("\xE2\x88\x92" "5").code == 0x2212);
+  CHECK(character_at("\xE2\x88\x92"
+                     "5")
+            .code == 0x2212);
   CHECK(character_at("\xE2\x88\x92").length == 3);
   CHECK(character_at("\xF0\x9D\x9F\x8E").length == 4);
   CHECK(character_at("\x96").code == 0x2013);
@@ -30,6 +32,10 @@ TEST_CASE("what characters look like", "[syntax]") {
 
 TEST_CASE("text with the characters that are meant", "[syntax]") {
   CHECK(plain_text("dr\xD1\x96ll") == "drill");
-  CHECK(plain_text("X\xE2\x88\x92" "5\xC2\xA0Y") == "X-5 Y");
-  CHECK(plain_text("gr\xC3\xB6\xC3\x9F" "e") == "gr\xC3\xB6\xC3\x9F" "e");
+  CHECK(plain_text("X\xE2\x88\x92"
+                   "5\xC2\xA0Y") == "X-5 Y");
+  CHECK(plain_text("gr\xC3\xB6\xC3\x9F"
+                   "e") ==
+        "gr\xC3\xB6\xC3\x9F"
+        "e");
 }

@@ -70,5 +70,8 @@ TEST_CASE("a file that is no text is told from a damaged one", "[nature]") {
   std::string bytes;
   for (int i = 0; i < 1000; ++i) bytes += static_cast<char>(i * i * 7);
   CHECK(nature_of(bytes).kind == Nature::kNoText);
-  CHECK(nature_of("(Bohrung \xFC" "ber Kante, Gr\xF6\xDF" "e 10)\nM2\n").kind == Nature::kProgram);
+  CHECK(nature_of("(Bohrung \xFC"
+                  "ber Kante, Gr\xF6\xDF"
+                  "e 10)\nM2\n")
+            .kind == Nature::kProgram);
 }

@@ -34,8 +34,7 @@ uint32_t random_key(std::mt19937& random) {
   return std::uniform_int_distribution<uint32_t>(0, limits[random() % 4])(random);
 }
 
-uint32_t join(uint32_t key, uint32_t a, uint32_t b) { return key % 3 == 0 ? 0 : a > b ? a
-                                                                                      : b; }
+uint32_t join(uint32_t key, uint32_t a, uint32_t b) { return key % 3 == 0 ? 0 : a > b ? a : b; }
 
 }  // namespace
 
@@ -66,8 +65,7 @@ TEST_CASE("a persistent map does what a map does", "[map]") {
           maps.push_back(merged);
           break;
         }
-        default:
-          maps[at].set(pool, random_key(random), random() % 4);
+        default: maps[at].set(pool, random_key(random), random() % 4);
       }
       const uint32_t probe = random_key(random);
       const auto found = maps[at].model.find(probe);
@@ -77,7 +75,8 @@ TEST_CASE("a persistent map does what a map does", "[map]") {
       pair.check();
       // The same content, written in another order, hashes alike; copies were not touched by later writes.
       Pair again;
-      for (auto entry = pair.model.rbegin(); entry != pair.model.rend(); ++entry) again.set(pool, entry->first, entry->second);
+      for (auto entry = pair.model.rbegin(); entry != pair.model.rend(); ++entry)
+        again.set(pool, entry->first, entry->second);
       REQUIRE(again.map.hash() == pair.map.hash());
     }
     for (size_t i = 0; i + 1 < maps.size(); ++i) {

@@ -74,12 +74,15 @@ TEST_CASE("versions are those that are supported", "[profile]") {
 }
 
 TEST_CASE("the settings of a machine are those of its RS274NGC section", "[profile]") {
-  const Profile p = from_ini("# FEATURES = 1\r\n[EMC]\r\nFEATURES = 1\r\n[RS274NGC]\r\n  FEATURES=0x20 \r\nFEATURES = 0x40\r\n; OWORD_WARNONLY = 1\r\n[TRAJ]\r\nOWORD_WARNONLY = 1\r\n");
+  const Profile p = from_ini(
+      "# FEATURES = 1\r\n[EMC]\r\nFEATURES = 1\r\n[RS274NGC]\r\n  FEATURES=0x20 \r\nFEATURES = 0x40\r\n; "
+      "OWORD_WARNONLY = 1\r\n[TRAJ]\r\nOWORD_WARNONLY = 1\r\n");
   REQUIRE(p.setup != nullptr);
   CHECK(p.setup->mask == 0x20);
   CHECK_FALSE(p.setup->warnonly);
   // Measured: an integer 1, however it is written, and nothing else.
-  for (const char* yes : {"1", "01"}) CHECK(from_ini(std::string("[RS274NGC]\nOWORD_WARNONLY = ") + yes + "\n").setup->warnonly);
+  for (const char* yes : {"1", "01"})
+    CHECK(from_ini(std::string("[RS274NGC]\nOWORD_WARNONLY = ") + yes + "\n").setup->warnonly);
   for (const char* no : {"0", "no", "TRUE", "yes", "on", "2", "-1", "0x1", "1 # x"}) {
     INFO(no);
     CHECK_FALSE(from_ini(std::string("[RS274NGC]\nOWORD_WARNONLY = ") + no + "\n").setup->warnonly);
@@ -98,8 +101,11 @@ TEST_CASE("an INI that cannot be read says why", "[profile]") {
 TEST_CASE("called files are looked for where LinuxCNC looks for them", "[profile]") {
   const test::Scratch scratch;
   const std::string ini = scratch.write("m/machine.ini",
-                                        "[DISPLAY]\nPROGRAM_PREFIX = ../prefix\n[RS274NGC]\nSUBROUTINE_PATH = ../s1:../none:../s2: ../s3\n[WIZARD]\nWIZARD_ROOT = ../wiz\n");
-  for (const char* name : {"m/a.ngc", "prefix/a.ngc", "prefix/b.ngc", "s1/b.ngc", "s2/c.ngc", "s3/d.ngc", "wiz/deep/e.ngc", "s1/Up.ngc", "s2/x.ngc/y"}) scratch.write(name, "");
+                                        "[DISPLAY]\nPROGRAM_PREFIX = ../prefix\n[RS274NGC]\nSUBROUTINE_PATH = "
+                                        "../s1:../none:../s2: ../s3\n[WIZARD]\nWIZARD_ROOT = ../wiz\n");
+  for (const char* name : {"m/a.ngc", "prefix/a.ngc", "prefix/b.ngc", "s1/b.ngc", "s2/c.ngc", "s3/d.ngc",
+                           "wiz/deep/e.ngc", "s1/Up.ngc", "s2/x.ngc/y"})
+    scratch.write(name, "");
   std::string error;
   const auto setup = read_setup(ini, &error);
   REQUIRE(setup != nullptr);
@@ -118,7 +124,8 @@ TEST_CASE("called files are looked for where LinuxCNC looks for them", "[profile
   CHECK(search.find_other_case("up").value_or("").ends_with("s1/Up.ngc"));
   CHECK(found("x") == "s2/x.ngc");  // a folder: LinuxCNC opens it, and finds nothing
   CHECK_FALSE(search.find("x")->regular);
-  for (const char* outside : {"../m/a", "/etc/passwd", "~/a", "a/../../m/a", "$HOME", "`a`", ""}) CHECK_FALSE(search.find(outside));
+  for (const char* outside : {"../m/a", "/etc/passwd", "~/a", "a/../../m/a", "$HOME", "`a`", ""})
+    CHECK_FALSE(search.find(outside));
   CHECK(search.names() == std::vector<std::string>{"a", "b", "c", "e", "x"});
   CHECK(std::ranges::count(setup->folders, false, &IniFolder::exists) == 2);
 }
@@ -129,7 +136,8 @@ TEST_CASE("which names are predefined depends on the version and the INI", "[mac
     profile.version = version_from_text(version).value();
     return name_kind(name, profile);
   };
-  const std::string ini = "[RS274NGC]\nHAL_PIN_VARS = 0\n[AXIS_Z]\nMAX_LIMIT = 12.5\nWORDS = 12 mm\nTOO_MUCH = 1e400\nSIGNS = +-1\n";
+  const std::string ini =
+      "[RS274NGC]\nHAL_PIN_VARS = 0\n[AXIS_Z]\nMAX_LIMIT = 12.5\nWORDS = 12 mm\nTOO_MUCH = 1e400\nSIGNS = +-1\n";
 
   CHECK(kind("n", "2.9", "") == NameKind::kLocal);
   CHECK(kind("_n", "2.9", "") == NameKind::kGlobal);
@@ -148,7 +156,8 @@ TEST_CASE("which names are predefined depends on the version and the INI", "[mac
 
   CHECK(kind("_ini[axis_z]max_limit", "2.9", ini) == NameKind::kPredefined);
   CHECK(kind("_ini[axis_z]max_limit", "2.7", ini) == NameKind::kOfMachine);
-  for (const char* missing : {"_ini[axis_z]words", "_ini[axis_z]too_much", "_ini[axis_z]signs", "_ini[axis_x]max_limit", "_ini[axis_z]", "_ini[axis_z", "_ini["}) {
+  for (const char* missing : {"_ini[axis_z]words", "_ini[axis_z]too_much", "_ini[axis_z]signs", "_ini[axis_x]max_limit",
+                              "_ini[axis_z]", "_ini[axis_z", "_ini["}) {
     CHECK(kind(missing, "2.9", ini) == NameKind::kGlobal);
   }
   CHECK(kind("_hal[pin]", "2.9", ini) == NameKind::kGlobal);

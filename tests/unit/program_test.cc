@@ -15,9 +15,11 @@ uint32_t line_of(const Program& p, StatementId id) { return id == kNoStatement ?
 /// `keyword label opener-[parts]end<parent's opener`, 0 for none.
 std::string shape(const Block& b, const Program& p) {
   std::string parts;
-  for (const StatementId part : p.parts[static_cast<size_t>(&b - p.blocks.data())]) parts += fmt::format("{},", line_of(p, part));
+  for (const StatementId part : p.parts[static_cast<size_t>(&b - p.blocks.data())])
+    parts += fmt::format("{},", line_of(p, part));
   const uint32_t parent = b.parent == kNoBlock ? 0 : line_of(p, p.blocks[b.parent].opener);
-  return fmt::format("{} {} {}-{}{}<{}", spelling(b.kind), p.name(b.label), line_of(p, b.opener), parts, line_of(p, b.end), parent);
+  return fmt::format("{} {} {}-{}{}<{}", spelling(b.kind), p.name(b.label), line_of(p, b.opener), parts,
+                     line_of(p, b.end), parent);
 }
 
 std::string blocks(const std::string& text) {
@@ -30,8 +32,8 @@ std::string blocks(const std::string& text) {
 }  // namespace
 
 TEST_CASE("blocks have parts ends and parents", "[program]") {
-  CHECK(blocks("o1 if [1]\no2 while [1]\no2 endwhile\no1 elseif [1]\no1 else\no3 do\no3 while [0]\no1 endif\no4 repeat [2]\no4 endrepeat\nM2\n") ==
-        "if 1 1-4,5,8<0; while 2 2-3<1; do 3 6-7<1; repeat 4 9-10<0");
+  CHECK(blocks("o1 if [1]\no2 while [1]\no2 endwhile\no1 elseif [1]\no1 else\no3 do\no3 while [0]\no1 endif\no4 repeat "
+               "[2]\no4 endrepeat\nM2\n") == "if 1 1-4,5,8<0; while 2 2-3<1; do 3 6-7<1; repeat 4 9-10<0");
 }
 
 TEST_CASE("a while closes a do with its label and opens a block otherwise", "[program]") {

@@ -18,7 +18,8 @@ class Random {
  public:
   double number() {
     static const double kOften[] = {0, 1, -1, 2, 0.5, 5, -5, 0.0001, 100, -0.0001, 90, 1e9};
-    return chance(0.7) ? kOften[random_() % std::size(kOften)] : std::uniform_real_distribution<double>(-20, 20)(random_);
+    return chance(0.7) ? kOften[random_() % std::size(kOften)]
+                       : std::uniform_real_distribution<double>(-20, 20)(random_);
   }
   Range range() {
     double a = chance(0.15) ? -kInfinity : number();
@@ -30,23 +31,34 @@ class Random {
   double member(const Range& r) {
     for (;;) {
       double value = number();
-      if (chance(0.3) && std::isfinite(r.low)) value = r.low;
-      else if (chance(0.3) && std::isfinite(r.high)) value = r.high;
-      else if (std::isfinite(r.low) && std::isfinite(r.high)) value = std::uniform_real_distribution<double>(r.low, std::nextafter(r.high, kInfinity))(random_);
-      else if (std::isfinite(r.low)) value = r.low + std::fabs(value);
-      else if (std::isfinite(r.high)) value = r.high - std::fabs(value);
+      if (chance(0.3) && std::isfinite(r.low))
+        value = r.low;
+      else if (chance(0.3) && std::isfinite(r.high))
+        value = r.high;
+      else if (std::isfinite(r.low) && std::isfinite(r.high))
+        value = std::uniform_real_distribution<double>(r.low, std::nextafter(r.high, kInfinity))(random_);
+      else if (std::isfinite(r.low))
+        value = r.low + std::fabs(value);
+      else if (std::isfinite(r.high))
+        value = r.high - std::fabs(value);
       if (r.has(value)) return value;
       if (r.low == r.high) return r.low;
     }
   }
   bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
-  Operator op() { return static_cast<Operator>(static_cast<int>(Operator::kNegate) + static_cast<int>(random_() % (static_cast<int>(Operator::kXor) - static_cast<int>(Operator::kNegate) + 1))); }
+  Operator op() {
+    return static_cast<Operator>(
+        static_cast<int>(Operator::kNegate) +
+        static_cast<int>(random_() % (static_cast<int>(Operator::kXor) - static_cast<int>(Operator::kNegate) + 1)));
+  }
 
  private:
   std::mt19937 random_{7};
 };
 
-std::string text(const Range& r) { return (r.above_low ? "(" : "[") + std::to_string(r.low) + ", " + std::to_string(r.high) + (r.below_high ? ")" : "]"); }
+std::string text(const Range& r) {
+  return (r.above_low ? "(" : "[") + std::to_string(r.low) + ", " + std::to_string(r.high) + (r.below_high ? ")" : "]");
+}
 
 }  // namespace
 
@@ -67,7 +79,8 @@ TEST_CASE("a range holds the results of its members", "[ranges]") {
       const double b = random.member(right);
       double result = 0;
       const char* message = owlint::apply(op, a, b, &result);
-      INFO(operator_text(op) << " of " << text(left) << " and " << text(right) << " is " << text(out) << "; " << a << ", " << b << " give " << result);
+      INFO(operator_text(op) << " of " << text(left) << " and " << text(right) << " is " << text(out) << "; " << a
+                             << ", " << b << " give " << result);
       if (fails != nullptr) {
         REQUIRE(message != nullptr);
         REQUIRE(std::string(message) == fails);
@@ -98,7 +111,8 @@ TEST_CASE("narrowing keeps every member for which a comparison comes out so", "[
         double result = 0;
         owlint::apply(op, a, b, &result);
         if ((result != 0) != truth) continue;
-        INFO(text(left) << " " << operator_text(op) << " " << text(right) << " " << truth << ": " << text(out) << " lacks " << a << " with " << b);
+        INFO(text(left) << " " << operator_text(op) << " " << text(right) << " " << truth << ": " << text(out)
+                        << " lacks " << a << " with " << b);
         REQUIRE(out.has(a));
         owlint::apply(flow::mirrored(op), b, a, &result);
         REQUIRE((result != 0) == truth);

@@ -35,11 +35,15 @@ TEST_CASE("the page of an audit has no absolute paths in its messages", "[audit]
     INFO(words);
     CHECK(paths.text(words) == shown);
   };
-  check("EOF in file:/srv/my nc/mill/a b.ngc seeking o-word: o<x>", "EOF in file:my nc/mill/a b.ngc seeking o-word: o<x>");
-  check("the folder `../x` of `PROGRAM_PREFIX` does not exist (/opt/lib/x)", "the folder `../x` of `PROGRAM_PREFIX` does not exist (lib/x)");
+  check("EOF in file:/srv/my nc/mill/a b.ngc seeking o-word: o<x>",
+        "EOF in file:my nc/mill/a b.ngc seeking o-word: o<x>");
+  check("the folder `../x` of `PROGRAM_PREFIX` does not exist (/opt/lib/x)",
+        "the folder `../x` of `PROGRAM_PREFIX` does not exist (lib/x)");
   check("no file in /srv/my nc, or /opt/lib:/home/joe/linuxcnc/subs", "no file in my nc, or lib:…/linuxcnc/subs");
   check("`/home/joe smith/nc files/subs/` is missing", "`…/nc files/subs` is missing");
   check("called in /srv/old subs/s.ngc and /srv/machine.ini", "called in …/old subs/s.ngc and …/srv/machine.ini");
   // What is no path, or a path that says nothing of the machine, stays.
-  for (const char* words : {"`/ M30` and `/M30` are left out", "G0 X[#1/#2/3] Y[1 /2/3]", "write `a/b/c.ngc` or ~/x/y", "see http://linuxcnc.org/docs/html", "a / b", "/", ""}) check(words, words);
+  for (const char* words : {"`/ M30` and `/M30` are left out", "G0 X[#1/#2/3] Y[1 /2/3]", "write `a/b/c.ngc` or ~/x/y",
+                            "see http://linuxcnc.org/docs/html", "a / b", "/", ""})
+    check(words, words);
 }

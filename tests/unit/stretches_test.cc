@@ -12,10 +12,22 @@ namespace {
 
 /// About 20 MB of lines of all sorts; `blank` bytes of blank lines first.
 std::string large(uint32_t seed, size_t blank) {
-  static const std::vector<std::string> kLines = {
-      "G1 X1.5 Y2.25\n", "o100 if [#1 GT 2]\n", "o100 endif\n", "(owlint: ignore OW104 -- known)\n", "\n", "  \r\n", "G0 X1 (not closed\n",
-      "#<a> = [#1 + 2]\n", "%\n", "M2\n", "o<name> call [1] [2]\n", std::string(300, 'X') + "\n", "G1 X1 ; a comment\n", std::string("G0\0X", 4) + "\n",
-      "\xC3\xA4\n", "G1 X1\rG1 Y1\n"};
+  static const std::vector<std::string> kLines = {"G1 X1.5 Y2.25\n",
+                                                  "o100 if [#1 GT 2]\n",
+                                                  "o100 endif\n",
+                                                  "(owlint: ignore OW104 -- known)\n",
+                                                  "\n",
+                                                  "  \r\n",
+                                                  "G0 X1 (not closed\n",
+                                                  "#<a> = [#1 + 2]\n",
+                                                  "%\n",
+                                                  "M2\n",
+                                                  "o<name> call [1] [2]\n",
+                                                  std::string(300, 'X') + "\n",
+                                                  "G1 X1 ; a comment\n",
+                                                  std::string("G0\0X", 4) + "\n",
+                                                  "\xC3\xA4\n",
+                                                  "G1 X1\rG1 Y1\n"};
   std::mt19937 random(seed);
   std::discrete_distribution<size_t> line{400, 4, 4, 1, 20, 3, 1, 4, 1, 1, 2, 1, 8, 1, 1, 1};
   std::string text(blank, '\n');
@@ -26,12 +38,17 @@ std::string large(uint32_t seed, size_t blank) {
 
 bool same(const Syntax& a, const Syntax& b) {
   const auto key = [](const Statement& s) {
-    return std::tuple(s.offset, s.length, s.line, s.label, s.first, s.error, s.first_plain_line, s.kind, s.keyword, s.value_count, s.item_count, bool{s.plain_code_follows});
+    return std::tuple(s.offset, s.length, s.line, s.label, s.first, s.error, s.first_plain_line, s.kind, s.keyword,
+                      s.value_count, s.item_count, bool{s.plain_code_follows});
   };
-  const auto place = [](const Directive& d) { return std::tuple(d.line, d.span.begin, d.span.end, d.own_line, d.on_oword); };
-  return std::ranges::equal(a.statements, b.statements, {}, key, key) && std::ranges::equal(a.directives, b.directives, {}, place, place) &&
-         a.lines == b.lines && a.last_code == b.last_code && a.first_plain_line == b.first_plain_line && a.percent == b.percent &&
-         a.blank == b.blank && a.exprs.size() == b.exprs.size() && a.errors.size() == b.errors.size() && a.names.size() == b.names.size();
+  const auto place = [](const Directive& d) {
+    return std::tuple(d.line, d.span.begin, d.span.end, d.own_line, d.on_oword);
+  };
+  return std::ranges::equal(a.statements, b.statements, {}, key, key) &&
+      std::ranges::equal(a.directives, b.directives, {}, place, place) && a.lines == b.lines &&
+      a.last_code == b.last_code && a.first_plain_line == b.first_plain_line && a.percent == b.percent &&
+      a.blank == b.blank && a.exprs.size() == b.exprs.size() && a.errors.size() == b.errors.size() &&
+      a.names.size() == b.names.size();
 }
 
 struct AllCores {

@@ -17,7 +17,8 @@ std::vector<Suppression> parse(const std::string& words, uint32_t line = 5, bool
 std::vector<std::string> found(const std::string& program) {
   const FileReport report = lint(Source::own("p.ngc", program), Profile{}, LintOptions{});
   std::vector<std::string> out;
-  for (const Finding& f : report.findings) out.push_back(std::to_string(report.source->position(f.span.begin).line) + " " + std::string(f.code));
+  for (const Finding& f : report.findings)
+    out.push_back(std::to_string(report.source->position(f.span.begin).line) + " " + std::string(f.code));
   return out;
 }
 

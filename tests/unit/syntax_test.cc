@@ -19,18 +19,22 @@ struct Read {
       out += std::to_string(s.line) + " ";
       switch (s.kind) {
         case LineKind::kOWord:
-          out += s.keyword == Keyword::kBare ? "bare" : s.keyword == Keyword::kUnknown ? "unknown"
-                                                                                       : std::string(spelling(s.keyword));
+          out += s.keyword == Keyword::kBare   ? "bare"
+              : s.keyword == Keyword::kUnknown ? "unknown"
+                                               : std::string(spelling(s.keyword));
           out += s.label == kNoName ? " ?" : " " + syntax.names.text(s.label);
           break;
         case LineKind::kM98: out += "M98"; break;
         case LineKind::kM99: out += "M99"; break;
         case LineKind::kM99Behind: out += "M99 behind"; break;
-        case LineKind::kContour: out += "contour" + (s.label == kNoName ? " ?" : " " + syntax.names.text(s.label)); break;
+        case LineKind::kContour:
+          out += "contour" + (s.label == kNoName ? " ?" : " " + syntax.names.text(s.label));
+          break;
         case LineKind::kProgramEnd: out += "end"; break;
         case LineKind::kPercent: out += "%"; break;
         case LineKind::kAbort: out += "abort"; break;
-        case LineKind::kWords: case LineKind::kFileEnd: out += "words"; break;
+        case LineKind::kWords:
+        case LineKind::kFileEnd: out += "words"; break;
       }
       if (const LineError* error = syntax.error(s)) out += " (" + error->message + ")";
     }
@@ -109,7 +113,9 @@ TEST_CASE("places point into the machinist's own text", "[syntax]") {
 }
 
 TEST_CASE("nothing lies outside of its line, also where the file ends with it", "[syntax]") {
-  for (const std::string line : {"o#EXISTS[#<a>] if [ATAN[#1]/[2] GT -#<b c>] x", "o<f> call [#1] [2 ** 3] ; c", "#[1+2] = SIN[EXISTS[#5]] (c) X#<a", "N10 M98 P#1 L[2", "o1.5 sub", "/G0 X[1", "n o"}) {
+  for (const std::string line :
+       {"o#EXISTS[#<a>] if [ATAN[#1]/[2] GT -#<b c>] x", "o<f> call [#1] [2 ** 3] ; c",
+        "#[1+2] = SIN[EXISTS[#5]] (c) X#<a", "N10 M98 P#1 L[2", "o1.5 sub", "/G0 X[1", "n o"}) {
     for (size_t length = 0; length <= line.size(); ++length) {
       const Read read(line.substr(0, length));
       for (const Statement& s : read.syntax.statements) {
@@ -122,7 +128,8 @@ TEST_CASE("nothing lies outside of its line, also where the file ends with it", 
 }
 
 TEST_CASE("the program end in its spellings", "[syntax]") {
-  CHECK(shape("M2\nM30\nm02\nM 3 0\nM2.0\nG0 X1 M2\nN5 M2 (end)\n") == "1 end; 2 end; 3 end; 4 end; 5 end; 6 end; 7 end");
+  CHECK(shape("M2\nM30\nm02\nM 3 0\nM2.0\nG0 X1 M2\nN5 M2 (end)\n") ==
+        "1 end; 2 end; 3 end; 4 end; 5 end; 6 end; 7 end");
   CHECK(shape("M3\nM20\nM200\nM230\nM300\n(M2)\n;M30\n").empty());
   CHECK(shape("%\nM2\n%\n") == "1 %; 2 end; 3 %");
   CHECK(Read("\n %\r\nM2\n").syntax.percent);
@@ -149,10 +156,12 @@ TEST_CASE("M98 and M99 beside words", "[syntax]") {
   CHECK(read.syntax.statements[2].rest_span().begin == read.syntax.statements[2].rest_span().end);
   CHECK(read.syntax.statements[3].repeats);
   CHECK(read.syntax.statements[3].value_count == 2);
-  CHECK(shape("M99 M99\nM30 M99\nM5 M99\n") == "1 M99 (Two m codes used from same modal group); 2 end (Two m codes used from same modal group); 3 M99 behind");
-  CHECK(shape("G0 M98 P1\nM98 P1 P2\nM98 P-1 P2\nM98 P1 L-1\nM98 P1 L.5\nM98 L2\nM98 P1 )\n") ==
-        "1 words (Unknown m code used: M98); 2 M98 (Multiple p words on one line); 3 M98; 4 M98 (Negative l word used); "
-        "5 M98 (Non integer value for integer); 6 M98 (Found 'm98' code with no P-word); 7 M98 (Bad character ')' used)");
+  CHECK(shape("M99 M99\nM30 M99\nM5 M99\n") ==
+        "1 M99 (Two m codes used from same modal group); 2 end (Two m codes used from same modal group); 3 M99 behind");
+  CHECK(
+      shape("G0 M98 P1\nM98 P1 P2\nM98 P-1 P2\nM98 P1 L-1\nM98 P1 L.5\nM98 L2\nM98 P1 )\n") ==
+      "1 words (Unknown m code used: M98); 2 M98 (Multiple p words on one line); 3 M98; 4 M98 (Negative l word used); "
+      "5 M98 (Non integer value for integer); 6 M98 (Found 'm98' code with no P-word); 7 M98 (Bad character ')' used)");
 }
 
 TEST_CASE("labels that lack something are read all the same", "[syntax]") {
@@ -226,7 +235,9 @@ TEST_CASE("carriage returns alone end no line", "[syntax]") {
 }
 
 TEST_CASE("comments that speak to the linter are noted", "[syntax]") {
-  const Read read("(owlint: ignore OW301 -- old post)\nG0 X1 ; owlint: ignore OW304\no1 if [1] (owlint: ignore)\n(owlint is mentioned)\n");
+  const Read read(
+      "(owlint: ignore OW301 -- old post)\nG0 X1 ; owlint: ignore OW304\no1 if [1] (owlint: ignore)\n(owlint is "
+      "mentioned)\n");
   REQUIRE(read.syntax.directives.size() == 3);
   CHECK(read.source->slice(read.syntax.directives[0].span) == " ignore OW301 -- old post");
   CHECK(read.syntax.directives[0].own_line);

@@ -17,11 +17,11 @@ struct Fact {
 
 /// Parameters as one state sees them.
 struct Parameters {
-  PersistentMap locals;   ///< keys: 1-30, and kLocalNames + NameId
-  PersistentMap globals;  ///< keys: number, and kGlobalNames + NameId
+  PersistentMap locals;        ///< keys: 1-30, and kLocalNames + NameId
+  PersistentMap globals;       ///< keys: number, and kGlobalNames + NameId
   PersistentMap local_facts;   ///< conditions on locals whose outcome is known: FactId -> 1 true, 2 false
   PersistentMap global_facts;  ///< the same for conditions on globals
-  bool outside = false;   ///< an unknown sub has run: globals may have any value
+  bool outside = false;        ///< an unknown sub has run: globals may have any value
 };
 
 }  // namespace owlint::flow

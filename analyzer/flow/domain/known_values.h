@@ -14,12 +14,12 @@ namespace owlint::flow {
 
 /// A value in a state's parameter maps. Constants are numbered from kFirstConstant, ranges from kFirstRange.
 using ValueId = uint32_t;
-inline constexpr ValueId kUnassigned = 0;       ///< not assigned on any path so far
-inline constexpr ValueId kUnknown = 1;          ///< assigned, value not known
-inline constexpr ValueId kMaybeUnassigned = 2;  ///< assigned on some paths
-inline constexpr ValueId kNotPassed = 3;        ///< #n of a sub whose call passes fewer arguments: it is 0
-inline constexpr ValueId kNotReturned = 4;      ///< `#<_value>` after a call that returned nothing: it is 0
-inline constexpr ValueId kCleared = 5;          ///< the same if an earlier call had returned something
+inline constexpr ValueId kUnassigned = 0;        ///< not assigned on any path so far
+inline constexpr ValueId kUnknown = 1;           ///< assigned, value not known
+inline constexpr ValueId kMaybeUnassigned = 2;   ///< assigned on some paths
+inline constexpr ValueId kNotPassed = 3;         ///< #n of a sub whose call passes fewer arguments: it is 0
+inline constexpr ValueId kNotReturned = 4;       ///< `#<_value>` after a call that returned nothing: it is 0
+inline constexpr ValueId kCleared = 5;           ///< the same if an earlier call had returned something
 inline constexpr ValueId kMaybeNotReturned = 6;  ///< one of these on some paths
 inline constexpr ValueId kFirstConstant = 7;
 inline constexpr ValueId kFirstRange = 1U << 31;

@@ -126,7 +126,8 @@ class PersistentMap {
         if (out == nullptr) out = pool.copy(&left);
         out->children[i] = child;
       } else {
-        const uint32_t value = left.values[i] == right.values[i] ? left.values[i] : join(key, left.values[i], right.values[i]);
+        const uint32_t value =
+            left.values[i] == right.values[i] ? left.values[i] : join(key, left.values[i], right.values[i]);
         if (value == left.values[i]) continue;
         if (out == nullptr) out = pool.copy(&left);
         out->values[i] = value;

@@ -120,7 +120,8 @@ Operator mirrored(Operator op) {
 Range narrowed(const Range& left, Operator op, const Range& right, bool truth) {
   if (left.is_empty() || right.is_empty()) return left;
   switch (op) {
-    case Operator::kEq: case Operator::kNe: {
+    case Operator::kEq:
+    case Operator::kNe: {
       const bool equal = (op == Operator::kEq) == truth;
       // Equal is what differs by less than the tolerance; computing that rounds.
       const double near = kEqualTolerance * (1 + 1e-9);
@@ -130,10 +131,18 @@ Range narrowed(const Range& left, Operator op, const Range& right, bool truth) {
       const bool all_equal = left.low > right.low - least && left.high < right.low + least;
       return all_equal ? Range{1, 0, false, false} : left;
     }
-    case Operator::kGt: return truth ? intersection(left, {right.low, kInfinity, true, false}) : narrowed(left, Operator::kLe, right, true);
-    case Operator::kGe: return truth ? intersection(left, {right.low, kInfinity, right.above_low, false}) : narrowed(left, Operator::kLt, right, true);
-    case Operator::kLt: return truth ? intersection(left, {-kInfinity, right.high, false, true}) : narrowed(left, Operator::kGe, right, true);
-    case Operator::kLe: return truth ? intersection(left, {-kInfinity, right.high, false, right.below_high}) : narrowed(left, Operator::kGt, right, true);
+    case Operator::kGt:
+      return truth ? intersection(left, {right.low, kInfinity, true, false})
+                   : narrowed(left, Operator::kLe, right, true);
+    case Operator::kGe:
+      return truth ? intersection(left, {right.low, kInfinity, right.above_low, false})
+                   : narrowed(left, Operator::kLt, right, true);
+    case Operator::kLt:
+      return truth ? intersection(left, {-kInfinity, right.high, false, true})
+                   : narrowed(left, Operator::kGe, right, true);
+    case Operator::kLe:
+      return truth ? intersection(left, {-kInfinity, right.high, false, right.below_high})
+                   : narrowed(left, Operator::kGt, right, true);
     default: return left;
   }
 }
@@ -144,14 +153,20 @@ Range apply(Operator op, const Range& left, const Range& right) {
   const auto can_be_true = [](const Range& r) { return r != Range::of(0); };
   const auto can_be_false = [](const Range& r) { return r.has(0); };
   switch (op) {
-    case Operator::kAnd: return truth(can_be_false(left) || can_be_false(right), can_be_true(left) && can_be_true(right));
-    case Operator::kOr: return truth(can_be_false(left) && can_be_false(right), can_be_true(left) || can_be_true(right));
+    case Operator::kAnd:
+      return truth(can_be_false(left) || can_be_false(right), can_be_true(left) && can_be_true(right));
+    case Operator::kOr:
+      return truth(can_be_false(left) && can_be_false(right), can_be_true(left) || can_be_true(right));
     case Operator::kXor: return kTruths;
     case Operator::kNegate: return negated(left);
     case Operator::kAbs: return absolute(left);
-    case Operator::kFix: case Operator::kFup: case Operator::kRound: return rounded(op, left);
-    case Operator::kSqrt: return {left.low > 0 ? std::sqrt(left.low) : 0, left.high > 0 ? std::sqrt(left.high) : 0, false, false};
-    case Operator::kSin: case Operator::kCos: return {-1, 1, false, false};
+    case Operator::kFix:
+    case Operator::kFup:
+    case Operator::kRound: return rounded(op, left);
+    case Operator::kSqrt:
+      return {left.low > 0 ? std::sqrt(left.low) : 0, left.high > 0 ? std::sqrt(left.high) : 0, false, false};
+    case Operator::kSin:
+    case Operator::kCos: return {-1, 1, false, false};
     case Operator::kAsin: return {-90, 90, false, false};
     case Operator::kAcos: return {0, 180, false, false};
     case Operator::kAtan: return {-180, 180, false, false};
@@ -160,7 +175,8 @@ Range apply(Operator op, const Range& left, const Range& right) {
     case Operator::kMinus: return sum(left, negated(right));
     case Operator::kTimes: return product(left, right);
     case Operator::kDivide: return quotient(left, right);
-    case Operator::kModulo: return right.is_one() && right.low != 0 ? Range{0, std::fabs(right.low), false, false} : kAll;
+    case Operator::kModulo:
+      return right.is_one() && right.low != 0 ? Range{0, std::fabs(right.low), false, false} : kAll;
     default: return kAll;
   }
 }
@@ -177,8 +193,10 @@ const char* always_fails(Operator op, const Range& left, const Range& right) {
     case Operator::kDivide: return right == Range::of(0) ? fails(1) : nullptr;
     case Operator::kSqrt: return below ? fails(-1) : nullptr;
     case Operator::kLn: return left.high <= 0 ? fails(-1) : nullptr;
-    case Operator::kAcos: case Operator::kAsin: {
-      const bool outside = left.low > 1 || left.high < -1 || (left.low == 1 && left.above_low) || (left.high == -1 && left.below_high);
+    case Operator::kAcos:
+    case Operator::kAsin: {
+      const bool outside =
+          left.low > 1 || left.high < -1 || (left.low == 1 && left.above_low) || (left.high == -1 && left.below_high);
       return outside ? fails(2) : nullptr;
     }
     default: return nullptr;

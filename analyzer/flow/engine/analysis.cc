@@ -68,10 +68,14 @@ Analysis::Group& Analysis::group_at(const State& state) {
   const auto executed = [](const auto& mode) { return mode.skip == kNoLabel ? uint8_t{0} : mode.executed; };
   const auto hash = [&](const auto& mode, StatementId position) {
     const uint64_t where = mix(mix(mix(position, mode.context), mode.skip), mode.defining);
-    return mix(where, static_cast<uint64_t>(executed(mode)) << 2 | static_cast<uint64_t>(mode.seek) << 1 | static_cast<uint64_t>(mode.looped));
+    return mix(where,
+               static_cast<uint64_t>(executed(mode)) << 2 | static_cast<uint64_t>(mode.seek) << 1 |
+                   static_cast<uint64_t>(mode.looped));
   };
   const auto fits = [&](const Group& g) {
-    return g.position == state.position && g.context == state.context && g.skip == state.skip && g.defining == state.defining && g.seek == state.seek && g.looped == state.looped && g.executed == executed(state);
+    return g.position == state.position && g.context == state.context && g.skip == state.skip &&
+        g.defining == state.defining && g.seek == state.seek && g.looped == state.looped &&
+        g.executed == executed(state);
   };
   uint32_t& head = heads_[state.position];
   const uint32_t rank = head == UINT32_MAX ? 0 : groups_[head].rank + 1;
@@ -86,7 +90,9 @@ Analysis::Group& Analysis::group_at(const State& state) {
     }
   }
   const auto number = static_cast<uint32_t>(groups_.size());
-  groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped, executed(state), head, std::pmr::vector<std::pair<uint64_t, RecordId>>(&memory_), nullptr, std::pmr::vector<std::pair<RecordId, uint8_t>>(&memory_), false});
+  groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped,
+                     executed(state), head, std::pmr::vector<std::pair<uint64_t, RecordId>>(&memory_), nullptr,
+                     std::pmr::vector<std::pair<RecordId, uint8_t>>(&memory_), false});
   head = number;
   if (rank == kFew) {
     for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) crowds_.emplace(hash(groups_[i], state.position), i);
@@ -96,7 +102,9 @@ Analysis::Group& Analysis::group_at(const State& state) {
   return groups_.back();
 }
 
-RegionId Analysis::region_at(StatementId position) const { return position < program_.size() ? program_.region_of[position] : kMainRegion; }
+RegionId Analysis::region_at(StatementId position) const {
+  return position < program_.size() ? program_.region_of[position] : kMainRegion;
+}
 
 /// The operations of a sub, or of the main program, that can fail: the first ones, for they are computed often.
 const std::vector<ExprId>& Analysis::fragile_in(RegionId region) {
@@ -119,7 +127,8 @@ bool Analysis::joins(const State& state, RegionId region, size_t there, size_t m
   if (there < most) return false;
   if (level_ >= kCoarse || there >= 2 * most) return true;
   const Parameters& p = state.parameters;
-  const auto [known, is_new] = failing_.try_emplace(mix(mix(p.locals.hash(), p.globals.hash()), static_cast<uint64_t>(region) << 1 | static_cast<uint64_t>(p.outside)));
+  const auto [known, is_new] = failing_.try_emplace(mix(
+      mix(p.locals.hash(), p.globals.hash()), static_cast<uint64_t>(region) << 1 | static_cast<uint64_t>(p.outside)));
   if (is_new) known->second = machine_.evaluator().will_fail(fragile_in(region), p);
   return !known->second;
 }
@@ -133,7 +142,8 @@ void Analysis::arrive(State state) {
     if (state.record != kNoRecord) trace_->link(state.record, known, state.branch);
     return;
   }
-  if (!joins(state, region_at(state.position), group.seen.size(), patience().states)) return execute(std::move(state), group, hash);
+  if (!joins(state, region_at(state.position), group.seen.size(), patience().states))
+    return execute(std::move(state), group, hash);
   ++result_.statistics.merges;
   if (state.record != kNoRecord) group.parents.emplace_back(state.record, state.branch);
   if (group.joined == nullptr) {
@@ -161,7 +171,8 @@ void Analysis::execute_joined(uint32_t index) {
     execute(std::move(state), group, hash);
   }
   for (const auto& [parent, branch] : parents) {
-    if (trace_->at(record).parent != parent || trace_->at(record).branch != branch) trace_->link(parent, record, branch);
+    if (trace_->at(record).parent != parent || trace_->at(record).branch != branch)
+      trace_->link(parent, record, branch);
   }
 }
 
@@ -169,7 +180,8 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
   const bool at_file_end = linked_.at_end(state.position);
   bool executed = !at_file_end;
   if (state.skip != kNoLabel && !at_file_end) executed = machine_.is_target(state, frames_[state.context].info);
-  const RecordId record = trace_->add({state.record, at_file_end ? kNoStatement : state.position, state.branch, executed, false});
+  const RecordId record =
+      trace_->add({state.record, at_file_end ? kNoStatement : state.position, state.branch, executed, false});
   if (executed) result_.executed[state.position] = true;
   group.seen.emplace_back(hash, record);
   state.record = record;
@@ -246,7 +258,8 @@ void Analysis::call(const State& at, State entry, Context callee, int repeats) {
   entry.context = id;
   entry.record = at.record;
   const Caller caller{at, repeats};
-  const uint64_t caller_hash = mix(at.hash(), (static_cast<uint64_t>(at.context) << 32) + static_cast<uint32_t>(repeats));
+  const uint64_t caller_hash =
+      mix(at.hash(), (static_cast<uint64_t>(at.context) << 32) + static_cast<uint32_t>(repeats));
   if (frame.caller_hashes.insert(caller_hash).second) frame.callers.push_back(caller);
   if (merged) {
     ++result_.statistics.merges;

@@ -40,8 +40,12 @@ inline constexpr uint32_t kNormalEnd = 0;
 class Analysis final : public Listener {
  public:
   Analysis(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known)
-      : linked_(linked), program_(linked.program()), passes_over_(detail != Detail::kStepwise),
-        level_(detail != Detail::kBySize || program_.size() > kTooLarge ? kCoarse : 0), machine_(linked, profile, pool_), heads_(program_.size() + 1, UINT32_MAX),
+      : linked_(linked),
+        program_(linked.program()),
+        passes_over_(detail != Detail::kStepwise),
+        level_(detail != Detail::kBySize || program_.size() > kTooLarge ? kCoarse : 0),
+        machine_(linked, profile, pool_),
+        heads_(program_.size() + 1, UINT32_MAX),
         trace_(std::make_shared<Trace>()) {
     result_.executed.resize(program_.size());
     remaps_ = profile.setup != nullptr && profile.setup->has_remaps;
@@ -56,8 +60,12 @@ class Analysis final : public Listener {
 
   void successor(State state) override;
   void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) override;
-  void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message, StatementId other) override;
-  void end(const State& at) override { trace_->terminate(at.record, kNormalEnd); result_.ends = true; }
+  void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message,
+              StatementId other) override;
+  void end(const State& at) override {
+    trace_->terminate(at.record, kNormalEnd);
+    result_.ends = true;
+  }
   void call(const State& at, State entry, Context callee, int repeats) override;
   void leave(const State& at) override;
 
@@ -76,7 +84,8 @@ class Analysis final : public Listener {
     uint32_t next;
     std::pmr::vector<std::pair<uint64_t, RecordId>> seen;
     std::unique_ptr<State> joined;
-    std::pmr::vector<std::pair<RecordId, uint8_t>> parents;  ///< records whose states wait in `joined`, and their branches
+    std::pmr::vector<std::pair<RecordId, uint8_t>>
+        parents;  ///< records whose states wait in `joined`, and their branches
     bool dirty;
 
     RecordId find(uint64_t hash) const {
@@ -98,10 +107,11 @@ class Analysis final : public Listener {
     std::vector<bool> lines;
   };
   struct Frame {
-    explicit Frame(std::pmr::memory_resource* memory) : callers(memory), caller_hashes(memory), exits(memory), exit_hashes(memory) {}
+    explicit Frame(std::pmr::memory_resource* memory)
+        : callers(memory), caller_hashes(memory), exits(memory), exit_hashes(memory) {}
 
     Context info;
-    bool outside = false;  ///< called from outside the file: its return ends the run
+    bool outside = false;            ///< called from outside the file: its return ends the run
     std::pmr::list<Caller> callers;  ///< a list: going through it while calls are added is safe
     std::pmr::unordered_set<uint64_t> caller_hashes;
     std::pmr::vector<State> exits;
@@ -178,19 +188,21 @@ class Analysis final : public Listener {
   // Groups and frames are many and small, and are freed all at once.
   std::pmr::monotonic_buffer_resource memory_;
   std::vector<uint32_t> heads_;
-  std::deque<Group> groups_;  // a deque: growing moves nothing
+  std::deque<Group> groups_;                            // a deque: growing moves nothing
   std::unordered_multimap<uint64_t, uint32_t> crowds_;  // groups by mode, at places where there are many
   std::unordered_map<RegionId, std::vector<ExprId>> fragile_;
-  std::unordered_map<uint64_t, bool> failing_;  // by hash of region and parameters: the result of Evaluator::will_fail()
-  std::unordered_map<ContextId, std::vector<const Group*>> seeking_;  // groups that look for a sub, by call; made at the end
-  std::deque<Frame> frames_;  // a deque: references stay valid while calls are added
+  std::unordered_map<uint64_t, bool>
+      failing_;  // by hash of region and parameters: the result of Evaluator::will_fail()
+  std::unordered_map<ContextId, std::vector<const Group*>>
+      seeking_;                                               // groups that look for a sub, by call; made at the end
+  std::deque<Frame> frames_;                                  // a deque: references stay valid while calls are added
   using CallKind = std::tuple<NameId, int, bool, int, bool>;  ///< what a Context has
   std::pmr::map<std::pair<CallKind, uint64_t>, ContextId> contexts_{&memory_};
   std::pmr::map<CallKind, std::pair<size_t, ContextId>> context_counts_{&memory_};
   std::priority_queue<Pending> queue_;
   std::vector<State> waiting_;
   std::vector<uint32_t> free_;
-  std::vector<uint32_t> dirty_;  // groups with a join to execute
+  std::vector<uint32_t> dirty_;      // groups with a join to execute
   std::vector<bool> called_calmly_;  // by opener: the sub is called from a calm stretch, its lines are marked
   uint64_t order_ = 0;
   std::shared_ptr<Trace> trace_;

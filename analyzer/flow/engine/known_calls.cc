@@ -5,7 +5,9 @@
 namespace owlint::flow {
 namespace {
 
-void add_number(std::string& key, uint64_t number) { key.append(reinterpret_cast<const char*>(&number), sizeof number); }
+void add_number(std::string& key, uint64_t number) {
+  key.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
 
 }  // namespace
 
@@ -23,7 +25,9 @@ const CallOutcome* KnownCalls::find(const std::string& key) {
   return &found->second.outcome;
 }
 
-void KnownCalls::learn(LearnedCall call) { calls_.insert_or_assign(std::move(call.key), Known{std::move(call.outcome), check_}); }
+void KnownCalls::learn(LearnedCall call) {
+  calls_.insert_or_assign(std::move(call.key), Known{std::move(call.outcome), check_});
+}
 
 /// Notes what a line depends on; false if a sub with such a line cannot be kept: it may end the program, call others,
 /// fail, or change what is not its own.
@@ -50,7 +54,8 @@ void CallKeys::look_at(RegionId number, Sub& sub) const {
     keys->erase(std::unique(keys->begin(), keys->end()), keys->end());
   }
   sub.fits = true;
-  const std::string_view text = linked_.source_of(region.opener).slice({program_.at(region.opener).offset, program_.at(region.end).end()});
+  const std::string_view text =
+      linked_.source_of(region.opener).slice({program_.at(region.opener).offset, program_.at(region.end).end()});
   add_number(sub.text, text.size());
   sub.text += text;
   sub.text += sub.dependence.circumstances;
@@ -60,17 +65,23 @@ void CallKeys::look_at(RegionId number, Sub& sub) const {
 std::optional<std::string> CallKeys::of(const Context& callee, const State& entry, size_t level) {
   if (entry.seek || entry.skip != kNoLabel || entry.defining != kNoName || callee.fanuc) return std::nullopt;
   const RegionId region = program_.region_of[entry.position];
-  if (program_.regions[region].opener != entry.position || program_.regions[region].name != callee.sub) return std::nullopt;
+  if (program_.regions[region].opener != entry.position || program_.regions[region].name != callee.sub)
+    return std::nullopt;
   Sub& sub = subs_[region];
   if (!sub.looked_at) look_at(region, sub);
   if (!sub.fits) return std::nullopt;
   const Parameters& p = entry.parameters;
   if (sub.dependence.global_facts && p.global_facts.hash() != PersistentMap().hash()) return std::nullopt;
-  if (std::ranges::any_of(entry.counts, [&](const auto& count) { return machine_.scope_of(count.first) == callee.sub; })) return std::nullopt;
+  if (std::ranges::any_of(entry.counts,
+                          [&](const auto& count) { return machine_.scope_of(count.first) == callee.sub; }))
+    return std::nullopt;
   std::string key = sub.text;
-  add_number(key, level << 32 | static_cast<uint64_t>(entry.executed) << 24 | static_cast<uint64_t>(entry.breaking) << 16 |
-                      static_cast<uint64_t>(entry.continuing) << 8 | entry.returned);
-  add_number(key, static_cast<uint64_t>(entry.joined) | static_cast<uint64_t>(entry.mixed) << 1 | static_cast<uint64_t>(p.outside) << 2);
+  add_number(key,
+             level << 32 | static_cast<uint64_t>(entry.executed) << 24 | static_cast<uint64_t>(entry.breaking) << 16 |
+                 static_cast<uint64_t>(entry.continuing) << 8 | entry.returned);
+  add_number(key,
+             static_cast<uint64_t>(entry.joined) | static_cast<uint64_t>(entry.mixed) << 1 |
+                 static_cast<uint64_t>(p.outside) << 2);
   add_number(key, circumstances_);
   const auto add_values = [&](const std::vector<uint32_t>& keys, const PersistentMap& map) {
     for (const uint32_t k : keys) {

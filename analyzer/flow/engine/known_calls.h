@@ -53,7 +53,12 @@ class KnownCalls {
 /// Makes the keys of calls in one analysis.
 class CallKeys {
  public:
-  CallKeys(const Linked& linked, const Machine& machine) : linked_(linked), program_(linked.program()), machine_(machine), circumstances_(machine.circumstances()), subs_(program_.regions.size()) {}
+  CallKeys(const Linked& linked, const Machine& machine)
+      : linked_(linked),
+        program_(linked.program()),
+        machine_(machine),
+        circumstances_(machine.circumstances()),
+        subs_(program_.regions.size()) {}
 
   /// The key of a call that enters `entry`, at the sub's first line; none for calls that cannot be kept. `level`: how exactly
   /// the analysis follows runs.

@@ -61,7 +61,8 @@ std::vector<uint32_t> Trace::ways_round(const std::vector<uint32_t>& first, cons
       walk.pop_back();
       if (!walk.empty()) low[walk.back().first] = std::min(low[walk.back().first], low[done]);
       if (low[done] != order[done]) continue;
-      const bool self = std::find(next.begin() + first[done], next.begin() + first[done + 1], done) != next.begin() + first[done + 1];
+      const bool self =
+          std::find(next.begin() + first[done], next.begin() + first[done + 1], done) != next.begin() + first[done + 1];
       const bool cycle = stack.back() != done || self;
       if (cycle) ++groups;
       RecordId member = kNoRecord;
@@ -112,7 +113,7 @@ std::vector<bool> Trace::backward_from(const std::vector<RecordId>& goals) const
 
 bool Trace::only_end(uint32_t key) const {
   return std::ranges::all_of(terminals_, [key](const auto& t) { return t.second == key; }) &&
-         std::ranges::find(hanging_, true) == hanging_.end();
+      std::ranges::find(hanging_, true) == hanging_.end();
 }
 
 /// Whether a run can go round for ever within the given records, none of which leads to an end.
@@ -180,7 +181,9 @@ bool Trace::asked(StatementId first, StatementId last) const {
 }
 
 Reach Trace::reach(StatementId statement) const {
-  missed_ = missed_ || std::ranges::any_of(left_out_, [&](const auto& lines) { return statement >= lines.first && statement < lines.second; });
+  missed_ = missed_ || std::ranges::any_of(left_out_, [&](const auto& lines) {
+              return statement >= lines.first && statement < lines.second;
+            });
   if (const auto known = reaches_.find(statement); known != reaches_.end()) return known->second;
   const auto hits = [&](RecordId id) { return records_[id].statement == statement && records_[id].executed; };
   const bool reached = statement < executed_.size() && executed_[statement];

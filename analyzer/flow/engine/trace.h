@@ -21,8 +21,8 @@ class Trace {
   struct Record {
     RecordId parent = kNoRecord;
     StatementId statement = kNoStatement;
-    uint8_t branch = 0;     ///< of the step that led here: 1 true, 2 false
-    bool executed = false;  ///< not only skipped
+    uint8_t branch = 0;       ///< of the step that led here: 1 true, 2 false
+    bool executed = false;    ///< not only skipped
     bool after_call = false;  ///< a call has come back here; come_back() adds the edge
   };
   struct Link {

@@ -30,7 +30,8 @@ ParameterId parameter_of(ParameterKey key) {
   return plain >= names ? ParameterId{plain - names, true} : ParameterId{plain, false};
 }
 
-AccessTable::AccessTable(const Program& program, std::span<const uint32_t> statements, std::span<const ShownRead> shown) {
+AccessTable::AccessTable(const Program& program, std::span<const uint32_t> statements,
+                         std::span<const ShownRead> shown) {
   any_.reserve(statements.size());
   first_read_.reserve(statements.size() + 1);
   first_write_.reserve(statements.size() + 1);
@@ -63,8 +64,10 @@ void AccessTable::read(const Syntax& syntax, ExprId id) {
   const Expr& expr = syntax.exprs[id];
   switch (expr.op) {
     case Operator::kNumber: return;
-    case Operator::kNamed: case Operator::kExistsNamed: reads_.push_back(key_of_name(syntax, expr.name())); return;
-    case Operator::kParameter: case Operator::kExistsNumbered:
+    case Operator::kNamed:
+    case Operator::kExistsNamed: reads_.push_back(key_of_name(syntax, expr.name())); return;
+    case Operator::kParameter:
+    case Operator::kExistsNumbered:
       if (const ParameterKey key = key_of_number(syntax, expr.left()); key != kComputedKey) {
         reads_.push_back(key);
         return;
@@ -97,7 +100,9 @@ void AccessTable::add(const Program& program, StatementId id) {
 }
 
 void AccessTable::add_shown(std::span<const ShownRead> shown, StatementId id) {
-  for (auto read = std::ranges::lower_bound(shown, id, {}, &ShownRead::statement); read != shown.end() && read->statement == id; ++read) reads_.push_back(read->key);
+  for (auto read = std::ranges::lower_bound(shown, id, {}, &ShownRead::statement);
+       read != shown.end() && read->statement == id; ++read)
+    reads_.push_back(read->key);
 }
 
 }  // namespace owlint::flow

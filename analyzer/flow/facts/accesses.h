@@ -40,8 +40,12 @@ struct ShownRead {
 /// What the lines of a sub read and assign: a part of an AccessTable, which has to outlive it.
 class Accesses {
  public:
-  std::span<const ParameterKey> reads(size_t line) const { return reads_.subspan(first_read(line), first_read(line + 1) - first_read(line)); }
-  std::span<const Write> writes(size_t line) const { return writes_.subspan(first_write(line), first_write(line + 1) - first_write(line)); }
+  std::span<const ParameterKey> reads(size_t line) const {
+    return reads_.subspan(first_read(line), first_read(line + 1) - first_read(line));
+  }
+  std::span<const Write> writes(size_t line) const {
+    return writes_.subspan(first_write(line), first_write(line + 1) - first_write(line));
+  }
   /// The index of a line's first read; `line` may be one past the last.
   uint32_t first_read(size_t line) const { return first_read_[line] - first_read_[0]; }
   uint32_t first_write(size_t line) const { return first_write_[line] - first_write_[0]; }

@@ -7,7 +7,8 @@ namespace {
 
 bool fits(const Program& program, const Structure& structure, RegionId region, StatementId id) {
   const Statement& s = program.at(id);
-  if (s.error != UINT32_MAX || s.refused || s.kind == LineKind::kM98 || s.has_m99() || s.kind == LineKind::kContour) return false;
+  if (s.error != UINT32_MAX || s.refused || s.kind == LineKind::kM98 || s.has_m99() || s.kind == LineKind::kContour)
+    return false;
   if (s.kind != LineKind::kOWord) return true;
   if (s.label == kNoName && !s.is(Keyword::kCall)) return false;
   const bool of_sub = s.is(Keyword::kSub) || s.is(Keyword::kEndsub) || s.is(Keyword::kReturn) || s.is(Keyword::kCall);
@@ -18,7 +19,9 @@ bool fits(const Program& program, const Structure& structure, RegionId region, S
 
 }  // namespace
 
-ControlFlow::ControlFlow(const Program& program, const Structure& structure, RegionId region, std::span<const uint32_t> statements) : program_(program) {
+ControlFlow::ControlFlow(const Program& program, const Structure& structure, RegionId region,
+                         std::span<const uint32_t> statements)
+    : program_(program) {
   known_ = structure.regular || structure.apart[region];
   nodes_.reserve(statements.size());
   for (const StatementId id : statements) {
@@ -57,10 +60,10 @@ void ControlFlow::connect(NodeId id) {
   const BlockId number = program_.block_of[node.statement];
   const Block* block = number == kNoBlock ? nullptr : &program_.blocks[number];
   switch (s.keyword) {
-    case Keyword::kReturn: case Keyword::kEndsub:
-      node.next[0] = kExit;
-      break;
-    case Keyword::kIf: case Keyword::kElseif: {
+    case Keyword::kReturn:
+    case Keyword::kEndsub: node.next[0] = kExit; break;
+    case Keyword::kIf:
+    case Keyword::kElseif: {
       node.tests = true;
       const auto parts = program_.parts[number];
       const auto next = std::ranges::upper_bound(parts, node.statement);
@@ -75,20 +78,12 @@ void ControlFlow::connect(NodeId id) {
         node.next[1] = behind(block->end);
       }
       break;
-    case Keyword::kRepeat:
-      node.next[1] = behind(block->end);
-      break;
-    case Keyword::kEndwhile: case Keyword::kEndrepeat:
-      node.next[0] = node_of(block->opener);
-      break;
-    case Keyword::kBreak:
-      node.next[0] = behind(block->end);
-      break;
-    case Keyword::kContinue:
-      node.next[0] = node_of(block->kind == Keyword::kDo ? block->end : block->opener);
-      break;
-    default:
-      break;
+    case Keyword::kRepeat: node.next[1] = behind(block->end); break;
+    case Keyword::kEndwhile:
+    case Keyword::kEndrepeat: node.next[0] = node_of(block->opener); break;
+    case Keyword::kBreak: node.next[0] = behind(block->end); break;
+    case Keyword::kContinue: node.next[0] = node_of(block->kind == Keyword::kDo ? block->end : block->opener); break;
+    default: break;
   }
 }
 

@@ -10,7 +10,7 @@
 namespace owlint::flow {
 
 using NodeId = uint32_t;
-inline constexpr NodeId kExit = UINT32_MAX;      ///< the exit: `return`, the end of the sub or of the program
+inline constexpr NodeId kExit = UINT32_MAX;         ///< the exit: `return`, the end of the sub or of the program
 inline constexpr NodeId kNowhere = UINT32_MAX - 1;  ///< there is no such edge
 
 class ControlFlow {
@@ -22,7 +22,8 @@ class ControlFlow {
   };
 
   /// For region `region`, in the order of the lines. Empty if its blocks are not complete.
-  ControlFlow(const Program& program, const Structure& structure, RegionId region, std::span<const uint32_t> statements);
+  ControlFlow(const Program& program, const Structure& structure, RegionId region,
+              std::span<const uint32_t> statements);
 
   const std::vector<Node>& nodes() const { return nodes_; }
   bool known() const { return known_; }

@@ -67,7 +67,8 @@ class Finder {
     if (!any) return;
     const auto& statements = program_.syntax.statements;
     const auto next = std::ranges::upper_bound(statements, end, {}, &Statement::offset);
-    const StatementId above = next == statements.begin() ? kNoStatement : static_cast<StatementId>(next - statements.begin() - 1);
+    const StatementId above =
+        next == statements.begin() ? kNoStatement : static_cast<StatementId>(next - statements.begin() - 1);
     const bool on_line = above != kNoStatement && statements[above].offset >= begin;
     const bool on_oword = on_line && statements[above].kind == LineKind::kOWord;
     RegionId region = above == kNoStatement ? kMainRegion : program_.region_of[above];
@@ -86,7 +87,8 @@ class Finder {
     const std::string word = word_of(text_.substr(at, close - at));
     if (std::ranges::find(kWords, word) == kWords.end()) return false;
     const size_t before = shown_.size();
-    for (at = std::min(text_.find('#', at), close); at < close; at = std::min(text_.find('#', at + 1), close)) parameter(at, close, word != "msg");
+    for (at = std::min(text_.find('#', at), close); at < close; at = std::min(text_.find('#', at + 1), close))
+      parameter(at, close, word != "msg");
     return shown_.size() > before;
   }
 
@@ -106,7 +108,8 @@ class Finder {
     } else {
       constexpr size_t kMostDigits = 4;
       uint64_t number = 0;
-      for (; end < close && end <= at + kMostDigits && is_digit(text_[end]); ++end) number = number * 10 + static_cast<uint64_t>(text_[end] - '0');
+      for (; end < close && end <= at + kMostDigits && is_digit(text_[end]); ++end)
+        number = number * 10 + static_cast<uint64_t>(text_[end] - '0');
       if (end == at + 1) return;
       key = number | (number >= kFirstGlobalNumber ? kGlobalKey : 0);
     }
@@ -132,8 +135,10 @@ std::vector<ShownRead> reads_of(const Program& program, const std::vector<Shown>
     for (; id > 0 && (s->above == kNoStatement || id - 1 > s->above); --id) next[program.region_of[id - 1]] = id - 1;
     StatementId reader = next[s->region];
     // No way leads from the end of a branch to the line that begins the next one.
-    const bool branch_ends = reader != kNoStatement && (program.at(reader).is(Keyword::kElse) || program.at(reader).is(Keyword::kElseif));
-    if ((reader == kNoStatement || branch_ends) && s->above != kNoStatement && program.region_of[s->above] == s->region) reader = s->above;
+    const bool branch_ends =
+        reader != kNoStatement && (program.at(reader).is(Keyword::kElse) || program.at(reader).is(Keyword::kElseif));
+    if ((reader == kNoStatement || branch_ends) && s->above != kNoStatement && program.region_of[s->above] == s->region)
+      reader = s->above;
     if (reader != kNoStatement && s->key != kComputedKey) reads.push_back({reader, s->key});
   }
   std::ranges::sort(reads, {}, &ShownRead::statement);

@@ -14,7 +14,7 @@ struct Shown {
   ParameterKey key = kComputedKey;   ///< kComputedKey: a name that only comments have
   StatementId above = kNoStatement;  ///< the last statement above the comment, or on its line
   RegionId region = kMainRegion;
-  bool acts = false;                 ///< false: LinuxCNC shows the text as it is, whatever its author thinks
+  bool acts = false;  ///< false: LinuxCNC shows the text as it is, whatever its author thinks
 };
 
 /// What `(debug, …)`, `(print, …)`, `(log, …)`, `(abort, …)` and `(msg, …)` read, in the order of the file.

@@ -103,7 +103,8 @@ std::vector<bool> find_apart(const Program& program) {
     const Region& region = program.regions[r];
     if (region.opener == kNoStatement || region.end == kNoStatement || region.early_end != kNoStatement) continue;
     const Statement& end = program.at(region.end);
-    if (!program.at(region.opener).is(Keyword::kSub) || !end.is(Keyword::kEndsub) || definitions[region.name] != 1) continue;
+    if (!program.at(region.opener).is(Keyword::kSub) || !end.is(Keyword::kEndsub) || definitions[region.name] != 1)
+      continue;
     bool all = program.syntax.error(program.at(region.opener)) == nullptr && program.syntax.error(end) == nullptr;
     for (StatementId id = region.opener + 1; all && id < region.end; ++id) all = stays(id);
     apart[r] = all;
@@ -124,7 +125,7 @@ void find_shared_labels(const Program& program, const ScopeOf& scope_of, const B
     const Statement& s = program.at(id);
     return part_of_block(s) && s.label != kNoName ? scope_of(id) : Grouped::kNone;
   });
-  std::vector<BlockId> owner(names);       // by label: the only block that has it in this scope, else kNoBlock
+  std::vector<BlockId> owner(names);  // by label: the only block that has it in this scope, else kNoBlock
   std::vector<uint32_t> seen_in(names, UINT32_MAX);  // by label: the scope that `owner` is for
   for (uint32_t scope = 0; scope <= names; ++scope) {
     bool shared = false;
@@ -169,8 +170,13 @@ std::vector<bool> structured_blocks(const Program& program, bool regular, const 
     find_shared_labels(program, sub_of, bad);
   } else {
     const auto is_apart = [&](BlockId block) { return apart[program.blocks[block].region]; };
-    find_shared_labels(program, [&](StatementId) { return others; }, [&](BlockId block) { if (!is_apart(block)) bad(block); });
-    find_shared_labels(program, [&](StatementId id) { return apart[program.region_of[id]] ? sub_of(id) : Grouped::kNone; }, bad);
+    find_shared_labels(
+        program, [&](StatementId) { return others; },
+        [&](BlockId block) {
+          if (!is_apart(block)) bad(block);
+        });
+    find_shared_labels(
+        program, [&](StatementId id) { return apart[program.region_of[id]] ? sub_of(id) : Grouped::kNone; }, bad);
   }
   for (BlockId id = static_cast<BlockId>(program.blocks.size()); id-- > 0;) {
     const Block& block = program.blocks[id];
@@ -184,7 +190,9 @@ std::vector<bool> structured_blocks(const Program& program, bool regular, const 
 }  // namespace
 
 Structure::Structure(const Program& program)
-    : regular(is_regular(program)), shallow_calls(regular && has_shallow_calls(program)), apart(find_apart(program)),
+    : regular(is_regular(program)),
+      shallow_calls(regular && has_shallow_calls(program)),
+      apart(find_apart(program)),
       structured(structured_blocks(program, regular, apart)) {}
 
 }  // namespace owlint::flow

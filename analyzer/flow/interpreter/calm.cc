@@ -23,7 +23,9 @@ struct Piece {
   uint32_t count = 0;
 
   template <typename T>
-  std::span<const T> of(const std::vector<T>& list) const { return std::span(list).subspan(first, count); }
+  std::span<const T> of(const std::vector<T>& list) const {
+    return std::span(list).subspan(first, count);
+  }
 };
 
 /// What a calm sub does to its caller.
@@ -31,9 +33,9 @@ struct CalmSub {
   bool calm_definition = false;  ///< skipping it only defines it
   bool calm = false;             ///< so is a call of it
   bool tests = false;
-  uint32_t arguments = 0;        ///< the highest of #1 to #30 that it reads
-  Piece reads, writes;           ///< global parameters
-  Piece called;                  ///< the subs that it calls, and those that they call, by their openers
+  uint32_t arguments = 0;  ///< the highest of #1 to #30 that it reads
+  Piece reads, writes;     ///< global parameters
+  Piece called;            ///< the subs that it calls, and those that they call, by their openers
 };
 
 }  // namespace
@@ -41,8 +43,14 @@ struct CalmSub {
 class CalmBuilder {
  public:
   CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const Evaluator& evaluator)
-      : out_(out), program_(program), structure_(structure), lines_(program, structure, evaluator), read_(program.syntax.names.size()),
-        written_(program.syntax.names.size()), assigned_(program.syntax.names.size()), subs_(program.regions.size()),
+      : out_(out),
+        program_(program),
+        structure_(structure),
+        lines_(program, structure, evaluator),
+        read_(program.syntax.names.size()),
+        written_(program.syntax.names.size()),
+        assigned_(program.syntax.names.size()),
+        subs_(program.regions.size()),
         noted_(program.regions.size()) {}
 
   void run() {
@@ -65,7 +73,8 @@ class CalmBuilder {
     constexpr StatementId kMaxLines = 256;
     for (StatementId id = 0; id < count;) {
       StatementId last = id;
-      for (StatementId next = id; last < count && last - id < kMaxLines && (next = calm_until(last)) != last;) last = next;
+      for (StatementId next = id; last < count && last - id < kMaxLines && (next = calm_until(last)) != last;)
+        last = next;
       if (last - id > 1) add(id, last);
       id = std::max(last, id + 1);
     }
@@ -96,7 +105,8 @@ class CalmBuilder {
     const Statement& s = program_.at(id);
     if (s.is(Keyword::kSub)) {
       const RegionId region = program_.region_of[id];
-      return program_.regions[region].opener == id && subs_[region].calm_definition ? program_.regions[region].end + 1 : id;
+      return program_.regions[region].opener == id && subs_[region].calm_definition ? program_.regions[region].end + 1
+                                                                                    : id;
     }
     if (harmful_[id + 1] != harmful_[id]) return id;
     if (s.kind == LineKind::kWords || s.is(Keyword::kCall)) return id + 1;
@@ -108,7 +118,8 @@ class CalmBuilder {
 
   bool harmless_call(const Call& call) {
     const Statement& s = program_.at(call.statement);
-    if (!s.is(Keyword::kCall) || s.error != UINT32_MAX || call.target == UINT32_MAX || !structure_.shallow_calls) return false;
+    if (!s.is(Keyword::kCall) || s.error != UINT32_MAX || call.target == UINT32_MAX || !structure_.shallow_calls)
+      return false;
     const CalmSub& sub = subs_[call.target];  // of a later one nothing is known yet
     if (!sub.calm || sub.arguments > s.value_count) return false;
     for (uint32_t i = 0; i < s.value_count; ++i) {
@@ -149,7 +160,8 @@ class CalmBuilder {
     if (open.first) {
       in_all_.insert(in_all_.end(), undo_.begin() + static_cast<std::ptrdiff_t>(open.undo), undo_.end());
     } else {
-      const auto kept = std::remove_if(in_all_.begin() + static_cast<std::ptrdiff_t>(open.in_all), in_all_.end(), [&](ParameterId p) { return assigned_[p] != stretch_; });
+      const auto kept = std::remove_if(in_all_.begin() + static_cast<std::ptrdiff_t>(open.in_all), in_all_.end(),
+                                       [&](ParameterId p) { return assigned_[p] != stretch_; });
       in_all_.erase(kept, in_all_.end());
     }
     open.first = false;
@@ -245,7 +257,8 @@ class CalmBuilder {
     note_sub(call_->target);
     for (const StatementId opener : sub.called.of(sub_called_)) note_sub(program_.region_of[opener]);
     for (const ParameterId p : sub.reads.of(sub_reads_)) note_read(p);
-    for (const CalmWrite& write : sub.writes.of(sub_writes_)) note_write(write.parameter, write.certain && branches_.empty());
+    for (const CalmWrite& write : sub.writes.of(sub_writes_))
+      note_write(write.parameter, write.certain && branches_.empty());
     stretch->tests = stretch->tests || sub.tests;
     stretch->calls = true;
     stretch->ends_defining = false;
@@ -264,12 +277,15 @@ class CalmBuilder {
 
   /// Whether skipping a definition only defines the sub.
   bool is_calm_definition(const Region& region) const {
-    if (!structure_.regular || region.opener == kNoStatement || region.enclosing != kNoBlock || region.name >= program_.by_label.size()) return false;
+    if (!structure_.regular || region.opener == kNoStatement || region.enclosing != kNoBlock ||
+        region.name >= program_.by_label.size())
+      return false;
     if (defined_again_[region.name]) return false;
     const Statement& opener = program_.at(region.opener);
     const Statement& end = program_.at(region.end);
     if (opener.error != UINT32_MAX || end.error != UINT32_MAX || !end.is(Keyword::kEndsub)) return false;
-    if (stopping_[region.end] != stopping_[region.opener] || program_.name(region.name).find('/') != std::string::npos) return false;
+    if (stopping_[region.end] != stopping_[region.opener] || program_.name(region.name).find('/') != std::string::npos)
+      return false;
     // Other lines with its label are looked at on the way.
     const auto lines = program_.by_label[region.name];
     const auto own = std::ranges::lower_bound(lines, region.opener);
@@ -277,7 +293,8 @@ class CalmBuilder {
     // The value is computed when the definition is skipped too: harmless if nothing is computed.
     if (end.value_count == 0) return true;
     const Operator op = program_.syntax.exprs[program_.syntax.values[end.first]].op;
-    return (op == Operator::kNumber || op == Operator::kNamed || op == Operator::kParameter) && lines_.look(program_.syntax.values[end.first]).safe;
+    return (op == Operator::kNumber || op == Operator::kNamed || op == Operator::kParameter) &&
+        lines_.look(program_.syntax.values[end.first]).safe;
   }
 
   /// Looks at the sub whose end has been reached: its definition, and what a call of it does.
@@ -326,24 +343,25 @@ class CalmBuilder {
   const Program& program_;
   const Structure& structure_;
   CalmLines lines_;
-  std::vector<uint32_t> harmful_;      // by statement: how many harmful lines come before it
-  std::vector<uint32_t> stopping_;     // the same for lines that matter even where they are skipped
-  uint32_t stretch_ = 0;            // number of the stretch or sub being noted, from 1
-  Marks read_, written_;            // by parameter: the last stretch that reads, writes it
-  Marks assigned_;                  // the same: assigned on every way to the line that is looked at
-  std::vector<ParameterId> undo_;   // in the order in which they were assigned
-  std::vector<Branches> branches_;  // of the open blocks
+  std::vector<uint32_t> harmful_;    // by statement: how many harmful lines come before it
+  std::vector<uint32_t> stopping_;   // the same for lines that matter even where they are skipped
+  uint32_t stretch_ = 0;             // number of the stretch or sub being noted, from 1
+  Marks read_, written_;             // by parameter: the last stretch that reads, writes it
+  Marks assigned_;                   // the same: assigned on every way to the line that is looked at
+  std::vector<ParameterId> undo_;    // in the order in which they were assigned
+  std::vector<Branches> branches_;   // of the open blocks
   std::vector<ParameterId> in_all_;  // by open block: what all its branches so far assign
   std::vector<bool> defined_again_;  // by name: there are several definitions
-  std::vector<CalmSub> subs_;       // by region
+  std::vector<CalmSub> subs_;        // by region
   std::vector<ParameterId> sub_reads_;
   std::vector<CalmWrite> sub_writes_;
   std::vector<StatementId> sub_called_;
-  std::vector<uint32_t> noted_;     // by region: the last stretch that calls it
+  std::vector<uint32_t> noted_;  // by region: the last stretch that calls it
   std::vector<Call>::const_iterator call_;
 };
 
-CalmStretches::CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator, bool warn_only)
+CalmStretches::CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator,
+                             bool warn_only)
     : begins_(program.size(), kNone) {
   if (!warn_only) CalmBuilder(*this, program, structure, evaluator).run();
 }

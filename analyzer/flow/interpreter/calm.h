@@ -37,12 +37,20 @@ class CalmStretches {
   /// The stretch that begins at a statement; null if none does.
   const CalmStretch* at(StatementId id) const { return begins_[id] == kNone ? nullptr : &stretches_[begins_[id]]; }
   /// Parameters that are read before the stretch assigns them.
-  std::span<const ParameterId> reads(const CalmStretch& s) const { return {reads_.data() + s.reads, reads_.data() + (&s + 1)->reads}; }
-  std::span<const CalmWrite> writes(const CalmStretch& s) const { return {writes_.data() + s.writes, writes_.data() + (&s + 1)->writes}; }
+  std::span<const ParameterId> reads(const CalmStretch& s) const {
+    return {reads_.data() + s.reads, reads_.data() + (&s + 1)->reads};
+  }
+  std::span<const CalmWrite> writes(const CalmStretch& s) const {
+    return {writes_.data() + s.writes, writes_.data() + (&s + 1)->writes};
+  }
   /// The first lines of the subs that the stretch calls, directly or not. They must be known, unless it defines them itself.
-  std::span<const StatementId> called(const CalmStretch& s) const { return {called_.data() + s.called, called_.data() + (&s + 1)->called}; }
+  std::span<const StatementId> called(const CalmStretch& s) const {
+    return {called_.data() + s.called, called_.data() + (&s + 1)->called};
+  }
   /// The first lines of the subs that it defines, and that must not be known yet.
-  std::span<const StatementId> defined(const CalmStretch& s) const { return {defined_.data() + s.defined, defined_.data() + (&s + 1)->defined}; }
+  std::span<const StatementId> defined(const CalmStretch& s) const {
+    return {defined_.data() + s.defined, defined_.data() + (&s + 1)->defined};
+  }
 
  private:
   friend class CalmBuilder;

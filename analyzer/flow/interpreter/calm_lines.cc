@@ -43,21 +43,25 @@ bool CalmLines::harmless(StatementId id) const {
   const BlockId block = program_.block_of[id];
   if (block == kNoBlock || !structure_.structured[block]) return false;
   switch (s.keyword) {
-    case Keyword::kIf: case Keyword::kElseif: case Keyword::kWhile: case Keyword::kRepeat: {
+    case Keyword::kIf:
+    case Keyword::kElseif:
+    case Keyword::kWhile:
+    case Keyword::kRepeat: {
       if (s.value_count != 1) return false;
       const Look condition = look(program_.syntax.values[s.first]);
       return condition.safe && !condition.constant;
     }
-    case Keyword::kElse: case Keyword::kEndif: case Keyword::kEndwhile: case Keyword::kEndrepeat:
-      return true;
-    case Keyword::kDo:
-      return !jumps_;
-    case Keyword::kBreak: case Keyword::kContinue: {
+    case Keyword::kElse:
+    case Keyword::kEndif:
+    case Keyword::kEndwhile:
+    case Keyword::kEndrepeat: return true;
+    case Keyword::kDo: return !jumps_;
+    case Keyword::kBreak:
+    case Keyword::kContinue: {
       const Block& loop = program_.blocks[block];
       return !do_loops_ && loop.kind == Keyword::kWhile && loop.opener < id && id < loop.end;
     }
-    default:
-      return false;
+    default: return false;
   }
 }
 
@@ -87,8 +91,10 @@ Look CalmLines::look(ExprId id) const {
   const Expr& expr = program_.syntax.exprs[id];
   switch (expr.op) {
     case Operator::kNumber: return {true, true, expr.value()};
-    case Operator::kNamed: return {evaluator_.kind(expr.name()) == NameKind::kLocal || evaluator_.always_there(expr.name()), false, 0};
-    case Operator::kExistsNamed: case Operator::kExistsNumbered: return {false, false, 0};
+    case Operator::kNamed:
+      return {evaluator_.kind(expr.name()) == NameKind::kLocal || evaluator_.always_there(expr.name()), false, 0};
+    case Operator::kExistsNamed:
+    case Operator::kExistsNumbered: return {false, false, 0};
     case Operator::kParameter: {
       const Look index = look(expr.left());
       long number = 0;

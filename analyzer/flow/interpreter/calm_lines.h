@@ -11,9 +11,9 @@ namespace owlint::flow {
 
 /// What an expression may do if every parameter is unknown.
 struct Look {
-  bool safe = true;      ///< it cannot fail
+  bool safe = true;  ///< it cannot fail
   bool constant = false;
-  double value = 0;      ///< of a constant
+  double value = 0;  ///< of a constant
 };
 
 class CalmLines {

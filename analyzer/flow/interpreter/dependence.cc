@@ -34,7 +34,8 @@ void Evaluator::note(ExprId id, Dependence& out) const {
   if (expr.op == Operator::kParameter) {
     double number = 0;
     long index = 0;
-    const bool literal = literal_value(syntax_.exprs, expr.left(), &number) && to_integer(number, &index) && index >= 1 && index <= kLastNumber;
+    const bool literal = literal_value(syntax_.exprs, expr.left(), &number) && to_integer(number, &index) &&
+        index >= 1 && index <= kLastNumber;
     if (!literal) {
       out.known = false;
       return;
@@ -56,7 +57,8 @@ bool Evaluator::note_assignments(const Statement& s, Dependence& out) const {
     if (item.target == kNoExpr) continue;
     double number = 0;
     long index = 0;
-    const bool own = literal_value(syntax_.exprs, item.target, &number) && to_integer(number, &index) && index >= 1 && index < kFirstGlobalNumber;
+    const bool own = literal_value(syntax_.exprs, item.target, &number) && to_integer(number, &index) && index >= 1 &&
+        index < kFirstGlobalNumber;
     if (!own) return false;
     note_number(index, out);
   }

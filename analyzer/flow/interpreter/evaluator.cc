@@ -13,11 +13,20 @@
 namespace owlint::flow {
 
 Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool)
-    : syntax_(syntax), profile_(profile), values_(values), pool_(pool), relevant_number_(kLastNumber + 1),
-      relevant_name_(syntax.names.size()), read_argument_(kFirstGlobalNumber), kept_(syntax.names.size()), asked_for_(syntax.names.size()),
-      value_name_(syntax.names.find("_value")), value_returned_name_(syntax.names.find("_value_returned")) {
+    : syntax_(syntax),
+      profile_(profile),
+      values_(values),
+      pool_(pool),
+      relevant_number_(kLastNumber + 1),
+      relevant_name_(syntax.names.size()),
+      read_argument_(kFirstGlobalNumber),
+      kept_(syntax.names.size()),
+      asked_for_(syntax.names.size()),
+      value_name_(syntax.names.find("_value")),
+      value_returned_name_(syntax.names.find("_value_returned")) {
   kinds_.reserve(syntax.names.size());
-  for (NameId name = 0; name < syntax.names.size(); ++name) kinds_.push_back(name_kind(syntax.names.text(name), profile));
+  for (NameId name = 0; name < syntax.names.size(); ++name)
+    kinds_.push_back(name_kind(syntax.names.text(name), profile));
   find_relevant();
   find_facts();
   find_compared();
@@ -120,7 +129,8 @@ void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& paramete
   set_name(parameters, p.id, value((global ? kGlobalNames : kLocalNames) + p.id, global));
 }
 
-Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_when_unassigned, bool defining, ReadLog* log) const {
+Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_when_unassigned, bool defining,
+                                ReadLog* log) const {
   Evaluation out;
   if (global_name(name)) {
     const ValueId known = in.globals.get(kGlobalNames + name);
@@ -152,7 +162,8 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_whe
     return out;
   }
   // A global that the program assigns elsewhere is there from the second run on.
-  const bool from_before = kinds_[name] == NameKind::kSomeReleases || (global_name(name) && (kept_[name] || asked_for_[name]));
+  const bool from_before =
+      kinds_[name] == NameKind::kSomeReleases || (global_name(name) && (kept_[name] || asked_for_[name]));
   (out.value == kUnassigned && !from_before ? out.fails : out.may_fail) = StopKind::kNameUndefined;
   out.name = name;
   out.value = kUnknown;
@@ -163,7 +174,8 @@ Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
   Evaluation out;
   if (expr.op == Operator::kExistsNumbered) return out;
   if (global_name(expr.name())) {
-    const ValueId value = kinds_[expr.name()] == NameKind::kPredefined ? kUnknown : in.globals.get(kGlobalNames + expr.name());
+    const ValueId value =
+        kinds_[expr.name()] == NameKind::kPredefined ? kUnknown : in.globals.get(kGlobalNames + expr.name());
     if (value == kUnknown || value >= kFirstConstant) out.value = values_.intern(1);
     return out;
   }
@@ -179,15 +191,11 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
   const Expr& expr = syntax_.exprs[id];
   Evaluation out;
   switch (expr.op) {
-    case Operator::kNumber:
-      out.value = values_.intern(expr.value());
-      return out;
-    case Operator::kNamed:
-      return read_name(expr.name(), in, zero_when_unassigned, defining, log);
-    case Operator::kExistsNamed: case Operator::kExistsNumbered:
-      return exists(expr, in);
-    default:
-      break;
+    case Operator::kNumber: out.value = values_.intern(expr.value()); return out;
+    case Operator::kNamed: return read_name(expr.name(), in, zero_when_unassigned, defining, log);
+    case Operator::kExistsNamed:
+    case Operator::kExistsNumbered: return exists(expr, in);
+    default: break;
   }
   const Evaluation left = evaluate(expr.left(), in, zero_when_unassigned, defining, log);
   if (left.fails != StopKind::kNone) return left;
@@ -308,7 +316,8 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     write.value = value.value;
     const bool assigns = item.target != kNoExpr || item.target_name != kNoName;
     if (!assigns) continue;
-    if (item.target_name != kNoName && kinds_[item.target_name] == NameKind::kPredefined && may.read_only == kNoName) may.read_only = item.target_name;
+    if (item.target_name != kNoName && kinds_[item.target_name] == NameKind::kPredefined && may.read_only == kNoName)
+      may.read_only = item.target_name;
     writes.push_back(write);
   }
   if (may.read_only != kNoName) return may;

@@ -22,25 +22,25 @@ namespace owlint::flow {
 /// is known only when that stop has been handled.
 struct Evaluation {
   ValueId value = kUnknown;
-  StopKind fails = StopKind::kNone;      ///< evaluation always stops here
-  StopKind may_fail = StopKind::kNone;   ///< on some of the merged paths it stops
-  NameId name = kNoName;                 ///< the undefined name
-  const char* message = nullptr;         ///< the interpreter's words for a failing operation
-  NameId read_only = kNoName;            ///< the line assigns this name; LinuxCNC notices after reading the whole line (measured)
+  StopKind fails = StopKind::kNone;     ///< evaluation always stops here
+  StopKind may_fail = StopKind::kNone;  ///< on some of the merged paths it stops
+  NameId name = kNoName;                ///< the undefined name
+  const char* message = nullptr;        ///< the interpreter's words for a failing operation
+  NameId read_only = kNoName;  ///< the line assigns this name; LinuxCNC notices after reading the whole line (measured)
 };
 
 /// What the evaluator notes about reads, besides the value.
 struct ReadLog {
-  uint32_t not_passed = 0;  ///< bit n: #n was read though the call did not pass it
+  uint32_t not_passed = 0;         ///< bit n: #n was read though the call did not pass it
   ValueId no_value = kUnassigned;  ///< `#<_value>` was read: kNotReturned, kCleared or kMaybeNotReturned
 };
 
 /// What the outcome of lines depends on, besides their text.
 struct Dependence {
   std::vector<uint32_t> locals, globals;  ///< parameters that they read or assign, by their keys in Parameters
-  std::string circumstances;  ///< what the evaluator tracks about them because of other lines
-  bool global_facts = false;  ///< a condition on globals whose outcome is remembered
-  bool known = true;          ///< false: there are more values, and they are not known
+  std::string circumstances;              ///< what the evaluator tracks about them because of other lines
+  bool global_facts = false;              ///< a condition on globals whose outcome is remembered
+  bool known = true;                      ///< false: there are more values, and they are not known
 };
 
 class Evaluator {
@@ -126,9 +126,13 @@ class Evaluator {
   bool tells_existence(const Expr& comparison, bool truth, NameId* name) const;
   ParameterKey key_of(ExprId side) const;
   ParameterKey key_if_kept(ExprId side) const;
-  ParameterKey key_of_name(NameId name) const { return global_name(name) ? (kGlobalNames + name) | kGlobalKey : kLocalNames + name; }
+  ParameterKey key_of_name(NameId name) const {
+    return global_name(name) ? (kGlobalNames + name) | kGlobalKey : kLocalNames + name;
+  }
   uint8_t* compared(ParameterKey key);
-  bool is_compared(ParameterKey key) const { return std::ranges::binary_search(compared_, key, {}, &std::pair<ParameterKey, uint8_t>::first); }
+  bool is_compared(ParameterKey key) const {
+    return std::ranges::binary_search(compared_, key, {}, &std::pair<ParameterKey, uint8_t>::first);
+  }
   void assume_assigned(NameId name, Parameters& p) const;
   void find_existing(Parameters& p, ExprId condition, bool truth) const;
   void narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const;
@@ -163,9 +167,9 @@ class Evaluator {
   /// no plain number, so that it may count, or that an operation can fail for its value.
   enum Comparison : uint8_t { kOnce = 1, kMoreThanOnce = 2, kByLoop = 4, kComputed = 8, kCanFail = 16 };
   std::vector<std::pair<ParameterKey, uint8_t>> compared_;  // sorted, each parameter once
-  NameId value_name_;           // `#<_value>`; kNoName where nothing reads it
+  NameId value_name_;                                       // `#<_value>`; kNoName where nothing reads it
   NameId value_returned_name_;
-  std::vector<Fact> facts_;                                          // by condition, as far as there are any
+  std::vector<Fact> facts_;  // by condition, as far as there are any
   std::unordered_map<ParameterKey, std::vector<uint32_t>> facts_of_;
   bool computed_targets_ = false;
   bool computed_reads_ = false;  // `#[#1]`, where the value matters

@@ -40,10 +40,11 @@ std::vector<std::pair<FullLabel, uint8_t>> join_counts(const std::vector<std::pa
 uint64_t State::hash() const {
   uint64_t h = combine(position, skip);
   h = combine(h, defining);
-  h = combine(h, static_cast<uint64_t>(executed) | breaking << 4 | continuing << 8 | returned << 12 |
-                     static_cast<uint64_t>(seek) << 16 | static_cast<uint64_t>(looped) << 17 |
-                     static_cast<uint64_t>(parameters.outside) << 18 | static_cast<uint64_t>(joined) << 19 |
-                     static_cast<uint64_t>(mixed) << 20);
+  h = combine(h,
+              static_cast<uint64_t>(executed) | breaking << 4 | continuing << 8 | returned << 12 |
+                  static_cast<uint64_t>(seek) << 16 | static_cast<uint64_t>(looped) << 17 |
+                  static_cast<uint64_t>(parameters.outside) << 18 | static_cast<uint64_t>(joined) << 19 |
+                  static_cast<uint64_t>(mixed) << 20);
   h = combine(h, table.hash());
   h = combine(h, parameters.locals.hash());
   h = combine(h, parameters.globals.hash());
@@ -90,10 +91,16 @@ uint32_t Definers::without_undefined(uint32_t packed) {
 }
 
 Machine::Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool)
-    : linked_(linked), program_(linked.program()), profile_(profile), pool_(pool), evaluator_(program_.syntax, profile_, values_, pool),
+    : linked_(linked),
+      program_(linked.program()),
+      profile_(profile),
+      pool_(pool),
+      evaluator_(program_.syntax, profile_, values_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
-      reads_break_(profile.warn_only()), structure_(program_), effects_(program_, structure_.regular) {
+      reads_break_(profile.warn_only()),
+      structure_(program_),
+      effects_(program_, structure_.regular) {
   if (profile.setup != nullptr && profile.setup->has_remaps) evaluator_.distrust_globals();
   labels_.emplace_back(kNoName, kNoName);
   index();
@@ -108,7 +115,8 @@ void Machine::index() {
     if (s.is(Keyword::kDo)) reads_break_ = true;
     if (s.opens_sub()) {
       definitions_.push_back(id);
-      const std::string_view name = s.label == kNoName ? std::string_view() : std::string_view(syntax.names.text(s.label));
+      const std::string_view name =
+          s.label == kNoName ? std::string_view() : std::string_view(syntax.names.text(s.label));
       long number = 0;
       const auto [end, problem] = std::from_chars(name.data(), name.data() + name.size(), number);
       // Not `o<007>`, which no computed label is.
@@ -159,7 +167,8 @@ const CalmStretch* Machine::pass_over(State& state, const Context& context) {
     if (state.table.get(label_of_sub(opener)) != 0) return nullptr;
   }
   const PersistentMap::Pool::Batch batch(pool_);
-  for (const CalmWrite& write : calm_->writes(*stretch)) evaluator_.assign_unknown(write.parameter, write.certain, state.parameters);
+  for (const CalmWrite& write : calm_->writes(*stretch))
+    evaluator_.assign_unknown(write.parameter, write.certain, state.parameters);
   for (const StatementId opener : defined) state.table.set(pool_, label_of_sub(opener), Definers::one(opener));
   if (stretch->tests) state.executed = kYes;
   if (!called && (stretch->calls || stretch->ends_defining)) state.returned = stretch->ends_defining ? kNo : kYes;
@@ -177,7 +186,8 @@ uint32_t Machine::entry(const State& state, FullLabel label) const {
   for (const StatementId id : program_.by_label[name]) {
     const BlockId block = program_.block_of[id];
     if (block == kNoBlock || !structure_.structured[block]) continue;
-    if (program_.regions[program_.blocks[block].region].name == scope) return Definers::one(program_.blocks[block].opener);
+    if (program_.regions[program_.blocks[block].region].name == scope)
+      return Definers::one(program_.blocks[block].opener);
   }
   return 0;
 }
@@ -217,7 +227,8 @@ bool Machine::is_target(const State& state, const Context& context) const {
 }
 
 bool Machine::opens_somewhere(NameId sub) const {
-  return sub < program_.by_label.size() && std::ranges::any_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
+  return sub < program_.by_label.size() &&
+      std::ranges::any_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
 }
 
 bool Machine::may_be_elsewhere(NameId sub) const {
@@ -242,7 +253,8 @@ const std::string& Machine::name(NameId id) const {
 FullLabel Machine::full_label(NameId scope, NameId label) {
   // Labels of subs are asked for at every call and definition.
   if (scope == kGlobalScope && label != kNoName) {
-    if (label >= sub_labels_.size()) sub_labels_.resize(std::max<size_t>(label + 1, program_.syntax.names.size()), kNoLabel);
+    if (label >= sub_labels_.size())
+      sub_labels_.resize(std::max<size_t>(label + 1, program_.syntax.names.size()), kNoLabel);
     FullLabel& known = sub_labels_[label];
     if (known == kNoLabel) {
       known = static_cast<FullLabel>(labels_.size());
@@ -265,7 +277,8 @@ State Machine::join(const State& a, const State& b) {
   out.looped = a.looped && b.looped;
   out.joined = true;
   out.mixed = a.mixed && b.mixed;
-  out.table = PersistentMap::merge(pool_, a.table, b.table, [this](uint32_t, uint32_t x, uint32_t y) { return definers_.join(x, y); });
+  out.table = PersistentMap::merge(pool_, a.table, b.table,
+                                   [this](uint32_t, uint32_t x, uint32_t y) { return definers_.join(x, y); });
   if (a.counts != b.counts) out.counts = join_counts(a.counts, b.counts);
   const auto join = [this](uint32_t, uint32_t x, uint32_t y) { return values_.join(x, y); };
   out.parameters.locals = PersistentMap::merge(pool_, a.parameters.locals, b.parameters.locals, join);
@@ -283,13 +296,15 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
   const Effects& effects = effects_.of(callee.sub);
   if (merged && !effects.everything) {
     // The exit was computed for many callers at once. What the callee cannot have changed is as it was for this one.
-    out.table = PersistentMap::merge(pool_, caller.table, exit.table, [&](uint32_t label, uint32_t before, uint32_t after) {
-      const auto& [scope, name] = labels_[label];
-      return effects.subs.contains(scope == kGlobalScope ? name : scope) ? after : before;
-    });
-    out.parameters.globals = PersistentMap::merge(pool_, caller.parameters.globals, exit.parameters.globals, [&](uint32_t key, uint32_t before, uint32_t after) {
-      return effects.globals.contains(key) || effects.any_global ? after : before;
-    });
+    out.table =
+        PersistentMap::merge(pool_, caller.table, exit.table, [&](uint32_t label, uint32_t before, uint32_t after) {
+          const auto& [scope, name] = labels_[label];
+          return effects.subs.contains(scope == kGlobalScope ? name : scope) ? after : before;
+        });
+    out.parameters.globals = PersistentMap::merge(
+        pool_, caller.parameters.globals, exit.parameters.globals, [&](uint32_t key, uint32_t before, uint32_t after) {
+          return effects.globals.contains(key) || effects.any_global ? after : before;
+        });
     if (!effects.jumps) {
       out.breaking = caller.breaking;
       out.continuing = caller.continuing;
@@ -306,7 +321,8 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
   out.looped = false;
   out.branch = 0;
   // M98 does not save #1 to #30; an O-word call gives the caller's own values back.
-  out.parameters.locals = fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;
+  out.parameters.locals =
+      fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;
   out.parameters.local_facts = fanuc ? PersistentMap() : caller.parameters.local_facts;
   return out;
 }

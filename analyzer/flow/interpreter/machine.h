@@ -25,13 +25,13 @@ using ContextId = uint32_t;
 using FullLabel = uint32_t;  ///< a label with its scope, interned; 0 is none
 inline constexpr FullLabel kNoLabel = 0;
 inline constexpr NameId kGlobalScope = UINT32_MAX - 1;  ///< of `sub`, `endsub`, `call`, `return`, bare `O`, M98
-inline constexpr int kMaxCallDepth = 9;  ///< measured: the tenth nested call is an error
+inline constexpr int kMaxCallDepth = 9;                 ///< measured: the tenth nested call is an error
 
 /// Sets of values of the interpreter's flags, one bit per possible value.
 enum FlagSet : uint8_t {
   kNo = 1,
-  kYes = 2,       // for breaking and continuing: set by the kind of loop that clears it
-  kStale = 4,     // set by the other kind of loop, and not cleared
+  kYes = 2,    // for breaking and continuing: set by the kind of loop that clears it
+  kStale = 4,  // set by the other kind of loop, and not cleared
 };
 
 /// Remaining passes of a running `repeat`.
@@ -49,14 +49,14 @@ struct State {
   FullLabel skip = kNoLabel;
   NameId defining = kNoName;
   bool seek = false;
-  bool looped = false;          ///< arrived by the jump back of a loop
-  bool joined = false;          ///< represents several states whose differences are lost
-  bool mixed = false;           ///< such a state was split again: perhaps no run is in it
-  uint8_t executed = kNo;       ///< "a branch has been taken"
+  bool looped = false;     ///< arrived by the jump back of a loop
+  bool joined = false;     ///< represents several states whose differences are lost
+  bool mixed = false;      ///< such a state was split again: perhaps no run is in it
+  uint8_t executed = kNo;  ///< "a branch has been taken"
   uint8_t breaking = kNo;
   uint8_t continuing = kNo;
-  uint8_t returned = kNo;       ///< level 0: a call has come back since the last definition
-  PersistentMap table;          ///< FullLabel -> definers, see Definers
+  uint8_t returned = kNo;                             ///< level 0: a call has come back since the last definition
+  PersistentMap table;                                ///< FullLabel -> definers, see Definers
   std::vector<std::pair<FullLabel, uint8_t>> counts;  ///< running repeats, sorted
   Parameters parameters;
   uint32_t record = UINT32_MAX;  ///< the trace record before this state
@@ -108,7 +108,8 @@ struct Context {
   int depth = 0;
   bool fanuc = false;  ///< made by M98
   int passed = 0;      ///< number of arguments of the call that made it
-  bool contour = false;  ///< within a G70, G71 or G72: lines are read for the contour, M2, M30 and `(abort, …)` do nothing (measured)
+  bool contour =
+      false;  ///< within a G70, G71 or G72: lines are read for the contour, M2, M30 and `(abort, …)` do nothing (measured)
 };
 
 /// What a step reports besides successors.
@@ -117,10 +118,11 @@ class Listener {
   virtual ~Listener() = default;
   virtual void successor(State state) = 0;
   virtual void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) = 0;
-  virtual void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message, StatementId other = kNoStatement) = 0;
-  virtual void end(const State& at) = 0;                             ///< the program ends
+  virtual void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message,
+                      StatementId other = kNoStatement) = 0;
+  virtual void end(const State& at) = 0;                                             ///< the program ends
   virtual void call(const State& at, State entry, Context callee, int repeats) = 0;  ///< repeats: -1 unknown
-  virtual void leave(const State& at) = 0;                           ///< `return`, `endsub`, M99 in a call
+  virtual void leave(const State& at) = 0;  ///< `return`, `endsub`, M99 in a call
 };
 
 class Machine {
@@ -161,7 +163,9 @@ class Machine {
   CallTarget target(NameId sub) const { return linked_.target(name(sub)); }
 
   /// Whether the machine's INI turns this Fanuc-style line off.
-  bool refuses_fanuc(const Statement& s) const { return no_fanuc_ && ((s.is(Keyword::kBare) && !s.refused) || s.kind == LineKind::kM98); }
+  bool refuses_fanuc(const Statement& s) const {
+    return no_fanuc_ && ((s.is(Keyword::kBare) && !s.refused) || s.kind == LineKind::kM98);
+  }
 
   /// Names, those of the program and those that were computed on the way.
   NameId intern(const std::string& text);
@@ -181,7 +185,8 @@ class Machine {
   NameId scope_of(FullLabel label) const { return labels_[label].first; }
   /// Everything else that a call depends on, besides lines and parameters, as a number.
   uint64_t circumstances() const {
-    uint64_t out = static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 | static_cast<uint64_t>(evaluator_.distrusts_globals());
+    uint64_t out = static_cast<uint64_t>(profile_.version) << 2 | static_cast<uint64_t>(reads_break_) << 1 |
+        static_cast<uint64_t>(evaluator_.distrusts_globals());
     out = mix(out, evaluator_.machine_values());
     for (const double number : values_.thresholds().numbers()) out = mix(out, std::bit_cast<uint64_t>(number));
     return out;
@@ -200,19 +205,19 @@ class Machine {
   KnownValues values_;
   Evaluator evaluator_;
   Definers definers_;
-  bool no_fanuc_;                 // DISABLE_FANUC_STYLE_SUB
-  bool reads_break_;              // only a `do` loop reads the flag that `break` sets
+  bool no_fanuc_;     // DISABLE_FANUC_STYLE_SUB
+  bool reads_break_;  // only a `do` loop reads the flag that `break` sets
   Structure structure_;
   EffectsOfSubs effects_;
-  std::optional<CalmStretches> calm_;  // exists from set_coarse() on
-  std::vector<std::pair<NameId, NameId>> labels_;  // FullLabel -> scope, label
+  std::optional<CalmStretches> calm_;                  // exists from set_coarse() on
+  std::vector<std::pair<NameId, NameId>> labels_;      // FullLabel -> scope, label
   std::unordered_map<uint64_t, FullLabel> label_ids_;  // by scope and label, but for subs
   std::vector<FullLabel> sub_labels_;                  // by label
   // Positions at which a skip may be interrupted, each sorted.
   std::vector<StatementId> computed_, always_read_, unknown_keywords_, definitions_, percents_, file_ends_;
-  std::vector<bool> returns_value_;  // by label of a sub: some `return` or `endsub` has a value
+  std::vector<bool> returns_value_;                       // by label of a sub: some `return` or `endsub` has a value
   std::vector<std::pair<double, NameId>> numbered_subs_;  // sorted
-  Names computed_names_;  // numbered after the program's own
+  Names computed_names_;                                  // numbered after the program's own
   std::unordered_set<NameId> computed_calls_;
 };
 

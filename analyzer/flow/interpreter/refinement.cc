@@ -121,7 +121,9 @@ bool Evaluator::tells_existence(const Expr& comparison, bool truth, NameId* name
   double number = 0;
   const bool left = syntax_.exprs[comparison.left()].op == Operator::kExistsNamed;
   const Expr& asked = syntax_.exprs[left ? comparison.left() : comparison.right()];
-  if (asked.op != Operator::kExistsNamed || !literal_value(syntax_.exprs, left ? comparison.right() : comparison.left(), &number)) return false;
+  if (asked.op != Operator::kExistsNamed ||
+      !literal_value(syntax_.exprs, left ? comparison.right() : comparison.left(), &number))
+    return false;
   *name = asked.name();
   const auto outcome = [&](double exists) {
     double result = 0;
@@ -135,7 +137,8 @@ void Evaluator::assume_assigned(NameId name, Parameters& p) const {
   const bool global = global_name(name);
   PersistentMap& map = global ? p.globals : p.locals;
   const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
-  if (const ValueId before = map.get(key); before == kUnassigned || before == kMaybeUnassigned) map.set(pool_, key, kUnknown);
+  if (const ValueId before = map.get(key); before == kUnassigned || before == kMaybeUnassigned)
+    map.set(pool_, key, kUnknown);
 }
 
 void Evaluator::assume_there(NameId name, Parameters& p) const {
@@ -153,7 +156,9 @@ bool Evaluator::followed(ExprId condition, std::vector<ParameterKey>& reads) con
   if (expr.op == Operator::kExistsNumbered) return false;
   if (expr.op == Operator::kNamed || expr.op == Operator::kParameter) {
     const ParameterKey kept = key_if_kept(condition);
-    reads.push_back(kept != kComputedKey ? kept : expr.op == Operator::kNamed ? key_of_name(expr.name()) : key_of_number(syntax_, expr.left()));
+    reads.push_back(kept != kComputedKey              ? kept
+                        : expr.op == Operator::kNamed ? key_of_name(expr.name())
+                                                      : key_of_number(syntax_, expr.left()));
     return kept != kComputedKey;
   }
   if (expr.op == Operator::kExistsNamed) {
@@ -165,14 +170,17 @@ bool Evaluator::followed(ExprId condition, std::vector<ParameterKey>& reads) con
   if (!left || !right) return false;
   if (expr.op == Operator::kAnd || expr.op == Operator::kOr) return true;
   if (!is_comparison(expr.op)) return false;
-  const bool with_number = literal_value(syntax_.exprs, expr.left(), &number) || literal_value(syntax_.exprs, expr.right(), &number);
+  const bool with_number =
+      literal_value(syntax_.exprs, expr.left(), &number) || literal_value(syntax_.exprs, expr.right(), &number);
   return with_number && (key_if_kept(expr.left()) != kComputedKey || key_if_kept(expr.right()) != kComputedKey);
 }
 
 void Evaluator::refine(Parameters& p, ExprId condition, bool truth) const {
   if (coarse_) return;
   find_existing(p, condition, truth);
-  for_known_comparisons(syntax_.exprs, condition, truth, [&](ExprId side, Operator op, ExprId other, bool outcome) { narrow(p, side, op, other, outcome); });
+  for_known_comparisons(syntax_.exprs, condition, truth, [&](ExprId side, Operator op, ExprId other, bool outcome) {
+    narrow(p, side, op, other, outcome);
+  });
 }
 
 // Depth is bounded by the length of a line.
@@ -200,7 +208,8 @@ std::vector<uint32_t> Evaluator::result_keys() const {
 
 void Evaluator::come_back(Parameters& p, const ValueId* value, bool never) const {
   if (coarse_) return;  // calls are skipped there
-  if (value_returned_name_ != kNoName) p.globals.set(pool_, kGlobalNames + value_returned_name_, values_.intern(value != nullptr ? 1 : 0));
+  if (value_returned_name_ != kNoName)
+    p.globals.set(pool_, kGlobalNames + value_returned_name_, values_.intern(value != nullptr ? 1 : 0));
   if (value_name_ == kNoName) return;
   const uint32_t key = kGlobalNames + value_name_;
   ValueId after = kNotReturned;

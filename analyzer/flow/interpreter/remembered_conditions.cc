@@ -29,8 +29,7 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
     return mix(hash, key);
   };
   switch (expr.op) {
-    case Operator::kNumber:
-      return mix(hash, std::hash<double>()(expr.value()));
+    case Operator::kNumber: return mix(hash, std::hash<double>()(expr.value()));
     case Operator::kNamed:
       if (may_be_predefined(syntax.names.text(expr.name()))) reads.trackable = false;
       return note(key_of_name(syntax, expr.name()));
@@ -41,11 +40,9 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
       reads.trackable = false;
       return hash;
     }
-    case Operator::kExistsNamed: case Operator::kExistsNumbered:
-      reads.trackable = false;
-      return hash;
-    default:
-      break;
+    case Operator::kExistsNamed:
+    case Operator::kExistsNumbered: reads.trackable = false; return hash;
+    default: break;
   }
   const uint64_t left = mix(hash, describe(syntax, expr.left(), reads));
   return expr.right() == kNoExpr ? left : mix(left, describe(syntax, expr.right(), reads));
@@ -75,7 +72,8 @@ void Evaluator::find_facts() {
     if (end - first < 2) continue;
     reads.keys.clear();
     describe(syntax_, tests[first].second, reads);
-    const bool crowded = std::ranges::any_of(reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= kMaxFactsOfOne; });
+    const bool crowded =
+        std::ranges::any_of(reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= kMaxFactsOfOne; });
     if (crowded) continue;
     const Fact fact{next++, is_global(reads.keys.front())};
     for (const ParameterKey key : reads.keys) facts_of_[key].push_back(fact.id);
@@ -87,9 +85,7 @@ void Evaluator::find_facts() {
   }
 }
 
-Fact Evaluator::fact(ExprId condition) const {
-  return condition < facts_.size() ? facts_[condition] : Fact{};
-}
+Fact Evaluator::fact(ExprId condition) const { return condition < facts_.size() ? facts_[condition] : Fact{}; }
 
 int Evaluator::known(const Parameters& p, Fact fact) {
   return fact.id == 0 ? 0 : static_cast<int>((fact.global ? p.global_facts : p.local_facts).get(fact.id));

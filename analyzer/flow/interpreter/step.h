@@ -22,15 +22,20 @@ struct Machine::Step {
   StatementId here;
   bool skipping;
   FullLabel label = kNoLabel;
-  Range label_range;  ///< of a computed label that is not known
-  Fact tested;  ///< the condition of this line, if its outcome can be remembered
+  Range label_range;                      ///< of a computed label that is not known
+  Fact tested;                            ///< the condition of this line, if its outcome can be remembered
   std::optional<ValueId> returned_value;  ///< the value on this `return` or `endsub`
-  bool decided = false;  ///< the condition has only one outcome here, so going on is not a branch
+  bool decided = false;                   ///< the condition has only one outcome here, so going on is not a branch
   ReadLog reads;
 
   Step(Machine& machine, State start, const Context& ctx, Listener& listener)
-      : m(machine), state(std::move(start)), context(ctx), out(listener), s(m.program_.at(state.position)),
-        here(state.position), skipping(state.skip != kNoLabel) {}
+      : m(machine),
+        state(std::move(start)),
+        context(ctx),
+        out(listener),
+        s(m.program_.at(state.position)),
+        here(state.position),
+        skipping(state.skip != kNoLabel) {}
 
   const LineError* error() const { return m.program_.syntax.error(s); }
   bool defining() const { return state.defining != kNoName; }
@@ -70,7 +75,9 @@ struct Machine::Step {
       int times = 0;
       if (s.kind == LineKind::kM98 && s.repeats && id == value(0) && !times_called(e, &times)) return;
       long number = 0;
-      if (expr.target && m.values_.is_constant(e.value) && !settle(m.evaluator_.target(m.values_.value(e.value), &number))) return;
+      if (expr.target && m.values_.is_constant(e.value) &&
+          !settle(m.evaluator_.target(m.values_.value(e.value), &number)))
+        return;
     }
     stop(error()->kind, error()->message);
   }
@@ -136,8 +143,11 @@ struct Machine::Step {
   void report_value_reads() {
     if (reads.no_value == kUnassigned) return;
     // After paths were joined, the outcomes of `#<_value_returned>` are joined too.
-    const bool guarded = reads.no_value == kMaybeNotReturned && m.program_.syntax.names.find("_value_returned") != kNoName;
-    if (!guarded) out.hazard(state, reads.no_value == kCleared ? HazardKind::kValueCleared : HazardKind::kValueNotReturned, 0, StopKind::kNone, "");
+    const bool guarded =
+        reads.no_value == kMaybeNotReturned && m.program_.syntax.names.find("_value_returned") != kNoName;
+    if (!guarded)
+      out.hazard(state, reads.no_value == kCleared ? HazardKind::kValueCleared : HazardKind::kValueNotReturned, 0,
+                 StopKind::kNone, "");
     reads.no_value = kUnassigned;
   }
 
@@ -182,7 +192,7 @@ struct Machine::Step {
   bool structured() const {
     const BlockId block = m.program_.block_of[here];
     return block != kNoBlock && m.structure_.structured[block] &&
-           m.structure_.structured_for(m.program_, m.program_.blocks[block].region, called() ? context.sub : kNoName);
+        m.structure_.structured_for(m.program_, m.program_.blocks[block].region, called() ? context.sub : kNoName);
   }
   uint32_t entry() const {
     if (!structured()) return state.table.get(label);

@@ -22,7 +22,11 @@ void Machine::Step::repeat(Truth truth, double number) {
       continue;
     }
     state = before;
-    if (!documented(StopKind::kDuplicateLoop, at_line("duplicate O-word label: '" + line_text() + "' - defined in line " + std::to_string(line_of(line))), line)) continue;
+    if (!documented(
+            StopKind::kDuplicateLoop,
+            at_line("duplicate O-word label: '" + line_text() + "' - defined in line " + std::to_string(line_of(line))),
+            line))
+      continue;
     set_entry(Definers::one(line));
     state.skip = kNoLabel;
     if (kind_of(line) == Keyword::kRepeat) {
@@ -62,7 +66,8 @@ void Machine::Step::count_passes(Truth truth, double number) {
   if (fresh && !std::isnan(number)) {
     double written = 0;
     const bool literal = literal_value(m.program_.syntax.exprs, value(0), &written);
-    const bool odd = number < 0 || std::fabs(number - std::nearbyint(number)) > kEqualTolerance || (literal && number == 0);
+    const bool odd =
+        number < 0 || std::fabs(number - std::nearbyint(number)) > kEqualTolerance || (literal && number == 0);
     if (odd) out.hazard(state, HazardKind::kRepeatCount, 0, StopKind::kNone, fmt::format("{:.6g}", number));
   }
   if (fresh) {
@@ -115,7 +120,8 @@ void Machine::Step::while_(Truth truth) {
       again.breaking = kNo;
       go(std::move(again), opener, 1);
     }
-    if ((breaking & kStale) != 0 && truth != Truth::kFalse) out.hazard(before, HazardKind::kStaleBreak, 0, StopKind::kNone, "");
+    if ((breaking & kStale) != 0 && truth != Truth::kFalse)
+      out.hazard(before, HazardKind::kStaleBreak, 0, StopKind::kNone, "");
     if ((breaking & (kYes | kStale)) != 0) {  // ends whatever the condition
       State out_of_loop = state;
       out_of_loop.breaking = kNo;
@@ -130,7 +136,11 @@ void Machine::Step::while_(Truth truth) {
   for (const StatementId line : set.lines) {
     state = before;
     if (line != here && kind_of(line) != Keyword::kDo) {
-      if (!documented(StopKind::kDuplicateLoop, at_line("duplicate O-word label: '" + line_text() + "' - defined in line " + std::to_string(line_of(line))), line)) continue;
+      if (!documented(StopKind::kDuplicateLoop,
+                      at_line("duplicate O-word label: '" + line_text() + "' - defined in line " +
+                              std::to_string(line_of(line))),
+                      line))
+        continue;
     }
     as(Definers::one(line), line);
   }
@@ -145,7 +155,12 @@ void Machine::Step::end_loop() {
     state = before;
     set_entry(Definers::one(line));
     if (kind_of(line) != opener) {
-      if (!documented(StopKind::kWrongEnd, at_line("no matching label: '" + line_text() + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + ")"), line)) continue;
+      if (!documented(
+              StopKind::kWrongEnd,
+              at_line("no matching label: '" + line_text() + "' (found '" + std::string(spelling(kind_of(line))) +
+                      "' in line " + std::to_string(line_of(line)) + ")"),
+              line))
+        continue;
     }
     end_loop_at(line);
   }
@@ -162,7 +177,8 @@ void Machine::Step::end_loop_at(StatementId opener) {
   }
   // Behind a condition that is false, the loop only asks once more.
   const bool by_break = (state.breaking & (kYes | kStale)) != 0;
-  if ((continuing & kStale) != 0 && (s.is(Keyword::kEndrepeat) || by_break)) out.hazard(state, HazardKind::kStaleContinue, 0, StopKind::kNone, "");
+  if ((continuing & kStale) != 0 && (s.is(Keyword::kEndrepeat) || by_break))
+    out.hazard(state, HazardKind::kStaleContinue, 0, StopKind::kNone, "");
   if ((continuing & (kYes | kStale)) != 0) {
     state.continuing = kNo;
     go(std::move(state), opener);
@@ -179,7 +195,11 @@ void Machine::Step::jump() {
     set_entry(Definers::one(line));
     const Keyword kind = kind_of(line);
     if (kind != Keyword::kWhile && kind != Keyword::kDo) {
-      if (!documented(StopKind::kNotALoop, at_line("no matching while/do label: '" + line_text() + "' (found '" + std::string(spelling(kind)) + "' in line " + std::to_string(line_of(line)) + ")"), line)) continue;
+      if (!documented(StopKind::kNotALoop,
+                      at_line("no matching while/do label: '" + line_text() + "' (found '" +
+                              std::string(spelling(kind)) + "' in line " + std::to_string(line_of(line)) + ")"),
+                      line))
+        continue;
     }
     if (is_break) {
       if (skipping && kind == Keyword::kDo && (state.continuing & (kYes | kStale)) != 0) {
@@ -204,7 +224,8 @@ void Machine::Step::if_(Truth truth) {
   const auto as = [&](StatementId opener) {
     state = before;
     set_entry(Definers::one(opener));
-    if (opener == here) set_count(label, -1);  // it makes its own entry again each time, and leaves the entries of others
+    if (opener == here)
+      set_count(label, -1);  // it makes its own entry again each time, and leaves the entries of others
     if (truth != Truth::kFalse) {
       State in = state;
       in.executed = kYes;
@@ -222,7 +243,10 @@ void Machine::Step::if_(Truth truth) {
   for (const StatementId line : set.lines) {
     if (line == here) continue;
     state = before;
-    if (documented(StopKind::kDuplicateIf, at_line("duplicate O-word label - already defined in line " + std::to_string(line_of(line)) + ": '" + line_text() + "'"), line)) {
+    if (documented(StopKind::kDuplicateIf,
+                   at_line("duplicate O-word label - already defined in line " + std::to_string(line_of(line)) + ": '" +
+                           line_text() + "'"),
+                   line)) {
       as(line);
     }
   }
@@ -235,7 +259,12 @@ void Machine::Step::else_(Truth truth) {
     state = before;
     set_entry(Definers::one(line));
     if (kind_of(line) != Keyword::kIf) {
-      if (!documented(StopKind::kNotAnIf, at_line("no matching 'if' label: '" + line_text() + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + ")"), line)) continue;
+      if (!documented(
+              StopKind::kNotAnIf,
+              at_line("no matching 'if' label: '" + line_text() + "' (found '" + std::string(spelling(kind_of(line))) +
+                      "' in line " + std::to_string(line_of(line)) + ")"),
+              line))
+        continue;
     }
     const uint8_t executed = state.executed;
     if ((executed & kYes) != 0) {
@@ -270,7 +299,12 @@ void Machine::Step::endif() {
     state = before;
     set_entry(Definers::one(line));
     if (kind_of(line) != Keyword::kIf) {
-      if (!documented(StopKind::kNotAnIf, at_line("no matching label: '" + m.full_text(label) + "' (found '" + std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) + "): '" + line_text() + "'"), line)) continue;
+      if (!documented(StopKind::kNotAnIf,
+                      at_line("no matching label: '" + m.full_text(label) + "' (found '" +
+                              std::string(spelling(kind_of(line))) + "' in line " + std::to_string(line_of(line)) +
+                              "): '" + line_text() + "'"),
+                      line))
+        continue;
     }
     state.skip = kNoLabel;
     state.executed = kYes;

@@ -15,13 +15,15 @@ void Machine::step(State state, const Context& context, Listener& out) {
 
 void Machine::Step::run() {
   const LineError* e = error();
-  const bool anywhere = e != nullptr && ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
+  const bool anywhere = e != nullptr &&
+      ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
   if (anywhere) return stop_error();
   // Measured: `O…` and M98 stop where they are read, also where lines are skipped; M99 only where it would return.
   if (m.refuses_fanuc(s) || (m.no_fanuc_ && s.kind == LineKind::kM99 && called() && !skipping)) {
-    return stop(StopKind::kFanucDisabled, s.kind == LineKind::kOWord ? "DISABLE_FANUC_STYLE_SUB disabled in INI file, but found bare O-word"
-                                          : s.kind == LineKind::kM98 ? "DISABLE_FANUC_STYLE_SUB set in INI file, but found m98"
-                                                                     : "DISABLE_FANUC_STYLE_SUB set in INI file, but found m99");
+    return stop(StopKind::kFanucDisabled,
+                s.kind == LineKind::kOWord     ? "DISABLE_FANUC_STYLE_SUB disabled in INI file, but found bare O-word"
+                    : s.kind == LineKind::kM98 ? "DISABLE_FANUC_STYLE_SUB set in INI file, but found m98"
+                                               : "DISABLE_FANUC_STYLE_SUB set in INI file, but found m99");
   }
   if (s.kind == LineKind::kOWord) return o_word();
   plain();
@@ -53,10 +55,12 @@ void Machine::Step::plain() {
     const std::string& name = m.name(e.read_only);
     return stop(StopKind::kNameReadOnly, "Cannot assign to read-only parameter #<" + name + ">", kNoStatement, name);
   }
-  if (s.kind == LineKind::kM99Behind && called() && !context.contour) return stop(StopKind::kM99Behind, "Bug:  Reached convert_stop() from M99 as subprogram return");
+  if (s.kind == LineKind::kM99Behind && called() && !context.contour)
+    return stop(StopKind::kM99Behind, "Bug:  Reached convert_stop() from M99 as subprogram return");
   if (s.has_m99()) {
     const StatementId opener = m.program_.regions[m.program_.region_of[here]].opener;
-    if (opener != kNoStatement && m.program_.at(opener).is(Keyword::kBare)) out.hazard(state, HazardKind::kRunsIntoSub, 0, StopKind::kNone, "", opener);
+    if (opener != kNoStatement && m.program_.at(opener).is(Keyword::kBare))
+      out.hazard(state, HazardKind::kRunsIntoSub, 0, StopKind::kNone, "", opener);
     return out.end(state);  // of a run of the main program; the machine itself starts it again
   }
   if (s.kind == LineKind::kProgramEnd && !context.contour) return out.end(state);
@@ -105,7 +109,8 @@ bool Machine::Step::times_called(const Evaluation& of_l, int* times) {
 void Machine::Step::m99() {
   if (s.rest_to > s.rest_from) return stop(StopKind::kM99Rest, "Unexpected character after O-word");
   if (!context.fanuc) {
-    return stop(StopKind::kStyleNeedsEndsub, "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
+    return stop(StopKind::kStyleNeedsEndsub,
+                "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
   }
   m.evaluator_.come_back(state.parameters, nullptr, true);
   out.leave(state);
@@ -189,11 +194,13 @@ void Machine::Step::o_word() {
 /// with the arguments is not proven; or another one, of which nothing is known. False where the arguments stop every run.
 bool Machine::Step::call_any() {
   constexpr ptrdiff_t kMostCandidates = 16;  // more say too little about each
-  constexpr int kDeepest = 4;             // of calls within such calls
+  constexpr int kDeepest = 4;                // of calls within such calls
   std::vector<ValueId> passed;
   if (!arguments(&passed)) return false;
-  const auto first = std::ranges::lower_bound(m.numbered_subs_, label_range.low, {}, [](const auto& sub) { return sub.first; });
-  const auto last = std::ranges::upper_bound(m.numbered_subs_, label_range.high, {}, [](const auto& sub) { return sub.first; });
+  const auto first =
+      std::ranges::lower_bound(m.numbered_subs_, label_range.low, {}, [](const auto& sub) { return sub.first; });
+  const auto last =
+      std::ranges::upper_bound(m.numbered_subs_, label_range.high, {}, [](const auto& sub) { return sub.first; });
   if (last - first <= kMostCandidates && context.depth < kDeepest) {
     for (auto sub = first; sub != last; ++sub) {
       const auto& [number, name] = *sub;
@@ -212,7 +219,8 @@ void Machine::Step::act(Truth truth, double number) {
   switch (s.keyword) {
     case Keyword::kSub: return sub();
     case Keyword::kBare: return bare();
-    case Keyword::kEndsub: case Keyword::kReturn: return leave_sub();
+    case Keyword::kEndsub:
+    case Keyword::kReturn: return leave_sub();
     case Keyword::kCall: return call(1, false);
     case Keyword::kDo:
       state.skip = kNoLabel;
@@ -225,10 +233,13 @@ void Machine::Step::act(Truth truth, double number) {
     case Keyword::kRepeat: return repeat(truth, number);
     case Keyword::kWhile: return while_(truth);
     case Keyword::kIf: return if_(truth);
-    case Keyword::kElseif: case Keyword::kElse: return else_(truth);
+    case Keyword::kElseif:
+    case Keyword::kElse: return else_(truth);
     case Keyword::kEndif: return endif();
-    case Keyword::kBreak: case Keyword::kContinue: return jump();
-    case Keyword::kEndwhile: case Keyword::kEndrepeat: return end_loop();
+    case Keyword::kBreak:
+    case Keyword::kContinue: return jump();
+    case Keyword::kEndwhile:
+    case Keyword::kEndrepeat: return end_loop();
     case Keyword::kUnknown: return next_line();
   }
 }

@@ -13,7 +13,9 @@ bool Machine::Step::enter_sub() {
     if (line == here) {
       stop(StopKind::kSubIllegalLocation, where + " sub: o|" + name + "| found in illegal location", line);
     } else {
-      stop(StopKind::kSubRedefined, where + " redefining sub: o|" + name + "| already defined in file:" + m.linked_.source_of(line).path(), line);
+      stop(StopKind::kSubRedefined,
+           where + " redefining sub: o|" + name + "| already defined in file:" + m.linked_.source_of(line).path(),
+           line);
     }
   }
   if (!set.undefined && !set.lines.empty()) return false;
@@ -22,13 +24,17 @@ bool Machine::Step::enter_sub() {
 }
 
 /// Whether the line's label is that of the sub that is being called.
-bool Machine::Step::is_called_sub() const { return m.name(m.label_of(label)) == called_label(m.name(context.sub), m.profile_.version); }
+bool Machine::Step::is_called_sub() const {
+  return m.name(m.label_of(label)) == called_label(m.name(context.sub), m.profile_.version);
+}
 
 /// Whether the file of this line defines a sub itself.
 bool Machine::Step::own_file_has(NameId sub) const {
   if (sub >= m.program_.by_label.size()) return false;
   const uint32_t file = m.linked_.file_of(here);
-  return std::ranges::any_of(m.program_.by_label[sub], [&](StatementId id) { return m.program_.at(id).opens_sub() && m.linked_.file_of(id) == file; });
+  return std::ranges::any_of(m.program_.by_label[sub], [&](StatementId id) {
+    return m.program_.at(id).opens_sub() && m.linked_.file_of(id) == file;
+  });
 }
 
 void Machine::Step::sub() {
@@ -42,8 +48,9 @@ void Machine::Step::sub() {
   }
   if (called()) {
     if (m.profile_.version >= Version::k2_10 && m.label_of(label) != context.sub) {
-      return stop(StopKind::kSubNestedInCall, "Nested subroutine definition: 'O" + m.name(m.label_of(label)) +
-                                                  " sub' found inside called subroutine 'O" + m.name(context.sub) + "'");
+      return stop(StopKind::kSubNestedInCall,
+                  "Nested subroutine definition: 'O" + m.name(m.label_of(label)) +
+                      " sub' found inside called subroutine 'O" + m.name(context.sub) + "'");
     }
     if (!is_called_sub()) out.hazard(state, HazardKind::kSubInCall, 0, StopKind::kNone, "");
     return next_line();
@@ -55,7 +62,8 @@ void Machine::Step::sub() {
 }
 
 void Machine::Step::bare() {
-  if (called() && !context.fanuc) return stop(StopKind::kStyleNeedsM98, "Fanuc 'O....' subroutine must be called with 'M98'");
+  if (called() && !context.fanuc)
+    return stop(StopKind::kStyleNeedsM98, "Fanuc 'O....' subroutine must be called with 'M98'");
   if (skipping) {
     if (!enter_sub()) return;
     state.skip = kNoLabel;
@@ -137,7 +145,8 @@ void Machine::Step::call(int repeats, bool fanuc) {
 
   // Where no chain is too deep, calls at all depths are alike.
   const int depth = m.structure_.shallow_calls ? 1 : context.depth + 1;
-  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(passed.size()), context.contour || s.kind == LineKind::kContour};
+  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(passed.size()),
+                       context.contour || s.kind == LineKind::kContour};
   State enter = state;
   enter.looped = false;
   enter.branch = 0;
@@ -166,7 +175,8 @@ void Machine::Step::call(int repeats, bool fanuc) {
   take_apart(set);
   enter.mixed = state.mixed;
   for (const StatementId line : set.lines) {
-    if (m.linked_.file_of(line) != m.linked_.file_of(here) && own_file_has(plain)) out.hazard(state, HazardKind::kOtherHelper, 0, StopKind::kNone, "", line);
+    if (m.linked_.file_of(line) != m.linked_.file_of(here) && own_file_has(plain))
+      out.hazard(state, HazardKind::kOtherHelper, 0, StopKind::kNone, "", line);
     State known = enter;
     known.table.set(m.pool_, defined, Definers::one(line));
     known.position = line;  // the definition's line is read again (measured: text after it stops there)
@@ -192,7 +202,9 @@ void Machine::Step::call(int repeats, bool fanuc) {
     if (m.profile_.may_be_python()) return;
   }
   if (m.profile_.version >= Version::k2_10 && called() && m.linked_.file_of(here) != 0) {
-    return stop(StopKind::kSubNotFound, "Subroutine 'O" + m.name(callee.sub) + "' not found -- not in offset table and no file found", kNoStatement, m.name(callee.sub));
+    return stop(StopKind::kSubNotFound,
+                "Subroutine 'O" + m.name(callee.sub) + "' not found -- not in offset table and no file found",
+                kNoStatement, m.name(callee.sub));
   }
   enter.position = here + 1;
   out.call(state, std::move(enter), callee, repeats);

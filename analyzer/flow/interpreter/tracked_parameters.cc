@@ -53,14 +53,19 @@ void Evaluator::mark_what_can_fail(ExprId id) {
   const Expr& expr = syntax_.exprs[id];
   double number = 0;
   switch (expr.op) {
-    case Operator::kNumber: case Operator::kNamed: case Operator::kExistsNamed: return;
+    case Operator::kNumber:
+    case Operator::kNamed:
+    case Operator::kExistsNamed: return;
     case Operator::kParameter:
       if (!literal_value(syntax_.exprs, expr.left(), &number)) mark(expr.left());
       return;
     case Operator::kDivide:
       if (!literal_value(syntax_.exprs, expr.right(), &number)) mark(expr.right());
       break;
-    case Operator::kSqrt: case Operator::kLn: case Operator::kAcos: case Operator::kAsin: mark_operand(expr.left()); return;
+    case Operator::kSqrt:
+    case Operator::kLn:
+    case Operator::kAcos:
+    case Operator::kAsin: mark_operand(expr.left()); return;
     case Operator::kPower: mark(id); return;
     default: break;
   }
@@ -72,8 +77,14 @@ void Evaluator::note_fragile(ExprId id, std::vector<ExprId>& out) const {
   const Expr& expr = syntax_.exprs[id];
   double number = 0;
   switch (expr.op) {
-    case Operator::kNumber: case Operator::kNamed: case Operator::kExistsNamed: return;
-    case Operator::kParameter: case Operator::kSqrt: case Operator::kLn: case Operator::kAcos: case Operator::kAsin:
+    case Operator::kNumber:
+    case Operator::kNamed:
+    case Operator::kExistsNamed: return;
+    case Operator::kParameter:
+    case Operator::kSqrt:
+    case Operator::kLn:
+    case Operator::kAcos:
+    case Operator::kAsin:
       if (literal_value(syntax_.exprs, expr.left(), &number)) return;
       out.push_back(id);
       break;

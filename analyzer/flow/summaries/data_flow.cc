@@ -33,9 +33,11 @@ const Structure& DataFlow::structure() const {
 DataFlow::Sub& DataFlow::look(RegionId region) const {
   if (subs_.empty()) {
     subs_.resize(program_.regions.size());
-    statements_.assign(program_.regions.size(), static_cast<uint32_t>(program_.size()), [&](StatementId id) { return program_.region_of[id]; });
+    statements_.assign(program_.regions.size(), static_cast<uint32_t>(program_.size()),
+                       [&](StatementId id) { return program_.region_of[id]; });
     table_.emplace(program_, statements_.all(), flow::reads_of(program_, shown()));
-    for (RegionId r = 0; r < subs_.size(); ++r) subs_[r].accesses = table_->lines(statements_.first(r), statements_[r].size());
+    for (RegionId r = 0; r < subs_.size(); ++r)
+      subs_[r].accesses = table_->lines(statements_.first(r), statements_[r].size());
   }
   return subs_[region];
 }
@@ -67,14 +69,16 @@ void DataFlow::summarize(Sub& sub, RegionId region) const {
   Summary& out = *sub.summary;
   out.known = true;
   const NameId count = program_.syntax.names.find("n_args");  // how many were passed, if the INI wants it
-  out.any_number = sub.accesses.reads_any() || (count != kNoName && std::ranges::count(sub.accesses.all_reads(), kLocalNames + ParameterKey{count}) > 0);
+  out.any_number = sub.accesses.reads_any() ||
+      (count != kNoName && std::ranges::count(sub.accesses.all_reads(), kLocalNames + ParameterKey{count}) > 0);
   std::unordered_set<ParameterKey> met;
   for (const ParameterKey key : sub.accesses.all_reads()) {
     if (is_global(key) && met.insert(key).second) out.reads.push_back(parameter_of(key));
   }
   met.clear();
   for (const auto& write : sub.accesses.all_writes()) {
-    if (write.key != kComputedKey && is_global(write.key) && met.insert(write.key).second) out.writes.push_back(parameter_of(write.key));
+    if (write.key != kComputedKey && is_global(write.key) && met.insert(write.key).second)
+      out.writes.push_back(parameter_of(write.key));
   }
   for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
     if (live_in(region).before(0, n)) out.arguments |= 1U << n;
@@ -113,7 +117,9 @@ std::span<const StatementId> DataFlow::lines_of(RegionId region) const {
 
 void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const {
   const Accesses& accesses = look(region).accesses;
-  const auto interesting = [&](ParameterKey key) { return !is_global(key) && !(is_own_number(key) && accesses.reads_any()); };
+  const auto interesting = [&](ParameterKey key) {
+    return !is_global(key) && !(is_own_number(key) && accesses.reads_any());
+  };
   if (std::ranges::none_of(accesses.all_writes(), [&](const auto& write) { return interesting(write.key); })) return;
   std::vector<ParameterKey> read(accesses.all_reads().begin(), accesses.all_reads().end());
   std::ranges::sort(read);
@@ -121,21 +127,25 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
   // Numbers are anybody's: what the sub leaves in them is lost, which is another rule's, or the operator's. A name for
   // something that has a number or a name already is a remark as well.
   const auto never_read = [&](size_t line, const Write& write) {
-    const Operator value = program_.syntax.exprs[program_.syntax.items[program_.at(statement(line)).first + write.item].value].op;
+    const Operator value =
+        program_.syntax.exprs[program_.syntax.items[program_.at(statement(line)).first + write.item].value].op;
     return !is_own_number(write.key) && value != Operator::kParameter && value != Operator::kNamed;
   };
   const auto overwritten = [&](size_t line, const Write& write) {
     if (line + 1 >= accesses.size()) return false;
     const Statement& next = program_.at(statement(line + 1));
     if (next.kind != LineKind::kWords || next.block_delete) return false;
-    if (std::ranges::none_of(accesses.writes(line + 1), [&](const auto& other) { return other.key == write.key; })) return false;
+    if (std::ranges::none_of(accesses.writes(line + 1), [&](const auto& other) { return other.key == write.key; }))
+      return false;
     return std::ranges::count(accesses.reads(line + 1), write.key) == 0;
   };
   // All that a line does is to assign what nothing reads.
   const auto idle = [&](size_t line) {
     const Statement& s = program_.at(statement(line));
     return s.kind == LineKind::kWords && accesses.writes(line).size() == s.item_count &&
-           std::ranges::none_of(accesses.writes(line), [&](const auto& write) { return is_global(write.key) || std::ranges::binary_search(read, write.key); });
+        std::ranges::none_of(accesses.writes(line), [&](const auto& write) {
+             return is_global(write.key) || std::ranges::binary_search(read, write.key);
+           });
   };
   const auto ends_here = [&](ParameterKey key) {
     if (region == kMainRegion || !is_own_number(key) || key == 0) return false;
@@ -151,8 +161,10 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
       if (!std::ranges::binary_search(read, write.key)) {
         if (!never_read(line, write) || !flow_of(region).known() || !reported.insert(write.key).second) continue;
         const auto argument = std::ranges::find_if(accesses.reads(line), ends_here);
-        out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement, argument == accesses.reads(line).end() ? 0 : static_cast<uint32_t>(*argument)});
-      } else if (overwritten(line, write) && flow_of(region).known() && flow_of(region).nodes()[line].next[0] == line + 1) {
+        out.push_back({statement(line), write.item, parameter_of(write.key), kNoStatement,
+                       argument == accesses.reads(line).end() ? 0 : static_cast<uint32_t>(*argument)});
+      } else if (overwritten(line, write) && flow_of(region).known() &&
+                 flow_of(region).nodes()[line].next[0] == line + 1) {
         out.push_back({statement(line), write.item, parameter_of(write.key), statement(line + 1)});
       }
     }
@@ -177,7 +189,9 @@ const std::vector<FixedCondition>& DataFlow::fixed() const {
     const Settings settings(program_);
     for (RegionId region = 0; region < program_.regions.size(); ++region) {
       look(region);
-      const auto tests = [this](StatementId id) { return program_.at(id).is(Keyword::kIf) || program_.at(id).is(Keyword::kWhile); };
+      const auto tests = [this](StatementId id) {
+        return program_.at(id).is(Keyword::kIf) || program_.at(id).is(Keyword::kWhile);
+      };
       if (std::ranges::none_of(statements_[region], tests) || !flow_of(region).known()) continue;
       find_fixed_conditions(program_, flow_of(region), settings, *fixed_);
     }
@@ -189,7 +203,8 @@ const std::vector<FixedCondition>& DataFlow::fixed() const {
 bool DataFlow::surely_reads(RegionId region, uint32_t number) const {
   if (too_large_) return true;
   const Accesses& accesses = look(region).accesses;
-  return std::ranges::count(accesses.all_reads(), number) > 0 && std::ranges::none_of(accesses.all_writes(), [&](const auto& write) { return write.key == number; });
+  return std::ranges::count(accesses.all_reads(), number) > 0 &&
+      std::ranges::none_of(accesses.all_writes(), [&](const auto& write) { return write.key == number; });
 }
 
 uint32_t DataFlow::left_behind(RegionId region) const {
@@ -204,7 +219,8 @@ uint32_t DataFlow::left_behind(RegionId region) const {
   for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
     if ((assigned >> n & 1) == 0) continue;
     const StatementId last = last_assignment(region, n);
-    const auto line = static_cast<NodeId>(std::ranges::lower_bound(statements_[region], last) - statements_[region].begin());
+    const auto line =
+        static_cast<NodeId>(std::ranges::lower_bound(statements_[region], last) - statements_[region].begin());
     if (!live_in(region).after(line, n)) out |= 1U << n;
   }
   return out;
@@ -213,7 +229,8 @@ uint32_t DataFlow::left_behind(RegionId region) const {
 StatementId DataFlow::last_assignment(RegionId region, uint32_t number) const {
   const Accesses& accesses = look(region).accesses;
   for (size_t line = accesses.size(); line-- > 0;) {
-    if (std::ranges::any_of(accesses.writes(line), [&](const auto& write) { return write.key == number; })) return statements_[region][line];
+    if (std::ranges::any_of(accesses.writes(line), [&](const auto& write) { return write.key == number; }))
+      return statements_[region][line];
   }
   return kNoStatement;
 }
@@ -260,7 +277,8 @@ std::span<const std::pair<ParameterKey, StatementId>> DataFlow::assignments(Regi
   if (!sub.assignments) {
     sub.assignments.emplace();
     for (size_t line = 0; line < sub.accesses.size(); ++line) {
-      for (const Write& write : sub.accesses.writes(line)) sub.assignments->emplace_back(write.key, statements_[region][line]);
+      for (const Write& write : sub.accesses.writes(line))
+        sub.assignments->emplace_back(write.key, statements_[region][line]);
     }
     std::ranges::sort(*sub.assignments);
   }
@@ -270,7 +288,8 @@ std::span<const std::pair<ParameterKey, StatementId>> DataFlow::assignments(Regi
 
 bool DataFlow::read_above(RegionId region, StatementId place, ParameterKey key) const {
   const Accesses& accesses = look(region).accesses;
-  const size_t last = static_cast<size_t>(std::ranges::lower_bound(statements_[region], place) - statements_[region].begin());
+  const size_t last =
+      static_cast<size_t>(std::ranges::lower_bound(statements_[region], place) - statements_[region].begin());
   return std::ranges::count(accesses.all_reads().first(accesses.first_read(last)), key) > 0;
 }
 

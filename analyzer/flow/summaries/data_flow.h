@@ -20,9 +20,9 @@ std::string parameter_text(const Program& program, ParameterId parameter);
 enum class Returns : uint8_t { kNothing, kSometimes, kValue };
 
 struct Summary {
-  bool known = false;       ///< otherwise nothing below is valid
-  uint32_t arguments = 0;   ///< bit n: the value that #n has at the call may be read
-  bool any_number = false;  ///< reads a parameter whose number is computed: it may be any argument
+  bool known = false;               ///< otherwise nothing below is valid
+  uint32_t arguments = 0;           ///< bit n: the value that #n has at the call may be read
+  bool any_number = false;          ///< reads a parameter whose number is computed: it may be any argument
   std::vector<ParameterId> reads;   ///< globals, in the order of their first line
   std::vector<ParameterId> writes;  ///< globals that it may assign itself, in the order of their first line
   Returns returns = Returns::kNothing;
@@ -92,7 +92,7 @@ class DataFlow {
   const Program& program_;
   bool too_large_;
   mutable std::shared_ptr<const Structure> structure_;
-  mutable Grouped statements_;  ///< by region
+  mutable Grouped statements_;                ///< by region
   mutable std::optional<AccessTable> table_;  ///< in the order of `statements_`
   mutable std::vector<Sub> subs_;
   mutable std::optional<std::vector<UnusedValue>> unused_;

@@ -37,7 +37,8 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
 EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular) : program_(program), regular_(regular) {
   const auto name_of = [&](RegionId r) { return r == kMainRegion ? kNoName : program.regions[r].name; };
   regions_.assign(program.syntax.names.size(), static_cast<uint32_t>(program.regions.size()), name_of);
-  calls_.assign(program.regions.size(), static_cast<uint32_t>(program.calls.size()), [&](uint32_t i) { return program.calls[i].caller; });
+  calls_.assign(program.regions.size(), static_cast<uint32_t>(program.calls.size()),
+                [&](uint32_t i) { return program.calls[i].caller; });
 }
 
 const Effects& EffectsOfSubs::of(NameId sub) {
@@ -46,7 +47,8 @@ const Effects& EffectsOfSubs::of(NameId sub) {
   if (!added) return effects;
   effects.everything = !regular_;
   for (const char* result : {"_value", "_value_returned"}) {
-    if (const NameId name = program_.syntax.names.find(result); name != kNoName) effects.globals.insert(kGlobalNames + name);
+    if (const NameId name = program_.syntax.names.find(result); name != kNoName)
+      effects.globals.insert(kGlobalNames + name);
   }
   std::vector<NameId> todo{sub};
   while (!todo.empty() && !effects.everything) {

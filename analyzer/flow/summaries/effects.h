@@ -29,7 +29,7 @@ class EffectsOfSubs {
   bool regular_;
   Grouped regions_;  ///< by name of the sub
   std::unordered_map<NameId, Effects> known_;
-  Grouped calls_;    ///< by region: indices into Program::calls
+  Grouped calls_;  ///< by region: indices into Program::calls
 };
 
 }  // namespace owlint::flow

@@ -19,7 +19,8 @@ using Ranges = std::vector<Range>;
 /// Ranges of the parameters that a sub compares, line by line until nothing changes.
 class Solver {
  public:
-  Solver(const Program& program, const ControlFlow& flow, const Settings& settings) : program_(program), exprs_(program.syntax.exprs), flow_(flow) {
+  Solver(const Program& program, const ControlFlow& flow, const Settings& settings)
+      : program_(program), exprs_(program.syntax.exprs), flow_(flow) {
     find_compared(settings);
   }
 
@@ -118,7 +119,8 @@ class Solver {
         forget(ranges, false);
         continue;
       }
-      if (const size_t at = place(key); at != keys_.size()) ranges[at] = evaluate(item.value, s.item_count > 1 ? before : ranges);
+      if (const size_t at = place(key); at != keys_.size())
+        ranges[at] = evaluate(item.value, s.item_count > 1 ? before : ranges);
     }
   }
 
@@ -137,7 +139,10 @@ class Solver {
     return possible;
   }
 
-  void load(NodeId id, Ranges& into) const { into.assign(at_.begin() + static_cast<ptrdiff_t>(id * keys_.size()), at_.begin() + static_cast<ptrdiff_t>((id + 1) * keys_.size())); }
+  void load(NodeId id, Ranges& into) const {
+    into.assign(at_.begin() + static_cast<ptrdiff_t>(id * keys_.size()),
+                at_.begin() + static_cast<ptrdiff_t>((id + 1) * keys_.size()));
+  }
 
   void arrive(NodeId from, NodeId to, const Ranges& ranges, bool widen) {
     if (to >= flow_.nodes().size()) return;
@@ -173,7 +178,8 @@ class Solver {
       }
       for (const bool truth : {true, false}) {
         branch_ = now_;
-        if (branch(program_.syntax.values[s.first], truth, branch_)) arrive(id, node.next[truth ? 0 : 1], branch_, widen);
+        if (branch(program_.syntax.values[s.first], truth, branch_))
+          arrive(id, node.next[truth ? 0 : 1], branch_, widen);
       }
     }
     return any;
@@ -205,7 +211,9 @@ StatementId earlier_branch(const Program& program, StatementId id) {
   if (!program.at(id).is(Keyword::kElseif)) return kNoStatement;
   const BlockId block = program.block_of[id];
   const auto condition = [&](StatementId at) { return program.syntax.values[program.at(at).first]; };
-  const auto fits = [&](StatementId at) { return program.at(at).value_count > 0 && same(program.syntax.exprs, condition(at), condition(id)); };
+  const auto fits = [&](StatementId at) {
+    return program.at(at).value_count > 0 && same(program.syntax.exprs, condition(at), condition(id));
+  };
   if (fits(program.blocks[block].opener)) return program.blocks[block].opener;
   size_t looked = 0;
   for (const StatementId part : program.parts[block]) {
@@ -227,14 +235,17 @@ Settings::Settings(const Program& program) {
   }
   std::ranges::sort(assigned);
   for (size_t i = 0; i < assigned.size(); ++i) {
-    const auto same = [&](size_t other) { return other < assigned.size() && assigned[other].first == assigned[i].first; };
+    const auto same = [&](size_t other) {
+      return other < assigned.size() && assigned[other].first == assigned[i].first;
+    };
     if (assigned[i].second && !same(i + 1) && (i == 0 || !same(i - 1))) keys_.push_back(assigned[i].first);
   }
 }
 
 bool Settings::has(ParameterKey key) const { return std::ranges::binary_search(keys_, key); }
 
-void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings, std::vector<FixedCondition>& out) {
+void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings,
+                           std::vector<FixedCondition>& out) {
   Solver solver(program, flow, settings);
   const bool solved = solver.solve();
   for (NodeId id = 0; id < flow.nodes().size(); ++id) {

@@ -26,6 +26,7 @@ class Settings {
 };
 
 /// Adds the conditions of one sub, or of the main program.
-void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings, std::vector<FixedCondition>& out);
+void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings,
+                           std::vector<FixedCondition>& out);
 
 }  // namespace owlint::flow

@@ -11,7 +11,8 @@ constexpr uint32_t kNone = UINT32_MAX;
 
 }  // namespace
 
-Liveness::Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps_numbers) : flow_(flow), accesses_(accesses) {
+Liveness::Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps_numbers)
+    : flow_(flow), accesses_(accesses) {
   if (!flow.known()) return;
   for (const ParameterKey key : accesses.all_reads()) {
     if (!is_global(key)) keys_.push_back(key);
@@ -74,7 +75,8 @@ bool Liveness::before(NodeId node, ParameterKey key) const {
 }
 
 bool Liveness::after(NodeId node, ParameterKey key) const {
-  return std::ranges::any_of(flow_.nodes()[node].next, [&](NodeId next) { return next != kNowhere && before(next, key); });
+  return std::ranges::any_of(flow_.nodes()[node].next,
+                             [&](NodeId next) { return next != kNowhere && before(next, key); });
 }
 
 }  // namespace owlint::flow

@@ -22,7 +22,7 @@ class Liveness {
 
   const ControlFlow& flow_;
   const Accesses& accesses_;
-  std::vector<ParameterKey> keys_;  // sorted: their places are their bits
+  std::vector<ParameterKey> keys_;      // sorted: their places are their bits
   std::vector<uint32_t> uses_, kills_;  // bits, in the order of the accesses; kNone for globals
   std::vector<uint64_t> live_;          // by node and word
   std::vector<uint64_t> numbers_, exit_;

@@ -7,7 +7,8 @@
 
 namespace owlint::flow {
 
-OptionalArguments::OptionalArguments(const Program& program) : program_(program), count_(program.syntax.names.find("n_args")) {
+OptionalArguments::OptionalArguments(const Program& program)
+    : program_(program), count_(program.syntax.names.find("n_args")) {
   const Syntax& syntax = program.syntax;
   for (StatementId id = 0; id < program.size(); ++id) {
     const Statement& s = program.at(id);
@@ -34,7 +35,8 @@ void OptionalArguments::note(RegionId region, ExprId value, bool condition) {
   }
   double number = 0;
   if ((condition && expr.op == Operator::kParameter) || expr.op == Operator::kExistsNumbered) {
-    if (literal_value(program_.syntax.exprs, expr.left(), &number) && number > 0 && number < kFirstGlobalNumber) tested_numbers_.insert(key(region, static_cast<uint32_t>(number)));
+    if (literal_value(program_.syntax.exprs, expr.left(), &number) && number > 0 && number < kFirstGlobalNumber)
+      tested_numbers_.insert(key(region, static_cast<uint32_t>(number)));
   }
   if (expr.left() != kNoExpr) note(region, expr.left(), condition);
   if (expr.right() != kNoExpr) note(region, expr.right(), condition);
@@ -44,8 +46,10 @@ bool OptionalArguments::reads(ExprId value, uint32_t number) const {
   const Expr& expr = program_.syntax.exprs[value];
   double index = 0;
   if (expr.op == Operator::kNumber || expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return false;
-  if (expr.op == Operator::kParameter && literal_value(program_.syntax.exprs, expr.left(), &index)) return index == number;
-  return (expr.left() != kNoExpr && reads(expr.left(), number)) || (expr.right() != kNoExpr && reads(expr.right(), number));
+  if (expr.op == Operator::kParameter && literal_value(program_.syntax.exprs, expr.left(), &index))
+    return index == number;
+  return (expr.left() != kNoExpr && reads(expr.left(), number)) ||
+      (expr.right() != kNoExpr && reads(expr.right(), number));
 }
 
 /// Whether all that a line does with #number is to copy it into a name that a condition tests, or that its sub never reads.

@@ -23,10 +23,10 @@ class OptionalArguments {
   bool mostly_left_out(RegionId region, uint32_t number) const;
 
   const Program& program_;
-  NameId count_ = kNoName;  ///< `#<n_args>`
-  std::unordered_set<uint64_t> tested_;  ///< names by region; global ones for the main region
+  NameId count_ = kNoName;                       ///< `#<n_args>`
+  std::unordered_set<uint64_t> tested_;          ///< names by region; global ones for the main region
   std::unordered_set<uint64_t> tested_numbers_;  ///< arguments by region
-  std::unordered_set<uint64_t> read_;    ///< names by region
+  std::unordered_set<uint64_t> read_;            ///< names by region
 };
 
 }  // namespace owlint::flow

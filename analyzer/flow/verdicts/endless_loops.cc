@@ -19,14 +19,16 @@ void sort_once(std::vector<Item>& items) {
 }
 
 /// Whether nothing that these lines read is changed by those, or by the machine. Each line is in its list once.
-bool stays_the_same(const Program& program, const std::vector<StatementId>& reading, const std::vector<StatementId>& changing) {
+bool stays_the_same(const Program& program, const std::vector<StatementId>& reading,
+                    const std::vector<StatementId>& changing) {
   const AccessTable read(program, reading);
   const AccessTable changed(program, changing);
   const Accesses reads = read.lines(0, reading.size());
   const Accesses writes = changed.lines(0, changing.size());
   if (reads.reads_any() || writes.writes_any()) return false;
   // A call of something that is not known may assign any global.
-  const bool calls_out = std::ranges::any_of(changing, [&](StatementId id) { return program.at(id).calls() && program.at(id).label_expr != kNoExpr; });
+  const bool calls_out = std::ranges::any_of(
+      changing, [&](StatementId id) { return program.at(id).calls() && program.at(id).label_expr != kNoExpr; });
   std::vector<ParameterKey> written;
   for (const Write& write : writes.all_writes()) written.push_back(write.key);
   std::ranges::sort(written);
@@ -73,12 +75,15 @@ void Analysis::endless_loops() {
     const Statement& s = program_.at(target);
     return is_loop(s);
   };
-  const auto removed = [&](RecordId from, RecordId to) { return goes_back(from, to) && found[trace_->at(to).statement]; };
+  const auto removed = [&](RecordId from, RecordId to) {
+    return goes_back(from, to) && found[trace_->at(to).statement];
+  };
   for (int i = 0; i < kMaxNesting; ++i) {
     const std::vector<uint32_t> round = trace_->closed_cycles(removed);
     std::vector<StatementId> outermost(trace_->size() + 1, kNoStatement);  // by way round
     trace_->for_edges([&](RecordId from, RecordId to) {
-      if (!hanging[from] || round[from] == 0 || round[from] != round[to] || !goes_back(from, to) || removed(from, to)) return;
+      if (!hanging[from] || round[from] == 0 || round[from] != round[to] || !goes_back(from, to) || removed(from, to))
+        return;
       outermost[round[from]] = std::min(outermost[round[from]], trace_->at(to).statement);
     });
     bool grew = false;
@@ -86,7 +91,16 @@ void Analysis::endless_loops() {
       if (loop == kNoStatement) continue;
       grew = found[loop] = true;
       hazards_.emplace(std::make_tuple(HazardKind::kEndlessLoop, loop, kNoStatement, 0U),
-                       Hazard{HazardKind::kEndlessLoop, loop, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}, is_left(loop)});
+                       Hazard{HazardKind::kEndlessLoop,
+                              loop,
+                              kNoStatement,
+                              0,
+                              Reach::kMaybe,
+                              StopKind::kNone,
+                              "",
+                              {},
+                              {},
+                              is_left(loop)});
     }
     if (!grew) return;
   }
@@ -132,7 +146,8 @@ void Analysis::stuck_loops() {
   };
   std::map<uint32_t, Round> rounds;
   for (RecordId id = 0; id < trace_->size(); ++id) {
-    if (group[id] != 0 && trace_->at(id).statement != kNoStatement) rounds[group[id]].lines.push_back(trace_->at(id).statement);
+    if (group[id] != 0 && trace_->at(id).statement != kNoStatement)
+      rounds[group[id]].lines.push_back(trace_->at(id).statement);
   }
   if (rounds.empty()) return;
   trace_->for_edges([&](RecordId from, RecordId to) {
@@ -142,12 +157,14 @@ void Analysis::stuck_loops() {
     const Statement* s = here == kNoStatement ? nullptr : &program_.at(here);
     if (group[from] == group[to]) {
       const StatementId target = trace_->at(to).statement;
-      if (target != kNoStatement && here != kNoStatement && target <= here && is_loop(program_.at(target))) round.opener = std::min(round.opener, target);
+      if (target != kNoStatement && here != kNoStatement && target <= here && is_loop(program_.at(target)))
+        round.opener = std::min(round.opener, target);
       return;
     }
     const bool tests = s != nullptr && (s->is(Keyword::kIf) || s->is(Keyword::kElseif) || s->is(Keyword::kWhile));
     // The counter of `repeat` comes to an end; the number that it begins with decides whether there is a pass.
-    const bool begins = s != nullptr && s->is(Keyword::kRepeat) && trace_->at(to).parent == from && trace_->at(to).branch == 1;
+    const bool begins =
+        s != nullptr && s->is(Keyword::kRepeat) && trace_->at(to).parent == from && trace_->at(to).branch == 1;
     if (tests || begins) {
       round.deciding.push_back(here);
     } else {
@@ -161,10 +178,14 @@ void Analysis::stuck_loops() {
     sort_once(round.deciding);
     if (!stays_the_same(program_, round.deciding, round.lines)) continue;
     // What a call that was not gone through assigns decides, if it assigns anything.
-    if (trace_->leaves_out() && std::ranges::any_of(round.lines, [&](StatementId id) { return program_.at(id).calls(); })) trace_->miss_left_out();
+    if (trace_->leaves_out() &&
+        std::ranges::any_of(round.lines, [&](StatementId id) { return program_.at(id).calls(); }))
+      trace_->miss_left_out();
     stuck[number] = may_go_round_ = true;
-    hazards_.emplace(std::make_tuple(HazardKind::kEndlessLoop, round.opener, kNoStatement, 0U),
-                     Hazard{HazardKind::kEndlessLoop, round.opener, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}, true});
+    hazards_.emplace(
+        std::make_tuple(HazardKind::kEndlessLoop, round.opener, kNoStatement, 0U),
+        Hazard{
+            HazardKind::kEndlessLoop, round.opener, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}, true});
   }
   for (RecordId id = 0; id < trace_->size(); ++id) stuck_[id] = stuck[group[id]];
 }

@@ -5,7 +5,8 @@ namespace owlint::flow {
 
 /// Whether a line is executed only on a condition.
 bool Analysis::conditional(StatementId id) const {
-  for (BlockId block = program_.open_above(program_.region_of[id], id); block != kNoBlock; block = program_.blocks[block].parent) {
+  for (BlockId block = program_.open_above(program_.region_of[id], id); block != kNoBlock;
+       block = program_.blocks[block].parent) {
     if (program_.blocks[block].kind == Keyword::kIf) return true;
   }
   return false;
@@ -31,8 +32,8 @@ bool Analysis::leaves_work(ContextId context, StatementId call, int depth) const
     constexpr size_t kMostCallers = 16;
     size_t callers = 0;
     return depth < kMaxCallDepth && std::ranges::any_of(frames_[context].callers, [&](const Caller& caller) {
-      return ++callers <= kMostCallers && leaves_work(caller.state.context, caller.state.position, depth + 1);
-    });
+             return ++callers <= kMostCallers && leaves_work(caller.state.context, caller.state.position, depth + 1);
+           });
   }
   return false;
 }
@@ -41,9 +42,11 @@ void Analysis::ends_in_subs() {
   std::unordered_map<ContextId, std::vector<StatementId>> ends;  // M2 and M30, by the call in which they are executed
   for (const Group& group : groups_) {
     const Frame& frame = frames_[group.context];
-    if (frame.callers.empty() || !frame.exits.empty() || group.skip != kNoLabel || group.position >= program_.size()) continue;
+    if (frame.callers.empty() || !frame.exits.empty() || group.skip != kNoLabel || group.position >= program_.size())
+      continue;
     const RegionId region = program_.region_of[group.position];
-    if (region != kMainRegion && program_.at(group.position).kind == LineKind::kProgramEnd) ends[group.context].push_back(group.position);
+    if (region != kMainRegion && program_.at(group.position).kind == LineKind::kProgramEnd)
+      ends[group.context].push_back(group.position);
   }
   for (auto& [context, lines] : ends) {
     std::ranges::sort(lines);

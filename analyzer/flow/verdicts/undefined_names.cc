@@ -13,7 +13,9 @@ bool Analysis::assigned_in_most_cases(const FlowStop& stop) const {
   const auto skips = [&](const Block& block) {
     if (block.kind == Keyword::kWhile || block.kind == Keyword::kRepeat) return true;
     const auto parts = program_.parts[static_cast<size_t>(&block - program_.blocks.data())];
-    return block.kind == Keyword::kIf && (parts.empty() || std::ranges::any_of(parts, [this](StatementId part) { return program_.at(part).is(Keyword::kElseif); }));
+    return block.kind == Keyword::kIf && (parts.empty() || std::ranges::any_of(parts, [this](StatementId part) {
+                                            return program_.at(part).is(Keyword::kElseif);
+                                          }));
   };
   std::vector<StatementId> assigned;
   for (StatementId id = 0; id < stop.statement; ++id) {
@@ -25,10 +27,12 @@ bool Analysis::assigned_in_most_cases(const FlowStop& stop) const {
   }
   size_t ifs = 0;
   return std::ranges::any_of(program_.blocks, [&](const Block& block) {
-    if (block.region != region || block.end == kNoStatement || block.end > stop.statement || !skips(block)) return false;
+    if (block.region != region || block.end == kNoStatement || block.end > stop.statement || !skips(block))
+      return false;
     const auto first = std::ranges::lower_bound(assigned, block.opener);
     if (first == assigned.end() || *first > block.end) return false;
-    const bool alone = block.kind == Keyword::kIf && program_.parts[static_cast<size_t>(&block - program_.blocks.data())].empty();
+    const bool alone =
+        block.kind == Keyword::kIf && program_.parts[static_cast<size_t>(&block - program_.blocks.data())].empty();
     return !alone || ++ifs > 1;
   });
 }
@@ -43,7 +47,9 @@ bool Analysis::followed(const std::vector<Decision>& path) const {
     std::vector<uint64_t> reads;
     const bool is_exact = machine_.evaluator().followed(program_.syntax.values[s.first], reads);
     for (const uint64_t key : reads) {
-      const auto shares = [&](const std::vector<uint64_t>& other) { return key == UINT64_MAX || std::ranges::count(other, key) + std::ranges::count(other, UINT64_MAX) > 0; };
+      const auto shares = [&](const std::vector<uint64_t>& other) {
+        return key == UINT64_MAX || std::ranges::count(other, key) + std::ranges::count(other, UINT64_MAX) > 0;
+      };
       if (std::ranges::any_of(others, shares) || (!is_exact && std::ranges::any_of(exact, shares))) return false;
     }
     (is_exact ? exact : others).push_back(std::move(reads));

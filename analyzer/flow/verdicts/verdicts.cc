@@ -31,10 +31,13 @@ void Analysis::end_of_file(const State& state) {
     if (!set.lines.empty()) stop.statement = set.lines.front();
     if (stop.statement == kNoStatement) return;
     const BlockId block = program_.block_of[stop.statement];
-    if (block == kNoBlock || program_.blocks[block].end == kNoStatement || program_.at(program_.blocks[block].end).refused) return;
+    if (block == kNoBlock || program_.blocks[block].end == kNoStatement ||
+        program_.at(program_.blocks[block].end).refused)
+      return;
     // The block is closed: what set the skip is a line with its label further on.
     const NameId name = machine_.label_of(label);
-    const StatementId last = trace_->nearest(state.record, [&](StatementId id) { return program_.at(id).label == name; });
+    const StatementId last =
+        trace_->nearest(state.record, [&](StatementId id) { return program_.at(id).label == name; });
     if (last != kNoStatement) stop.statement = last;
   };
   if (state.skip != kNoLabel) {
@@ -48,7 +51,8 @@ void Analysis::end_of_file(const State& state) {
 void Analysis::add_stop(RecordId record, FlowStop stop) {
   stop.interpreter = as_printed(std::move(stop.interpreter));
   // A stop without a line to blame is reported at the end of its file.
-  const uint32_t file = stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
+  const uint32_t file =
+      stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
   const StopKey key{stop.statement, stop.kind, stop.detail, file};
   const bool unsure = stop.unproven;
   auto found = stops_.find(key);
@@ -79,7 +83,8 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   stop.call = call_of(at.context, at.position);
   stop.unproven = at.mixed;
   // A called file does not know whether the program that calls it is between `%` lines.
-  if (kind == StopKind::kBadCharacter && program_.sub_file && program_.at(at.position).kind == LineKind::kPercent) stop.unproven = true;
+  if (kind == StopKind::kBadCharacter && program_.sub_file && program_.at(at.position).kind == LineKind::kPercent)
+    stop.unproven = true;
   if (kind == StopKind::kSubNotFound) {
     stop.kind = why_not_found(machine_.intern(stop.detail), at.position);
     stop.unproven = stop.unproven || machine_.may_be_elsewhere(machine_.intern(stop.detail));
@@ -88,7 +93,8 @@ void Analysis::stop(const State& at, StopKind kind, StatementId other, std::stri
   add_stop(at.record, std::move(stop));
 }
 
-void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message, StatementId other) {
+void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message,
+                      StatementId other) {
   disturb(at.context);
   Hazard hazard{kind, at.position, other, number, Reach::kMaybe, warned, as_printed(std::move(message)), {}, {}};
   hazard.unproven = at.mixed;
@@ -108,29 +114,42 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
   constexpr size_t kMaxOrigins = 4;
   const bool of_value = kind == HazardKind::kValueNotReturned || kind == HazardKind::kValueCleared;
   const bool has_origin = of_value || kind == HazardKind::kStaleBreak || kind == HazardKind::kStaleContinue ||
-                          kind == HazardKind::kContinueMeetsBreak || kind == HazardKind::kStaleRepeatCount;
+      kind == HazardKind::kContinueMeetsBreak || kind == HazardKind::kStaleRepeatCount;
   if (has_origin && ++origins_[{kind, at.position}] > kMaxOrigins) return;
   if (has_origin && trace_->leaves_out()) trace_->miss_left_out();  // it may have begun there
   switch (kind) {
-    case HazardKind::kStaleBreak: begins_at(trace_->nearest(at.record, executed(Keyword::kBreak, Keyword::kWhile))); break;
-    case HazardKind::kStaleContinue: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;
-    case HazardKind::kContinueMeetsBreak: begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo))); break;
-    case HazardKind::kStaleRepeatCount: begins_at(trace_->nearest(at.record, executed(Keyword::kReturn, Keyword::kUnknown))); break;
+    case HazardKind::kStaleBreak:
+      begins_at(trace_->nearest(at.record, executed(Keyword::kBreak, Keyword::kWhile)));
+      break;
+    case HazardKind::kStaleContinue:
+      begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo)));
+      break;
+    case HazardKind::kContinueMeetsBreak:
+      begins_at(trace_->nearest(at.record, executed(Keyword::kContinue, Keyword::kDo)));
+      break;
+    case HazardKind::kStaleRepeatCount:
+      begins_at(trace_->nearest(at.record, executed(Keyword::kReturn, Keyword::kUnknown)));
+      break;
     case HazardKind::kRunsIntoSub: begins_at(other); break;
     case HazardKind::kArgumentNotPassed: not_passed_.emplace_back(at.context, number, at.position); return;
-    case HazardKind::kValueNotReturned: case HazardKind::kValueCleared:
+    case HazardKind::kValueNotReturned:
+    case HazardKind::kValueCleared:
       hazard.other = trace_->nearest(at.record, [this](StatementId id) {
         const Statement& s = program_.at(id);
         return s.is(Keyword::kReturn) || s.is(Keyword::kEndsub) || s.kind == LineKind::kM99;
       });
       break;
-    case HazardKind::kRepeatCount: hazard.detail = std::move(hazard.interpreter); hazard.interpreter.clear(); break;
+    case HazardKind::kRepeatCount:
+      hazard.detail = std::move(hazard.interpreter);
+      hazard.interpreter.clear();
+      break;
     case HazardKind::kWarned: warned_.insert(at.record); break;
     case HazardKind::kLookupCrash: trace_->terminate(at.record, next_key_++); break;
     case HazardKind::kCrash: trace_->terminate(at.record, next_key_++); break;
     default: break;
   }
-  const auto [known, added] = hazards_.emplace(std::make_tuple(kind, hazard.statement, hazard.other, static_cast<uint32_t>(warned)), hazard);
+  const auto [known, added] =
+      hazards_.emplace(std::make_tuple(kind, hazard.statement, hazard.other, static_cast<uint32_t>(warned)), hazard);
   if (!added) known->second.unproven = known->second.unproven && hazard.unproven;
 }
 
@@ -187,7 +206,8 @@ void Analysis::not_found(ContextId context, const Caller& caller) {
   const std::vector<const Group*>& groups = seeking_[context];
   const bool at_end = std::ranges::any_of(groups, [&](const Group* g) { return g->position == file.last; });
   const bool percent = !at_end && program_.syntax.percent && std::ranges::any_of(groups, [&](const Group* g) {
-    return g->position >= std::max(file.first, 1U) && g->position < file.last && program_.at(g->position).kind == LineKind::kPercent;
+    return g->position >= std::max(file.first, 1U) && g->position < file.last &&
+        program_.at(g->position).kind == LineKind::kPercent;
   });
   if (!at_end && !percent) return;
   FlowStop stop;
@@ -198,7 +218,7 @@ void Analysis::not_found(ContextId context, const Caller& caller) {
   const std::string sought(called_label(stop.detail, machine_.version()));
   stop.interpreter = percent ? "Failed to find sub 'O" + sought + "' before EOF"
                              : "EOF in file:" + file.program->source->path() + " seeking o-word: o<" + sought +
-                                   "> from line: " + std::to_string(from);
+          "> from line: " + std::to_string(from);
   if (has_file) {
     stop.kind = percent ? StopKind::kFilePercent : StopKind::kFileLacksSub;
     stop.file = file.program.get();
@@ -245,8 +265,9 @@ void Analysis::finish() {
     for (const Caller& caller : frames_[context].callers) {
       const StatementId call = caller.state.position;
       if (program_.at(call).value_count >= number) continue;
-      hazards_.emplace(std::make_tuple(HazardKind::kArgumentNotPassed, call, read, number),
-                       Hazard{HazardKind::kArgumentNotPassed, call, read, number, Reach::kMaybe, StopKind::kNone, "", {}, {}});
+      hazards_.emplace(
+          std::make_tuple(HazardKind::kArgumentNotPassed, call, read, number),
+          Hazard{HazardKind::kArgumentNotPassed, call, read, number, Reach::kMaybe, StopKind::kNone, "", {}, {}});
     }
   }
   for (const auto& [context, call] : deepest_) {
@@ -264,10 +285,12 @@ void Analysis::finish() {
     if (stop.reach == Reach::kMaybe && paths++ < kMaxPaths) stop.path = trace_->path(info.record, info.key);
     // A global name may come from another program; a branch that is not followed exactly may go as one before it.
     if (key.kind == StopKind::kNameUndefined) {
-      const bool proven = stop.reach == Reach::kAlways || (level_ < kCoarse && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
+      const bool proven = stop.reach == Reach::kAlways ||
+          (level_ < kCoarse && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
       // But nobody assigns what looks like an entry of the INI or is LinuxCNC's own in another version.
       const NameId name = program_.syntax.names.find(key.detail);
-      const bool never = name != kNoName && may_be_predefined(key.detail) && machine_.evaluator().kind(name) == NameKind::kGlobal && !machine_.evaluator().assigned(name);
+      const bool never = name != kNoName && may_be_predefined(key.detail) &&
+          machine_.evaluator().kind(name) == NameKind::kGlobal && !machine_.evaluator().assigned(name);
       const bool from_elsewhere = is_global_name(key.detail) && !never;
       if (!proven || from_elsewhere) stop.unproven = true;
     }
@@ -278,7 +301,8 @@ void Analysis::finish() {
   for (auto& [key, hazard] : hazards_) {
     hazard.reach = trace_->reach(hazard.statement);
     if (hazard.kind == HazardKind::kHang && trace_->ends()) hazard.reach = Reach::kMaybe;
-    if (hazard.kind == HazardKind::kCrash && may_go_round_ && hazard.reach == Reach::kAlways) hazard.reach = Reach::kMaybe;
+    if (hazard.kind == HazardKind::kCrash && may_go_round_ && hazard.reach == Reach::kAlways)
+      hazard.reach = Reach::kMaybe;
     result_.hazards.push_back(std::move(hazard));
   }
 }
@@ -289,8 +313,9 @@ void Analysis::learn_calls() {
   const auto leaves_nothing = [](const State& entry, const State& exit) {
     const auto same = [](const PersistentMap& a, const PersistentMap& b) { return a.hash() == b.hash(); };
     return same(entry.table, exit.table) && same(entry.parameters.globals, exit.parameters.globals) &&
-           same(entry.parameters.global_facts, exit.parameters.global_facts) && entry.counts == exit.counts &&
-           entry.breaking == exit.breaking && entry.continuing == exit.continuing && entry.parameters.outside == exit.parameters.outside;
+        same(entry.parameters.global_facts, exit.parameters.global_facts) && entry.counts == exit.counts &&
+        entry.breaking == exit.breaking && entry.continuing == exit.continuing &&
+        entry.parameters.outside == exit.parameters.outside;
   };
   for (Frame& frame : frames_) {
     // In a program that never ends, all loops on the way are reported.
@@ -299,22 +324,29 @@ void Analysis::learn_calls() {
     Watch& watch = *frame.watch;
     const Region& region = program_.regions[program_.region_of[watch.entry.position]];
     watch.lines.resize(region.end + 1 - region.opener);
-    if (frame.exits.size() != 1 || frame.joined_exit != nullptr || frame.joined_entry != nullptr || !leaves_nothing(watch.entry, frame.exits.front())) watch.disturbed = true;
+    if (frame.exits.size() != 1 || frame.joined_exit != nullptr || frame.joined_entry != nullptr ||
+        !leaves_nothing(watch.entry, frame.exits.front()))
+      watch.disturbed = true;
   }
   for (const Group& group : groups_) {
     Watch* watch = frames_[group.context].watch.get();
     if (watch == nullptr || watch->disturbed) continue;
     for (const auto& [hash, record] : group.seen) {
       const StatementId line = group.position - watch->entry.position;  // wraps for lines before
-      if (hanging[record] || stuck_[record] || line >= watch->lines.size()) watch->disturbed = true;
-      else if (trace_->at(record).executed) watch->lines[line] = true;
+      if (hanging[record] || stuck_[record] || line >= watch->lines.size())
+        watch->disturbed = true;
+      else if (trace_->at(record).executed)
+        watch->lines[line] = true;
     }
   }
   result_.learned = std::make_shared<std::vector<LearnedCall>>();
   for (Frame& frame : frames_) {
     if (frame.watch == nullptr || frame.watch->disturbed) continue;
     const State& exit = frame.exits.front();
-    result_.learned->push_back({std::move(frame.watch->key), {exit.executed, exit.returned, exit.joined, exit.mixed, std::move(frame.watch->lines), frame.watch->steps}, frame.watch->entry.position});
+    result_.learned->push_back(
+        {std::move(frame.watch->key),
+         {exit.executed, exit.returned, exit.joined, exit.mixed, std::move(frame.watch->lines), frame.watch->steps},
+         frame.watch->entry.position});
   }
 }
 
