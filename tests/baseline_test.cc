@@ -29,7 +29,7 @@ TEST_CASE("known findings are not reported, new ones are", "[cli][baseline]") {
   const Run known = check(s, {path});
   CHECK(known.status == 0);
   CHECK(known.out.empty());
-  CHECK(known.err == "1 known finding not shown: in " + s.path() + "/base.json\nnothing found in 1 file\n");
+  CHECK(known.err == "1 known finding not shown (listed in " + s.path() + "/base.json)\nnothing found in 1 file\n");
   s.write("bad.ngc", "o9 endif\n" + kBad);
   const Run next = check(s, {path, "--format", "gcc"});
   CHECK(next.status == 1);
@@ -135,7 +135,7 @@ TEST_CASE("from two hundred old findings to a check that fails on the next new o
   const auto owlint = [&](std::vector<std::string> arguments) { return owlint::test::owlint(arguments, {}, s.path()); };
   CHECK(owlint({"--no-find-ini", "--format", "gcc", "parts"}).status == 1);
   CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "--update-baseline", "parts"})
-            .err.starts_with("200 known findings in known.json"));
+            .err.starts_with("recorded 200 known findings in known.json"));
   CHECK(owlint({"--no-find-ini", "--baseline", "known.json", "parts"}).status == 0);
   s.write("parts/part7.ngc", "o9 endif\n" + read_file(s.path() + "/parts/part7.ngc"));
   const Run next = owlint({"--no-find-ini", "--baseline", "known.json", "--format", "gcc", "parts"});

@@ -41,13 +41,21 @@ TEST_CASE("calls of a sub that is nowhere are one finding with all places", "[gr
   write_programs(folder);
   const auto found = missing_subs(folder, ".");
   REQUIRE(found.size() == 1);
-  CHECK(found[0]["severity"].get<std::string>() == "warning");
+  CHECK(found[0]["severity"].get<std::string>() == "info");  // what so many programs call is on the machine
   CHECK(contains(found[0]["message"].get<std::string>(), "(4 places in 3 files)"));
   REQUIRE(found[0]["related"].size() == 3);
   CHECK(found[0]["related"][0]["path"].get<std::string>() == "mill/a.ngc");
   CHECK(found[0]["related"][1]["path"].get<std::string>() == "mill/a.ngc");
   CHECK(found[0]["related"][1]["start"]["line"].get<int>() == 2);
   CHECK(found[0]["related"][2]["path"].get<std::string>() == "mill/b.ngc");
+}
+
+TEST_CASE("what one file calls, or two programs call once, may be missing", "[groups]") {
+  const Scratch folder;
+  write_programs(folder);
+  CHECK(missing_subs(folder, "mill/a.ngc").at(0)["severity"].get<std::string>() == "warning");
+  CHECK(missing_subs(folder, "mill/b.ngc lathe/c.ngc").at(0)["severity"].get<std::string>() == "warning");
+  CHECK(missing_subs(folder, "--severity OW208=error .").at(0)["severity"].get<std::string>() == "error");
 }
 
 TEST_CASE("each folder that is checked has its own", "[groups]") {

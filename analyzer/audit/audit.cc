@@ -29,12 +29,14 @@ class Run {
 
   Outcome go() {
     const auto start = Clock::now();
+    find_items();
+    // A server that is not mounted is an empty folder: its programs are not gone.
+    if (items_.empty() && !out_.problems.empty()) return out_;
     nlohmann::json roots = nlohmann::json::array();
     for (const std::string& path : job_.line.paths) roots.push_back(printable(file_key(path)));
     begin_run(store_,
               {options_text(job_.line), roots.dump(), job_.shard.count == 1 ? "" : job_.shard.text(), tool_hash()},
               out_);
-    find_items();
     compare_with_store();
     Checking checking(store_, facts_, out_.run);
     out_.analysed = checking.run(items_, job_.progress, job_.stop);

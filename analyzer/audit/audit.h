@@ -32,7 +32,7 @@ struct Job {
 };
 
 struct Outcome {
-  int64_t run = 0;
+  int64_t run = 0;       ///< 0: none was made, as there are only problems
   int64_t previous = 0;  ///< the last complete run before; 0 if there is none
   bool interrupted = false;
   bool unchanged = false;  ///< everything is as in the previous run

@@ -104,6 +104,7 @@ class Writer {
             {"never_ends", f.never_ends},
             {"runs_other", f.runs_other},
             {"group", f.group},
+            {"habit", f.habit_severity ? Json(static_cast<int>(*f.habit_severity)) : Json(nullptr)},
             {"related", related(in, f.related)},
             {"path", related(in, f.path)},
             {"fixes", std::move(fixes)},
@@ -160,6 +161,7 @@ Finding finding_of(const Json& json, const Sources& sources) {
   f.never_ends = json.at("never_ends");
   f.runs_other = json.at("runs_other");
   json.at("group").get_to(f.group);
+  if (!json.at("habit").is_null()) f.habit_severity = static_cast<Severity>(json.at("habit").get<int>());
   f.related = related_of(json.at("related"), sources);
   f.path = related_of(json.at("path"), sources);
   for (const Json& fix : json.at("fixes")) {

@@ -11,6 +11,7 @@
 namespace owlint::checking {
 namespace {
 
+constexpr size_t kHabit = 3;        // from so many places on, in several files, something is a habit
 constexpr size_t kMaxPlaces = 100;  // that a finding lists; the number in its message is that of all
 
 /// Whether a file, by its key, lies below a folder.
@@ -81,6 +82,7 @@ class Folder {
   void word(Group& group) {
     FileReport& report = reports_[group.report];
     Finding& f = report.findings[group.finding];
+    if (group.places >= kHabit && group.files.size() > 1 && f.habit_severity) f.severity = *f.habit_severity;
     if (group.places > 1) {
       f.message += group.files.size() == 1 ? fmt::format(" ({} places)", group.places)
                                            : fmt::format(" ({} places in {} files)", group.places, group.files.size());

@@ -184,6 +184,7 @@ class AuditRun {
     if (!line_.check.quiet) {
       for (const std::string& note : outcome.notes) complain(note);
     }
+    if (outcome.run == 0) return kUsage;
     if (outcome.interrupted) return tell_interrupted(outcome);
     const size_t failing = tell(store, outcome);
     if (!line_.report.empty() && !write_report(store, outcome.run)) return kUsage;

@@ -146,7 +146,8 @@ class Check {
     if (stdin_ != nullptr) std::cout << stdin_->bytes();
     const bool whole = files == fixed.size();
     if (!line_.quiet && (whole || files > 0))
-      std::cerr << fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file"));
+      std::cerr << (files == 0 ? "nothing fixed\n"
+                               : fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file")));
     return whole;
   }
 
@@ -189,8 +190,7 @@ class Check {
         complain(fmt::format("cannot write {}: {}", line_.baseline, error));
         return false;
       }
-      if (!line_.quiet)
-        std::cerr << fmt::format("{} in {} from now on\n", plural(known, "known finding"), line_.baseline);
+      if (!line_.quiet) std::cerr << fmt::format("recorded {} in {}\n", plural(known, "known finding"), line_.baseline);
       return true;
     }
     Baseline baseline;
@@ -201,7 +201,8 @@ class Check {
     size_t known = 0;
     for (FileReport& report : result_.reports) known += baseline.take_out(*report.source, report.findings);
     if (line_.quiet) return true;
-    if (known > 0) std::cerr << fmt::format("{} not shown: in {}\n", plural(known, "known finding"), line_.baseline);
+    if (known > 0)
+      std::cerr << fmt::format("{} not shown (listed in {})\n", plural(known, "known finding"), line_.baseline);
     if (const size_t gone = baseline.gone(); gone > 0)
       std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` removes them\n", plural(gone, "finding"),
                                line_.baseline);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,7 +52,7 @@ struct Consequence {
 /// How much a finding may matter, whatever its rule says.
 enum class Weight : uint8_t {
   kFull,
-  kAside,   ///< its file is for another controller, which is reported once: never more than info
+  kAside,   ///< never more than info: its file is for another controller, or nothing comes of it here
   kRemark,  ///< nothing that an author has to change: info, and off unless its code is selected
 };
 
@@ -78,6 +79,9 @@ struct Finding {
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
   std::string group;  ///< findings of one rule and group, wherever they are in a run, are one mistake: see cli/groups.h
+  /// The severity where several files of a run have it: what all of them leave out is left out on purpose, and what all of them
+  /// call is on the machine. A rule sets it; the driver decides on it as on `severity`.
+  std::optional<Severity> habit_severity;
   std::string block_delete;           ///< `on` or `off` if it is about runs with that setting only; empty: both
   std::vector<std::string> versions;  ///< the LinuxCNC versions that have it, if not all that were checked
 };

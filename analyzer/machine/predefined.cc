@@ -140,8 +140,21 @@ std::optional<Version> predefined_since(std::string_view name) {
   return known == nullptr ? std::nullopt : std::optional(known->some);
 }
 
+std::vector<std::string> predefined_names(Version version) {
+  std::vector<std::string> names;
+  for (const Predefined& known : kPredefined) {
+    if (version >= known.all) names.emplace_back(known.name);
+  }
+  return names;
+}
+
 bool may_be_predefined(std::string_view name) {
   return name.starts_with('_') && (find(name) != nullptr || name.starts_with(kIni) || name.starts_with(kHal));
+}
+
+bool fixed_by_machine(std::string_view name) {
+  constexpr std::string_view kFixed[] = {"_metric_machine", "_task", "_vmajor", "_vminor"};
+  return name.starts_with(kIni) || std::ranges::find(kFixed, name) != std::end(kFixed);
 }
 
 bool read_only_number(long number, Version version) {

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "analyzer/machine/profile.h"
 
@@ -30,8 +32,15 @@ std::optional<double> ini_number(std::string_view name, const Profile& profile);
 /// The version that introduced the predefined name `name`, if it is one.
 std::optional<Version> predefined_since(std::string_view name);
 
+/// The names that are predefined in a version, in all of its releases.
+std::vector<std::string> predefined_names(Version version);
+
 /// Whether a name is predefined in any version, or comes from the machine: its value is unknown.
 bool may_be_predefined(std::string_view name);
+
+/// Whether the machine decides on a name's value once, before a program runs: an entry of the INI, the machine's units, the
+/// version, whether the program really runs or is only drawn.
+bool fixed_by_machine(std::string_view name);
 
 /// Whether a numbered parameter cannot be assigned (#5400-#5413 and #5420-#5428, measured; #5021-#5029 from 2.10 on).
 bool read_only_number(long number, Version version);

@@ -30,9 +30,49 @@ std::optional<FoundFile> look(const std::string& path, size_t folder) {
 
 bool expands(std::string_view name) { return name.find_first_of("`$") != std::string_view::npos; }
 
+namespace {
+
+/// The end of `${…}`, of which `at` is the `{`; npos where wordexp() takes it for a mistake.
+size_t end_of_variable(std::string_view name, size_t at) {
+  const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const size_t begin = at + 1;
+  size_t end = begin;
+  while (end < name.size() && in_name(name[end])) ++end;
+  if (end == begin || end == name.size()) return std::string_view::npos;
+  if (name[end] == '}') return end;
+  return std::string_view(":-=?+#%").find(name[end]) == std::string_view::npos ? std::string_view::npos
+                                                                               : name.find('}', end);
+}
+
+}  // namespace
+
 bool breaks_expansion(std::string_view name) {
-  if (name.find_first_of("|&;<>(){}\n") != std::string_view::npos) return true;
-  return std::ranges::count(name, '\'') % 2 != 0 || std::ranges::count(name, '"') % 2 != 0;
+  char quote = '\0';
+  bool pattern = false;  // behind `*`, `?` or `[` only quotes are looked for
+  for (size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (quote == '\'') {
+      if (c == '\'') quote = '\0';
+    } else if (c == '\\') {
+      if (++i == name.size()) return true;
+    } else if (c == '"') {
+      quote = quote == '"' ? '\0' : '"';
+    } else if (c == '`') {
+      i = name.find('`', i + 1);
+      if (i == std::string_view::npos) return true;
+    } else if (c == '$' && name.substr(i + 1).starts_with('{')) {
+      i = end_of_variable(name, i + 1);
+      if (i == std::string_view::npos) return true;
+    } else if (c == '$' && name.substr(i + 1).starts_with('(')) {
+      i = name.find(')', i + 1);
+      if (i == std::string_view::npos) return true;
+    } else if (quote == '\0') {
+      if (c == '\'') quote = c;
+      if (std::string_view("*?[").find(c) != std::string_view::npos) pattern = true;
+      if (!pattern && std::string_view("|&;<>(){}\n").find(c) != std::string_view::npos) return true;
+    }
+  }
+  return quote != '\0';
 }
 
 bool leaves_folders(std::string_view name) {

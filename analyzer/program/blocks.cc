@@ -2,7 +2,7 @@
 // reading: an end with the right label first, then a mistaken end, then the place that indentation points to.
 #include <algorithm>
 
-#include "analyzer/program/program.h"
+#include "analyzer/program/meant.h"
 
 namespace owlint {
 namespace {
@@ -71,6 +71,7 @@ class Matcher {
     const Statement& s = program_.at(id);
     if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown) return without_label(id);
     if (s.kind != LineKind::kOWord || s.label == kNoName) return;
+    if (s.is(Keyword::kBare)) return misread(id);
     switch (s.keyword) {
       case Keyword::kWhile:
         if (const BlockId loop = find(Keyword::kDo, s.label); loop != kNoBlock) return close(loop, id);
@@ -150,6 +151,21 @@ class Matcher {
           std::find_if(open_.rbegin(), open_.rend(), [&](BlockId b) { return block(b).kind != Keyword::kIf; });
       if (loop != open_.rend()) program_.block_of[id] = *loop;
     }
+  }
+
+  /// An end that LinuxCNC reads as a program number: its name has no `>`, or a comment stands before its keyword.
+  void misread(StatementId id) {
+    if (open_.empty()) return;
+    Meant meant = meant_by(program_, id);
+    // Without any keyword it can only be meant as the end.
+    const Statement& s = program_.at(id);
+    if (s.error == UINT32_MAX && !s.name_open && block(open_.back()).kind != Keyword::kDo)
+      meant = {end_of(block(open_.back()).kind), true, s.label, "", s.head_span(), 0};
+    const Keyword opener = meant.keyword == Keyword::kWhile ? Keyword::kDo : opener_of(meant.keyword);
+    if (opener == Keyword::kUnknown || meant.label != block(open_.back()).label) return;
+    if (block(open_.back()).kind == opener && (ends_block(meant.keyword) || opener == Keyword::kDo) &&
+        !comes_later(block(open_.back())))
+      mistake(id);
   }
 
   bool comes_later(const Block& b) const { return comes_later(b.kind, b.label); }

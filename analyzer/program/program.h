@@ -26,9 +26,10 @@ struct Region {
   StatementId end = kNoStatement;  ///< the last `endsub` with the sub's label; none when it is missing
   StatementId early_end =
       kNoStatement;  ///< an `endsub` before that one: ends the definition when the interpreter skips it
-  StatementId likely_end = kNoStatement;  ///< an `endsub` with another label, or without one, that was probably meant
-  BlockId enclosing = UINT32_MAX;         ///< the block of the main program around the definition
-  StatementId last = 0;                   ///< one past the last statement that belongs to it
+  StatementId likely_end =
+      kNoStatement;  ///< what was probably meant: an `endsub` with another label, or one that LinuxCNC does not read
+  BlockId enclosing = UINT32_MAX;  ///< the block of the main program around the definition
+  StatementId last = 0;            ///< one past the last statement that belongs to it
 };
 
 /// One `if`, `while`, `do` or `repeat` with everything that belongs to it.
@@ -40,7 +41,7 @@ struct Block {
   StatementId end = kNoStatement;  ///< its end, or none
   BlockId parent = kNoBlock;
   BlockId crossed = kNoBlock;  ///< a block that ends between this one's opener and end without nesting in it
-  StatementId mistaken_end = kNoStatement;  ///< a line that is probably meant to be the missing end
+  StatementId mistaken_end = kNoStatement;  ///< a line that is probably meant to be the missing end, or not read as it
   uint32_t suggested_line = 0;              ///< the missing end probably belongs before this line; 0: no guess
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "analyzer/program/program.h"
+#include "analyzer/program/meant.h"
 
 namespace owlint {
 namespace {
@@ -71,8 +71,8 @@ void find_regions(Program& program) {
       // No other sub is open here, so an `endsub` before the next one was probably meant for this.
       for (StatementId at = id + 1; at < region.last && sub; ++at) {
         const Statement& end = program.at(at);
-        const bool without_label = end.kind == LineKind::kWords && end.keyword == Keyword::kEndsub;
-        if (without_label || (end.is(Keyword::kEndsub) && !end.refused)) region.likely_end = at;
+        const bool other_label = end.is(Keyword::kEndsub) && !end.refused;
+        if (other_label || meant_by(program, at).keyword == Keyword::kEndsub) region.likely_end = at;
       }
       if (region.likely_end != kNoStatement) region.last = region.likely_end + 1;
     }

@@ -4,6 +4,8 @@
 #include <optional>
 #include <unordered_map>
 
+#include "analyzer/machine/predefined.h"
+
 namespace owlint::rules {
 namespace {
 
@@ -30,14 +32,45 @@ std::string with_article(Keyword keyword) {
   return (vowel ? "an `" : "a `") + word + "`";
 }
 
-bool in_exclusive_branches(const Program& program, StatementId a, StatementId b) {
+namespace {
+
+/// The block in whose branches two lines are, each in another one; none if one run can get to both.
+BlockId dividing_block(const Program& program, StatementId a, StatementId b) {
   const auto left = branches_of(program, a);
   const auto right = branches_of(program, b);
   for (size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
-    if (left[i].first != right[i].first) return false;
-    if (left[i].second != right[i].second) return true;
+    if (left[i].first != right[i].first) return kNoBlock;
+    if (left[i].second != right[i].second) return left[i].first;
   }
-  return false;
+  return kNoBlock;
+}
+
+/// Whether a value is made of numbers and of what the machine decides on once. Depth is bounded by the length of a line.
+bool decided_by_machine(const Syntax& syntax, ExprId value) {
+  const Expr& expr = syntax.exprs[value];
+  if (expr.op == Operator::kNumber) return true;
+  if (expr.op == Operator::kNamed) return fixed_by_machine(syntax.names.text(expr.name()));
+  if (expr.op == Operator::kParameter || expr.op == Operator::kExistsNamed || expr.op == Operator::kExistsNumbered)
+    return false;
+  return decided_by_machine(syntax, expr.left()) &&
+      (expr.right() == kNoExpr || decided_by_machine(syntax, expr.right()));
+}
+
+}  // namespace
+
+bool in_exclusive_branches(const Program& program, StatementId a, StatementId b) {
+  return dividing_block(program, a, b) != kNoBlock;
+}
+
+bool divided_by_machine(const Program& program, StatementId a, StatementId b) {
+  const BlockId block = dividing_block(program, a, b);
+  if (block == kNoBlock) return false;
+  const auto decided = [&](StatementId id) {
+    const Statement& s = program.at(id);
+    return s.is(Keyword::kElse) ||
+        (s.value_count > 0 && decided_by_machine(program.syntax, program.syntax.values[s.first]));
+  };
+  return decided(program.blocks[block].opener) && std::ranges::all_of(program.parts[block], decided);
 }
 
 bool has_unreadable_line(const Input& in, NameId label, RegionId region) {
@@ -259,6 +292,13 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
     if (f.help.empty()) {
       f.help = "correct the label, or remove the line";
       add_label_fix(p, s.statement, f);
+      const auto misread = in.index.openers.find({p.region_of[s.statement], line.label});
+      if (misread != in.index.openers.end() && misread->second < s.statement) {
+        f.message += ": " + misread_words(p, misread->second);
+        f.fixes.clear();
+        name_misread(p, misread->second,
+                     p.label_at(s.statement) + " " + std::string(spelling(meant_by(p, misread->second).keyword)), f);
+      }
     }
     return &f;
   };

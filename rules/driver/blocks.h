@@ -11,6 +11,9 @@ bool has_unreadable_line(const Input& in, NameId label, RegionId region);
 /// Whether two statements are in different branches of one `if`, so that no single pass executes both.
 bool in_exclusive_branches(const Program& program, StatementId a, StatementId b);
 
+/// Whether they are in different branches of one `if` whose conditions the machine decides on, once for all runs.
+bool divided_by_machine(const Program& program, StatementId a, StatementId b);
+
 /// Reports OW102, OW103 or OW104: the first line of a block, with `keyword`, whose label is already used.
 void check_label_reused(const Input& in, Reporter& out, Keyword keyword);
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace owlint::rules {
 namespace {
 
 constexpr size_t kNone = SIZE_MAX;
+constexpr std::string_view kLabelShared = "OW214";
+constexpr std::string_view kCodeAfterEnd = "OW316";  // speaks for what is in that code
 
 /// A finding about one line of a block: the opener, a part, the end, a jump.
 struct Part {
@@ -16,8 +19,8 @@ struct Part {
 
 class Folding {
  public:
-  Folding(const Program& program, std::vector<Finding>& findings)
-      : p_(program), findings_(findings), into_(findings.size(), kNone) {
+  Folding(const Program& program, const FlowResult& flow, std::vector<Finding>& findings)
+      : p_(program), flow_(flow), findings_(findings), into_(findings.size(), kNone) {
     for (size_t i = 0; i < findings.size(); ++i) {
       const StatementId id = block_line(findings[i]);
       if (id != kNoStatement) parts_.push_back({i, id});
@@ -30,6 +33,7 @@ class Folding {
     for (const Part& part : parts_) fold_unclosed(part);
     for (const Part& part : parts_) fold_unreached(part);
     fold_into_wrong_body();
+    fold_left_out();
     move_folded();
   }
 
@@ -80,9 +84,16 @@ class Folding {
     }
   }
 
+  /// Rules about a label on several blocks.
+  static bool same_label_again(std::string_view code) {
+    return code == kLabelShared || code == "OW102" || code == "OW103" || code == "OW104";
+  }
+
+  /// One more block with a label at which a run stops, or that no run reaches, is the same mistake.
   void fold_unreached(const Part& part) {
     const Part& speaker = speaks_.at(label_of(part.statement));
-    if (unreached(finding(part))) fold(part.finding, speaker.finding);
+    if (unreached(finding(part)) || (finding(speaker).stops && same_label_again(finding(part).code)))
+      fold(part.finding, speaker.finding);
   }
 
   /// The finding that is left of those that `i` is folded into; the ways there get shorter.
@@ -112,6 +123,58 @@ class Folding {
     }
   }
 
+  /// The statement at an offset, or the last before it.
+  StatementId statement_at(uint64_t offset) const {
+    const auto after = std::ranges::upper_bound(p_.syntax.statements, offset, {}, &Statement::offset);
+    return after == p_.syntax.statements.begin() ? kNoStatement
+                                                 : static_cast<StatementId>(after - p_.syntax.statements.begin() - 1);
+  }
+
+  /// The line behind which no run goes on to `id`: a program end, a `return`, a condition that is never true. None where a stop
+  /// is the reason, or where other programs may call the sub: there each mistake counts.
+  StatementId left_out_behind(StatementId id, const std::vector<StatementId>& last) const {
+    const RegionId region = p_.region_of[id];
+    const StatementId opener = p_.regions[region].opener;
+    StatementId behind = last[id];
+    if (flow_.executed[id]) behind = id;  // the finding is about a line of words behind it
+    if (region != kMainRegion && !flow_.executed[opener]) behind = last[opener];
+    if (behind == kNoStatement || (region != kMainRegion && behind == opener)) return kNoStatement;
+    const Statement& s = p_.at(behind);
+    const bool stopped = s.is(Keyword::kCall) || s.kind == LineKind::kM98 ||
+        std::ranges::binary_search(flow_.stops, behind, {}, &FlowStop::statement);
+    return stopped ? kNoStatement : behind;
+  }
+
+  /// Mistakes in lines that every run leaves out are one: nobody looks at them as the program stands.
+  void fold_left_out() {
+    std::vector<size_t> candidates;
+    for (size_t i = 0; i < findings_.size(); ++i) {
+      const Finding& f = findings_[i];
+      if (f.source == nullptr && into_[i] == kNone && unreached(f) && f.weight == Weight::kFull)
+        candidates.push_back(i);
+    }
+    if (candidates.size() < 2) return;
+    std::vector<StatementId> last(p_.size(),
+                                  kNoStatement);  // by statement: the last executed one before it, in its region
+    std::vector<StatementId> executed(p_.regions.size(), kNoStatement);
+    for (StatementId id = 0; id < p_.size(); ++id) {
+      const RegionId region = p_.region_of[id];
+      last[id] = executed[region != kMainRegion && p_.regions[region].opener == id ? kMainRegion : region];
+      if (flow_.executed[id]) executed[region] = id;
+    }
+    std::ranges::sort(candidates, {}, [&](size_t i) {
+      return std::tuple(findings_[i].code != kCodeAfterEnd, findings_[i].span.begin, i);
+    });
+    std::map<StatementId, size_t> speaks;
+    for (const size_t i : candidates) {
+      const StatementId id = statement_at(findings_[i].span.begin);
+      const StatementId behind = id == kNoStatement ? kNoStatement : left_out_behind(id, last);
+      if (behind == kNoStatement) continue;
+      const auto [known, first] = speaks.emplace(behind, i);
+      if (!first) fold(i, known->second);
+    }
+  }
+
   void move_folded() {
     for (size_t i = 0; i < findings_.size(); ++i) {
       if (into_[i] == kNone) continue;
@@ -125,6 +188,7 @@ class Folding {
   }
 
   const Program& p_;
+  const FlowResult& flow_;
   std::vector<Finding>& findings_;
   std::vector<Part> parts_;
   std::map<Label, Part> speaks_;
@@ -147,9 +211,9 @@ void fold_into_other_controller(std::vector<Finding>& findings) {
 
 }  // namespace
 
-void fold_consequences(const Program& program, std::vector<Finding>& findings) {
+void fold_consequences(const Program& program, const FlowResult& flow, std::vector<Finding>& findings) {
   fold_into_other_controller(findings);
-  if (findings.size() > 1) Folding(program, findings).run();
+  if (findings.size() > 1) Folding(program, flow, findings).run();
 }
 
 }  // namespace owlint::rules

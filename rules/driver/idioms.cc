@@ -9,6 +9,7 @@ namespace {
 
 // The first one that fits is taken.
 constexpr Idiom kIdioms[] = {
+    comes_before_percent,
     quotes_name,
     has_look_alike,
     jumps,
@@ -38,6 +39,7 @@ constexpr Idiom kIdioms[] = {
     has_other_function,
     has_odd_sign,
     has_label_behind,
+    labels_with_word,
     is_other_word,
 };
 
@@ -56,6 +58,17 @@ RefusedLine::RefusedLine(const Input& input, StatementId statement_id)
 
 std::string RefusedLine::written(size_t from, size_t to) const {
   return std::string(program.source->slice(text.span(from, to)));
+}
+
+std::string_view RefusedLine::first_word() const {
+  const std::string_view behind = rest();
+  return behind.substr(0, std::min(behind.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), behind.size()));
+}
+
+bool RefusedLine::ends_do() const {
+  BlockId block = program.open_above(program.region_of[id], id);
+  while (block != kNoBlock && program.blocks[block].label != statement.label) block = program.blocks[block].parent;
+  return block != kNoBlock && program.blocks[block].kind == Keyword::kDo;
 }
 
 void RefusedLine::propose(Finding& f, std::string title, std::vector<Edit> edits, bool surely_meant) const {

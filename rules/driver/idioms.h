@@ -29,6 +29,12 @@ struct RefusedLine {
   std::string_view rest() const { return text.text().substr(at, end > at ? end - at : 0); }
   std::string_view before() const { return text.text().substr(0, at); }
   std::string keyword_text() const { return std::string(spelling(statement.keyword)); }
+  /// The keyword of the line, with or without a label; `while` for the WHILE of a Fanuc loop.
+  bool has_keyword(Keyword keyword) const { return statement.keyword == keyword; }
+  /// The letters that rest() begins with.
+  std::string_view first_word() const;
+  /// Whether the innermost open block with the line's label is a `do`.
+  bool ends_do() const;
   /// As it is written in the file.
   std::string written(size_t from, size_t to) const;
   Edit put(size_t from, size_t to, std::string new_text) const { return {text.span(from, to), std::move(new_text)}; }
@@ -40,9 +46,6 @@ struct RefusedLine {
 using Idiom = bool (*)(const RefusedLine& line, Finding& finding);
 
 // On a line as a whole (idioms_lines.cc).
-bool jumps(const RefusedLine& line, Finding& f);
-bool loops_as_fanuc(const RefusedLine& line, Finding& f);
-bool says_then(const RefusedLine& line, Finding& f);
 bool has_two_brackets(const RefusedLine& line, Finding& f);
 bool has_comment_inside(const RefusedLine& line, Finding& f);
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f);
@@ -50,9 +53,15 @@ bool rounds_brackets(const RefusedLine& line, Finding& f);
 bool lacks_letter(const RefusedLine& line, Finding& f);
 bool lacks_label(const RefusedLine& line, Finding& f);
 bool has_odd_sign(const RefusedLine& line, Finding& f);
-bool is_other_word(const RefusedLine& line, Finding& f);
+bool comes_before_percent(const RefusedLine& line, Finding& f);
 bool jumps_behind_keyword(const RefusedLine& line, Finding& f);
+
+// In a word of another language (idioms_words.cc).
+bool jumps(const RefusedLine& line, Finding& f);
+bool loops_as_fanuc(const RefusedLine& line, Finding& f);
+bool says_then(const RefusedLine& line, Finding& f);
 bool repeats_until(const RefusedLine& line, Finding& f);
+bool is_other_word(const RefusedLine& line, Finding& f);
 
 // In a character or a value (idioms_values.cc).
 bool has_look_alike(const RefusedLine& line, Finding& f);
@@ -73,6 +82,7 @@ bool calls_without_keyword(const RefusedLine& line, Finding& f);
 bool calls_by_name(const RefusedLine& line, Finding& f);
 bool calls_in_value(const RefusedLine& line, Finding& f);
 bool has_label_behind(const RefusedLine& line, Finding& f);
+bool labels_with_word(const RefusedLine& line, Finding& f);
 bool quotes_name(const RefusedLine& line, Finding& f);
 
 }  // namespace owlint::rules

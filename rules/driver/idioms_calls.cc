@@ -75,7 +75,11 @@ bool passes_without_brackets(const RefusedLine& line, Finding& f) {
       value.clear();
     }
   }
-  f.message = call ? "`" + written + "` is passed without brackets" : "`" + written + "` is returned without brackets";
+  const bool one = values.find(' ') == std::string::npos;
+  f.message = (!call     ? "the returned value `"
+                   : one ? "the argument `"
+                         : "the arguments `") +
+      written + (call && !one ? "` are not in brackets" : "` is not in brackets");
   f.help = "write `" + (line.statement.value_count == 0 ? line.keyword_text() + " " : std::string()) + values + "`";
   if (written.find('[') == std::string::npos) line.propose(f, f.help, {line.put(line.at, line.end, values)}, false);
   return true;
@@ -120,7 +124,7 @@ bool calls_in_value(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text();
   if (from >= line.end || text[from] != 'o' || (text[from + 1] != '<' && !is_digit(text[from + 1]))) return false;
   const std::string call = line.written(from, bracket_end(line, from));
-  f.message = "a call in place of a value";
+  f.message = "a call cannot be used as a value";
   f.help = "call the sub on a line of its own: `" + call + "`; its result is then in `#<_value>`";
   const bool assigns = from > 0 && text[from - 1] == '=' && text[0] == '#' && line.end == text.size();
   if (!assigns || text.substr(from, line.end - from).find("call") == std::string_view::npos) return true;
@@ -154,6 +158,19 @@ bool has_label_behind(const RefusedLine& line, Finding& f) {
   f.help = "write `" + label + " " + word + (values.empty() ? "" : " ") + values + "`";
   line.propose(f, f.help, {line.put(line.at, to, label + " " + word)},
                has_letter && keyword != Keyword::kSub && keyword != Keyword::kEndsub);
+  return true;
+}
+
+/// `drill sub`, `odrill call`.
+bool labels_with_word(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kLabelWord) return false;
+  const Meant meant = meant_by(line.program, line.id);
+  if (meant.keyword == Keyword::kUnknown || !meant.has_label) return false;
+  const std::string words(line.program.source->slice(meant.words));
+  const std::string label = label_text(meant.name);
+  f.message = "the label `" + words.substr(0, words.find_first_of(" \t(")) + "` is not written as `" + label + "`";
+  f.help = "write `" + label + " " + std::string(spelling(meant.keyword)) + "`";
+  line.propose(f, f.help, {{meant.words, label + " " + std::string(spelling(meant.keyword))}}, false);
   return true;
 }
 

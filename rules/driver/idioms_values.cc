@@ -232,7 +232,7 @@ bool names_without_brackets(const RefusedLine& line, Finding& f) {
     f.help = "begin a comment with `;`; a parameter is `#1` or `#<name>`";
     return true;
   }
-  f.message = closed ? "the name `" + name + ">` has no `<`" : "write the name of a parameter in `< >`";
+  f.message = closed ? "the name `" + name + ">` has no `<`" : "the parameter name `" + name + "` is not in `< >`";
   f.help = "write `#<" + name + ">`";
   line.propose(f, f.help, {line.put(line.at, closed ? to + 1 : to, "<" + name + ">")}, assigns || closed);
   return true;

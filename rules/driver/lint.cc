@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/flow/summaries/data_flow.h"
@@ -49,6 +50,11 @@ void run_rules(const Input& input, const LintOptions& options, const SeverityPol
     for (size_t i = first; i < out.size(); ++i) {
       out[i].weight = std::max(out[i].weight, weight);
       out[i].severity = decide_severity(out[i], rule->level, rule->group == Group::kAbortList, policy);
+      if (out[i].habit_severity) {
+        const Weight full = std::exchange(out[i].weight, Weight::kAside);
+        out[i].habit_severity = decide_severity(out[i], rule->level, rule->group == Group::kAbortList, policy);
+        out[i].weight = full;
+      }
       if (out[i].reach == Reach::kNever && rule->level == Severity::kError && out[i].source == nullptr) {
         if (!unreached) unreached.emplace(input);
         if (auto reason = unreached->reason(out[i].span.begin)) out[i].path.push_back(std::move(*reason));
@@ -166,7 +172,7 @@ class Check {
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);
-    rules::fold_consequences(*program, report.findings);
+    rules::fold_consequences(*program, flow, report.findings);
     if (own)
       run_rules({*program, flow, profile_, linked, suppressions, index, data, true}, options_, policy, report.findings);
     for (Finding& f : report.findings) {

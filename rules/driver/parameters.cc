@@ -1,6 +1,9 @@
 #include "rules/driver/parameters.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "analyzer/machine/predefined.h"
 
 namespace owlint::rules {
 
@@ -31,6 +34,63 @@ std::string argument_words(uint32_t bits) {
   std::string out;
   for (size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   return out;
+}
+
+NearName near_name(const Input& in, const std::string& name, RegionId reader) {
+  const Program& p = in.program;
+  if (in.data.too_large()) return {};
+  const bool global = flow::is_global_name(name);
+  std::vector<std::string> names;
+  const auto add_written = [&](RegionId region, bool globals) {
+    for (const flow::Write& write : in.data.accesses_of(region).all_writes()) {
+      const flow::ParameterId target = flow::parameter_of(write.key);
+      if (target.named && flow::is_global(write.key) == globals && p.name(target.id) != name)
+        names.push_back(p.name(target.id));
+    }
+  };
+  const auto assigned = [&](RegionId region, const std::string& text) {
+    const NameId id = p.syntax.names.find(text);
+    return id == kNoName ? kNoStatement : in.data.first_assignment(region, flow::key_of_name(p.syntax, id));
+  };
+  const auto found = [&](std::string text) {
+    NearName near;
+    near.assigned = assigned(reader, text);
+    for (RegionId region = 0; flow::is_global_name(text) && region < p.regions.size() && near.assigned == kNoStatement;
+         ++region)
+      near.assigned = assigned(region, text);
+    near.name = std::move(text);
+    return near;
+  };
+  if (global) {
+    for (RegionId region = 0; region < p.regions.size(); ++region) add_written(region, true);
+  } else {
+    add_written(reader, false);
+  }
+  if (std::string near = nearest(name, names); !near.empty()) return found(std::move(near));
+  // A predefined name of one letter is near to everything.
+  constexpr size_t kShort = 4;
+  constexpr size_t kLong = 9;
+  const std::string as_global = global ? name : "_" + name;
+  if (as_global.size() <= kShort) return {};
+  const std::string known = nearest(as_global, predefined_names(in.profile.version), as_global.size() < kLong ? 1 : 2);
+  if (!known.empty()) return {known, kNoStatement};
+  if (global) return {};
+  for (RegionId region = 0; region < p.regions.size(); ++region) {
+    if (assigned(region, as_global) != kNoStatement) return found(as_global);
+  }
+  return {};
+}
+
+bool enters_from_outside(const Program& program, RegionId region) {
+  return program.sub_file && program.regions[region].name == program.entry;
+}
+
+bool reached(const Input& in, RegionId region) {
+  const Region& r = in.program.regions[region];
+  if (region == kMainRegion || enters_from_outside(in.program, region)) return true;
+  const auto executed = [&](StatementId id) { return in.flow.executed[id] && id != r.opener && id != r.end; };
+  const auto called = [&](const Call& call) { return call.target == region && in.flow.executed[call.statement]; };
+  return std::ranges::any_of(in.data.lines_of(region), executed) || std::ranges::any_of(in.program.calls, called);
 }
 
 // Depth is bounded by the length of a line.

@@ -17,6 +17,19 @@ std::string region_words(const Program& program, RegionId region);
 /// A list of arguments by their bits: `#1`, `#1 and #3`, `#1, #2 and #5`; with backticks.
 std::string argument_words(uint32_t bits);
 
+/// Another name that was probably meant by one that has no value: one that the same lines assign, one that is global, or one that
+/// is predefined.
+struct NearName {
+  std::string name;                     ///< empty: there is none
+  StatementId assigned = kNoStatement;  ///< the first line that assigns it, if any does
+};
+NearName near_name(const Input& in, const std::string& name, RegionId reader);
+
+/// Whether the lines of a sub are those that a call from elsewhere enters.
+bool enters_from_outside(const Program& program, RegionId region);
+/// Whether some run is in the lines of a region.
+bool reached(const Input& in, RegionId region);
+
 /// Whether a value is computed with fractions: a quotient, a root, an angle, a sum or multiple of something like 0.1.
 bool computes_fraction(const Program& program, ExprId value);
 

@@ -2,6 +2,7 @@
 // else about rules (`owlint rules`, `explain`, the JSON, the tests) is made from these objects.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,7 +37,11 @@ struct Index {
   std::unordered_map<std::string_view, std::vector<const FlowStop*>> by_code;
   std::unordered_map<std::string_view, std::vector<const Hazard*>> warned_by_code;
   std::unordered_set<uint64_t> unreadable;  ///< region << 32 | label: a line there has an unknown keyword
-  std::vector<bool> at;                     ///< by statement: a stop, or a message under FEATURE 0x20, is there
+  std::unordered_map<NameId, StatementId>
+      subs;  ///< by label: lines that LinuxCNC does not read as the `sub` they are meant to be
+  std::map<std::pair<RegionId, NameId>, StatementId> openers;  ///< the same of blocks
+  std::unordered_set<StatementId> spoken_for;  ///< lines whose mistake the finding about another line names
+  std::vector<bool> at;                        ///< by statement: a stop, or a message under FEATURE 0x20, is there
   std::unordered_multimap<StatementId, const FlowStop*>
       consequences;  ///< by the statement of the mistake that causes them
   std::unordered_map<std::string_view, std::vector<StatementId>> unmet_by_code;  ///< reading errors that no run reaches
@@ -54,6 +59,7 @@ struct Index {
 
  private:
   void add_line(const Program& program, StatementId id);
+  void find_spoken_for(const Program& program, const FlowResult& flow, const std::vector<bool>& stopped);
   void find_shared_labels(const Program& program);
 };
 

@@ -7,93 +7,6 @@
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/look_alike.h"
 
-namespace owlint {
-
-Index::Index(const Program& program, const FlowResult& flow)
-    : nature(nature_of(program.source->bytes())), at(program.size()) {
-  std::vector<bool> stopped(program.size());
-  for (const FlowStop& stop : flow.stops) {
-    if (stop.statement == kNoStatement) continue;
-    const Statement& s = program.at(stop.statement);
-    if (stop.kind != StopKind::kFileEnd || !(opens_block(s.keyword) || s.opens_sub())) stopped[stop.statement] = true;
-  }
-  for (const Hazard& hazard : flow.hazards) {
-    if (hazard.kind == HazardKind::kCrash) stopped[hazard.statement] = true;
-  }
-  at = stopped;
-  for (const Hazard& hazard : flow.hazards) {
-    if (hazard.kind != HazardKind::kWarned) continue;
-    at[hazard.statement] = true;
-    warned_by_code[rules::code_of(hazard.warned, program.at(hazard.statement))].push_back(&hazard);
-  }
-  for (const FlowStop& stop : flow.stops) {
-    if (stop.kind == StopKind::kFileEnd && stop.statement != kNoStatement) {
-      // A block whose end has a wrong label: the stop at that end and the end of the file, which a run meets
-      // when it skips the block, are one mistake.
-      const BlockId block = program.block_of[stop.statement];
-      StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
-      // Or one that LinuxCNC cannot read.
-      if (block != kNoBlock && program.blocks[block].end != kNoStatement &&
-          program.at(program.blocks[block].end).refused)
-        mistaken = program.blocks[block].end;
-      if (mistaken != kNoStatement && stopped[mistaken]) {
-        consequences.emplace(mistaken, &stop);
-        continue;
-      }
-    }
-    by_code[rules::code_of(stop, program)].push_back(&stop);
-  }
-  for (StatementId id = 0; id < program.size(); ++id) add_line(program, id);
-  for (NameId id = 0; id < program.syntax.names.size(); ++id) {
-    if (std::ranges::any_of(program.syntax.names.text(id), is_foreign)) foreign_names.push_back(id);
-  }
-  find_shared_labels(program);
-}
-
-void Index::add_line(const Program& program, StatementId id) {
-  const Statement& s = program.at(id);
-  if (s.error != UINT32_MAX) {
-    FlowStop unmet;
-    unmet.statement = id;
-    unmet.kind = program.syntax.errors[s.error].kind;
-    if (!at[id]) unmet_by_code[rules::code_of(unmet, program)].push_back(id);
-    if ((s.is(Keyword::kUnknown) || s.is(Keyword::kBare)) && s.label != kNoName)
-      unreadable.insert(static_cast<uint64_t>(program.region_of[id]) << 32 | s.label);
-    if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
-  }
-  if (s.name_open || s.nul || s.inner_cr) {
-    if (odd_lines.empty() || odd_lines.back() != id) odd_lines.push_back(id);
-  }
-  if (s.is(Keyword::kBare)) program_numbers.push_back(id);
-  if (s.kind == LineKind::kProgramEnd || s.has_m99() || s.kind == LineKind::kPercent) ends.push_back(id);
-  if (s.has_items() && s.item_count > 1) several_items.push_back(id);
-  if (s.kind != LineKind::kOWord) return;
-  if ((s.keyword == Keyword::kIf || s.keyword == Keyword::kElseif || s.keyword == Keyword::kWhile) && s.value_count > 0)
-    tests.push_back(id);
-  if (s.keyword == Keyword::kSub || s.keyword == Keyword::kEndsub || s.keyword == Keyword::kReturn) {
-    sub_lines.push_back(id);
-  } else if (!global_label(s.keyword) && s.label != kNoName) {
-    const BlockId block = program.block_of[id];
-    if (block == kNoBlock || program.blocks[block].mistaken_end == id) stray_parts.push_back(id);
-  }
-}
-
-void Index::find_shared_labels(const Program& program) {
-  // Blocks are region by region: what was noted for an earlier region is out of date.
-  std::vector<BlockId> first(program.syntax.names.size(), kNoBlock);
-  for (BlockId id = 0; id < program.blocks.size(); ++id) {
-    const Block& block = program.blocks[id];
-    BlockId& known = first[block.label];
-    if (known == kNoBlock || program.blocks[known].region != block.region) {
-      known = id;
-    } else {
-      shared_labels.emplace_back(program.blocks[known].opener, block.opener);
-    }
-  }
-}
-
-}  // namespace owlint
-
 namespace owlint::rules {
 
 namespace {
@@ -367,7 +280,7 @@ std::string look_alike_text(std::string_view text) {
   const char32_t code = character_at(text).code;
   const LookAlike same = look_alike(code).value();
   const std::string who = fmt::format("the character U+{:04X} {}", static_cast<uint32_t>(code), same.name);
-  if (same.plain.empty()) return who + " is here, but no editor shows it";
+  if (same.plain.empty()) return who + " is here; most editors do not show it";
   return who +
       (same.plain == " " ? " looks like a space, but is not one"
                          : " looks like `" + same.plain + "`, but is another character");
@@ -390,6 +303,30 @@ std::string look_alike_name(const Input& in, std::string_view name) {
       return "in `<" + names.text(id) + ">` " + differs(names.text(id)) + ": write `<" + plain + ">`";
   }
   return {};
+}
+
+std::string misread_words(const Program& program, StatementId line) {
+  const Statement& s = program.at(line);
+  const std::string where = "line " + std::to_string(s.line);
+  if (s.name_open) return "the name on " + where + " has no `>`";
+  if (s.error == UINT32_MAX) return "`" + program.label_at(line) + "` on " + where + " has no keyword";
+  if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown)
+    return "`" + std::string(spelling(s.keyword)) + "` on " + where + " has no label";
+  return "LinuxCNC does not read " + where + " as `" + std::string(spelling(meant_by(program, line).keyword)) + "`";
+}
+
+void name_misread(const Program& program, StatementId line, const std::string& right, Finding& finding) {
+  const Statement& s = program.at(line);
+  Meant meant = meant_by(program, line);
+  if (meant.keyword == Keyword::kUnknown) meant.words = s.head_span();
+  finding.related.push_back({meant.words, "this is probably meant to be `" + right + "`", nullptr});
+  finding.help = "write `" + right + "` on line " + std::to_string(s.line);
+  const std::string_view before = program.source->slice({s.offset, meant.words.begin});
+  const LineError* error = program.syntax.error(s);
+  if (error != nullptr && error->kind == StopKind::kWordBefore)
+    finding.help = "put `" + right + "` of line " + std::to_string(s.line) + " on a line of its own";
+  else if (before.find_first_not_of(" \t") == std::string_view::npos)
+    finding.fixes.push_back({"write `" + right + "`", false, {{meant.words, right}}, true});
 }
 
 std::string ordinal(size_t n) {

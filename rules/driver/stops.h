@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "analyzer/program/meant.h"
 #include "rules/driver/lint.h"
 #include "rules/driver/rule.h"
 
@@ -105,6 +106,11 @@ std::string ordinal(size_t n);
 
 /// The nearest of `candidates` to `word` (edit distance at most a third of its length, or `limit`); empty if none is.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates, size_t limit = SIZE_MAX);
+
+/// Why LinuxCNC does not read a line as what it is meant to be: `the name on line 5 has no ">"`.
+std::string misread_words(const Program& program, StatementId line);
+/// Names that line in a finding about another one, with how to write it, and a fix. `right`: its label and keyword.
+void name_misread(const Program& program, StatementId line, const std::string& right, Finding& finding);
 
 /// A number that no O-word of the program uses, near `label`, as `o110`; each time another one, so that fixes can be made
 /// together.

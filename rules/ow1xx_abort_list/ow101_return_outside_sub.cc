@@ -8,12 +8,10 @@
 namespace owlint::rules {
 namespace {
 
-/// Whether a line above, as `o<f> sbu`, was to begin the sub that this one ends.
-bool sub_misspelt(const Program& p, StatementId id) {
-  const NameId label = p.at(id).label;
-  return label != kNoName && std::ranges::any_of(p.by_label[label], [&](StatementId line) {
-           return line < id && p.at(line).is(Keyword::kUnknown);
-         });
+/// The line above, as `o<f> sbu`, that was to begin the sub that this one ends.
+StatementId misread_sub(const Input& in, StatementId id) {
+  const auto found = in.index.subs.find(in.program.at(id).label);
+  return found == in.index.subs.end() || found->second > id ? kNoStatement : found->second;
 }
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -27,9 +25,11 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     relate(f, p, end, "the sub ends here");
   }
   f.help = "remove the line, or end the program with `M2`";
-  const bool misspelt = sub_misspelt(p, id);
-  if (misspelt) f.help = "correct the line with its label above: it does not begin a sub";
-  if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement && !misspelt)
+  const StatementId misread = misread_sub(in, id);
+  if (misread != kNoStatement && end == kNoStatement) {
+    f.message += ": " + misread_words(p, misread);
+    name_misread(p, misread, p.label_at(id) + " sub", f);
+  } else if (s.is(Keyword::kReturn) && s.value_count == 0 && end == kNoStatement)
     f.fixes.push_back({"end the program here with `M2`", false, {{s.head_span(), "M2"}}});
   return &f;
 }
@@ -45,7 +45,7 @@ void check(const Input& in, Reporter& out) {
   }
   for (const StatementId id : in.index.sub_lines) {
     if (p.at(id).is(Keyword::kSub) || p.region_of[id] != kMainRegion) continue;
-    if (has_stop(in, id) || likely.contains(id) || sub_misspelt(p, id)) continue;
+    if (has_stop(in, id) || likely.contains(id) || misread_sub(in, id) != kNoStatement) continue;
     report(in, out, id)->reach = in.flow.reach(id);
   }
 }

@@ -3,7 +3,7 @@
 // called or not. From 2.10 on the same holds in called files.
 #include <algorithm>
 
-#include "rules/driver/stops.h"
+#include "rules/driver/idioms.h"
 
 namespace owlint::rules {
 namespace {
@@ -12,6 +12,19 @@ Finding* report(const Input& in, Reporter& out, StatementId id, RegionId outer) 
   const Program& p = in.program;
   const Statement& s = p.at(id);
   const std::string what = s.is(Keyword::kBare) ? "the program number `" + p.head(id) + "`" : "`" + p.head(id) + "`";
+  if (s.is(Keyword::kBare) && meant_by(p, id).keyword != Keyword::kUnknown) {
+    Finding& f =
+        out.add(s.head_span(), "the label's name has no `>`: LinuxCNC reads the line as the beginning of another sub");
+    if (s.name_open) {
+      const Meant meant = meant_by(p, id);
+      f.help = "write `" + std::string(p.source->slice({meant.words.begin, meant.name_end})) + "> " +
+          std::string(spelling(meant.keyword)) + "`";
+      f.fixes.push_back({f.help, false, {{{meant.name_end, meant.name_end}, ">"}}});
+    } else {
+      explain_idiom(in, id, f);
+    }
+    return &f;
+  }
   if (lacks_call(in, id)) {
     Finding& f = out.add(s.head_span(), "`" + p.head(id) + "` alone on a line calls nothing, and stops in a sub");
     f.help = "write `" + p.head(id) + " call`";

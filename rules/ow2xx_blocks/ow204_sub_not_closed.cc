@@ -16,9 +16,13 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   f.help = "write `" + end + "` where the sub ends";
   if (region.opener == id && region.likely_end != kNoStatement) {
     const Statement& other = p.at(region.likely_end);
-    const bool without = other.kind == LineKind::kWords;
-    f.message += ": `" + (without ? "endsub" : p.head(region.likely_end)) + "` on line " + std::to_string(other.line) +
-        (without ? " has no label" : " has another label");
+    if (!other.is(Keyword::kEndsub) || other.refused) {
+      f.message += ": " + misread_words(p, region.likely_end);
+      name_misread(p, region.likely_end, end, f);
+      if (other.kind == LineKind::kWords && !f.fixes.empty()) f.fixes[0].safe = true;
+      return &f;
+    }
+    f.message += ": `" + p.head(region.likely_end) + "` on line " + std::to_string(other.line) + " has another label";
     relate(f, p, region.likely_end, "this is probably meant to be `" + end + "`");
     f.help = "write `" + end + "` on line " + std::to_string(other.line);
     f.fixes.push_back({"write `" + end + "`", true, {{other.head_span(), end}}});
@@ -42,6 +46,7 @@ void check(const Input& in, Reporter& out) {
     if (p.at(region.opener).inner_cr || p.at(region.opener).refused) continue;
     // A `sub` that begins before this one is closed stops the interpreter there and is reported there.
     if (done[region.opener] || last_nested > region.opener) continue;
+    if (region.likely_end != kNoStatement && has_stop(in, region.likely_end)) continue;
     report(in, out, region.opener)->reach = in.flow.reach(region.opener);
   }
 }

@@ -31,6 +31,10 @@ void name_mistaken_end(const Program& p, const Block& block, StatementId id, Fin
     f.message = "`" + p.head(id) + "` does not close " + began + ": it has another label, so it begins a new loop";
     relate(f, p, block.opener, "`" + p.head_of(block) + "` begins here");
     f.help = "write `" + right + "`";
+  } else if (end.is(Keyword::kBare)) {
+    f.message += ": " + misread_words(p, block.mistaken_end);
+    name_misread(p, block.mistaken_end, right, f);
+    return;
   } else {
     const std::string line = "line " + std::to_string(end.line);
     f.message += end.label == kNoName ? ": `" + std::string(spelling(end.keyword)) + "` on " + line + " has no label"
@@ -94,7 +98,10 @@ void check(const Input& in, Reporter& out) {
     // One mistake, one finding: the line that was meant to be the end speaks for it.
     if (block.mistaken_end != kNoStatement) {
       // Not for a `while`: LinuxCNC takes it as the beginning of a new loop.
-      const bool opens = p.at(block.mistaken_end).is(Keyword::kWhile);
+      const Statement& end = p.at(block.mistaken_end);
+      if (end.is(Keyword::kBare) && end.error == UINT32_MAX && !end.name_open)  // no other rule reports such a line
+        report(in, out, block.opener)->reach = in.flow.reach(block.opener);
+      const bool opens = end.is(Keyword::kWhile);
       if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end])
         report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
       continue;

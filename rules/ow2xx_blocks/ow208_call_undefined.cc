@@ -57,14 +57,18 @@ void check(const Input& in, Reporter& out) {
       f.help = "define the sub, or correct the name";
       return &f;
     }
+    if (const auto misread = in.index.subs.find(p.syntax.names.find(stop.detail)); misread != in.index.subs.end()) {
+      f.message = "`" + label + "` is not known here: " + misread_words(p, misread->second);
+      name_misread(p, misread->second, label + " sub", f);
+      return &f;
+    }
     if (const auto found = by_name.find(stop.detail); found != by_name.end()) {
       const Region& region = *found->second;
       f.message = "`" + label + "` is not known here: the program has not run its definition on line " +
           std::to_string(p.at(region.opener).line) + " before";
       relate(f, p, region.opener,
              region.enclosing == kNoBlock ? "defined here" : "defined here, inside a block that may be skipped");
-      f.help = p.at(region.opener).refused ? "correct that line: LinuxCNC does not read it as the beginning of a sub"
-                                           : "define the sub before the call, outside of blocks";
+      f.help = "define the sub before the call, outside of blocks";
       return &f;
     }
     if (const std::string other = look_alike_name(in, stop.detail); !other.empty()) {
@@ -111,6 +115,7 @@ void check(const Input& in, Reporter& out) {
       f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {
       f.group = stop.detail;
+      f.habit_severity = Severity::kInfo;
       f.help =
           "define the sub, or correct the name; if it is in a file, use `--sub-path DIR`, or `--ini FILE` with the "
           "machine's INI";
@@ -131,6 +136,7 @@ void check(const Input& in, Reporter& out) {
     const CallTarget target = in.linked.target(p.name(call.callee));
     if (target.file != CallTarget::kNotFound || target.opaque) continue;
     if (std::ranges::any_of(p.by_label[call.callee], [&](StatementId id) { return p.at(id).opens_sub(); })) continue;
+    if (in.index.subs.contains(call.callee)) continue;
     if (number_only(p.name(call.callee)).empty() && in.profile.setup == nullptr) continue;
     Finding& f = out.add(p.at(call.statement).head_span(), "no sub `" + p.label_text(call.callee) + "` is defined");
     f.help = "define the sub, or correct the label";
@@ -211,7 +217,8 @@ the INI with `--ini FILE` or `ini = "…"` in `owlint.toml`, or only the file's 
 `--sub-path DIR` or `sub-path = ["DIR"]`. If the INI has a `[PYTHON]` section, the name may be a
 Python function, and owlint does not report it.)",
             .level_reason = "Error if the sub does not exist: the call stops the program. Warning if the file may be "
-                            "in a folder that owlint does not know.",
+                            "in a folder that owlint does not know; info if several files call the same sub three "
+                            "times or more, which must then be on the machine.",
             .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
             .options = "",
         },

@@ -36,6 +36,7 @@ void check(const Input& in, Reporter& out) {
         ? "give this block another label: if one run gets to both, its `while` goes back to the first `do`"
         : "give this block another label: LinuxCNC stops if one run gets to both, also in two calls of a sub";
     f.reach = in.flow.reach(later);
+    if (divided_by_machine(p, first, later)) f.weight = Weight::kAside;
     add_relabel_fix(in, later, f);
   }
 }

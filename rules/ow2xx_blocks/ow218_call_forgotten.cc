@@ -19,7 +19,8 @@ bool begins_program(const Program& p, StatementId id) {
 bool lacks_call(const Input& in, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
-  if (!s.is(Keyword::kBare) || s.label == kNoName || s.name_open || s.refused) return false;
+  if (!s.is(Keyword::kBare) || s.name_open || s.refused) return false;
+  if (s.label == kNoName) return s.label_expr != kNoExpr && !begins_program(p, id);
   const auto lines = p.by_label[s.label];
   if (std::ranges::any_of(lines, [&](StatementId line) { return p.at(line).is(Keyword::kSub); }))
     return s.named || !begins_program(p, id);
@@ -35,9 +36,11 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const StatementId id : in.index.program_numbers) {
     if (has_stop(in, id) || !lacks_call(in, id)) continue;
+    // In a sub it stops, which is said where the sub is called.
+    if (p.at(id).label == kNoName && p.region_of[id] != kMainRegion) continue;
     const std::string label = p.label_at(id);
     Finding& f = out.add(p.at(id).label_span(), "`" + label + "` alone on a line calls nothing");
-    const auto lines = p.by_label[p.at(id).label];
+    const auto lines = p.at(id).label == kNoName ? std::span<const StatementId>{} : p.by_label[p.at(id).label];
     const auto sub = std::ranges::find_if(lines, [&](StatementId line) { return p.at(line).is(Keyword::kSub); });
     if (sub != lines.end()) relate(f, p, *sub, "the sub is defined here");
     f.help = "write `" + label + " call` to call the sub";
@@ -58,7 +61,8 @@ extern const Rule kOw218{
     .page =
         {
             .what =
-                R"(`o<drill>` or `o100` alone on a line, if the program defines that sub, or if a file has its name.)",
+                R"(`o<drill>` or `o100` alone on a line, if the program defines that sub, or if a file has its name. A
+label that is computed, such as `o#1`, alone on a line.)",
             .why = R"(LinuxCNC takes an O-word without a keyword for a Fanuc-style program number and goes on with the
 next line. It does not call the sub, and there is **no message**. Inside a sub the line stops the
 program with `Nested subroutine definition` or `Fanuc 'O....' subroutine must be called with 'M98'`.

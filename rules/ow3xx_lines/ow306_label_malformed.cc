@@ -1,18 +1,10 @@
 // OW306 label-malformed: an O-word whose label is missing, no integer, or a name that is not closed.
 // Depends on: a label is an integer (to 0.0001) or `<name>`; after `<` everything to the end of the
 // line is the name if there is no `>`, and an O-word without keyword is a program number.
-#include <algorithm>
-
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules {
 namespace {
-
-/// Whether runs get to the end of the file because the block or sub that begins here has no end.
-bool has_file_end(const Input& in, StatementId opener) {
-  return std::ranges::any_of(in.flow.stops,
-                             [&](const FlowStop& s) { return s.statement == opener && s.kind == StopKind::kFileEnd; });
-}
 
 void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
   switch (kind) {
@@ -36,15 +28,6 @@ void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
   }
 }
 
-/// Whether the block or the sub that the line was meant to end says so.
-bool ends_stopped_block(const Input& in, StatementId id) {
-  const Program& p = in.program;
-  const BlockId block = p.block_of[id];
-  if (block != kNoBlock && p.blocks[block].mistaken_end == id) return has_file_end(in, p.blocks[block].opener);
-  const Region& region = p.regions[p.region_of[id]];
-  return region.likely_end == id && has_file_end(in, region.opener);
-}
-
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
@@ -56,7 +39,6 @@ void check(const Input& in, Reporter& out) {
     return &f;
   });
   for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
-    if (ends_stopped_block(in, id)) return;
     Finding& f = out.add(error.span, "");
     word(p, p.at(id), error.kind, f);
     explain_idiom(in, id, f);
@@ -66,9 +48,14 @@ void check(const Input& in, Reporter& out) {
   // Without `>` the rest of the line is the name, and the line does nothing: no error, whatever was meant.
   for (const StatementId id : in.index.odd_lines) {
     const Statement& s = p.at(id);
-    if (!s.name_open || has_stop(in, id)) continue;
+    if (!s.name_open || has_stop(in, id) || in.index.spoken_for.contains(id)) continue;
     Finding& f = out.add(s.label_span(), "the label's name has no `>`: LinuxCNC does nothing on this line");
     f.help = "close the name with `>`";
+    if (const Meant meant = meant_by(p, id); meant.keyword != Keyword::kUnknown) {
+      const std::string name(p.source->slice({meant.words.begin, meant.name_end}));
+      f.help = "write `" + name + "> " + std::string(spelling(meant.keyword)) + "`";
+      f.fixes.push_back({f.help, false, {{{meant.name_end, meant.name_end}, ">"}}});
+    }
     f.reach = in.flow.reach(id);
   }
 }

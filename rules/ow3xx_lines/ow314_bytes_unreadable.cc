@@ -21,7 +21,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   Finding& f = out.add(span, "");
   if (bytes.starts_with("\xEF\xBB\xBF") && span.begin == 0) {
     f.message = "the file begins with a byte order mark";
-    f.help = "save it as UTF-8 without byte order mark, or as plain text";
+    f.help = "save it as UTF-8 without a byte order mark (BOM), or as plain text";
     f.fixes.push_back({"remove the byte order mark", true, {{{0, 3}, ""}}});
   } else if (!bytes.empty() && is_foreign(bytes[0])) {
     f.message = "LinuxCNC does not know this character outside comments and names";
@@ -44,7 +44,7 @@ void report_file(const Input& in, Reporter& out) {
   const std::string_view bytes = in.program.source->bytes();
   Finding& f = out.add({0, std::min<uint64_t>(bytes.size(), 2)},
                        utf16 ? "this is a UTF-16 file; LinuxCNC cannot read it" : "this is not a text file");
-  f.help = utf16 ? "save it as UTF-8 without byte order mark, or as plain text"
+  f.help = utf16 ? "save it as UTF-8 without a byte order mark (BOM), or as plain text"
                  : "check that it is the right file; a program is plain text";
   for (const FlowStop& stop : in.flow.stops) {
     if (f.stops && f.reach >= stop.reach) continue;
@@ -111,7 +111,8 @@ G1 Z-2 F80
 G0 Z5
 M2
 )",
-            .fix = R"(Save the file as plain text: ASCII or UTF-8 without byte order mark, with lines ending in LF or CR
+            .fix =
+                R"(Save the file as plain text: ASCII or UTF-8 without a byte order mark, with lines ending in LF or CR
 LF. Type the marked character again.)",
             .level_reason = "Error if the program stops at the byte. Warning if LinuxCNC ignores the rest without a "
                             "message, or no run gets here.",

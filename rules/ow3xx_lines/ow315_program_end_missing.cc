@@ -35,6 +35,26 @@ bool part_of_a_program(const Input& in) {
   });
 }
 
+/// The end of the program, if it is below a sub: then the sub is in the middle of the program.
+StatementId end_below(const Program& p, StatementId sub) {
+  const StatementId last = p.regions[p.region_of[sub]].end;
+  if (p.regions[p.region_of[sub]].opener != sub || last == kNoStatement) return kNoStatement;
+  for (StatementId id = last + 1; id < p.size(); ++id) {
+    if (p.region_of[id] == kMainRegion && p.at(id).kind == LineKind::kProgramEnd) return id;
+  }
+  return kNoStatement;
+}
+
+Fix move_below(const Program& p, const Region& sub, StatementId end) {
+  const Source& source = *p.source;
+  const uint64_t from = p.at(sub.opener).offset;
+  const uint64_t to = std::min<uint64_t>(p.at(sub.end).end() + 1, source.bytes().size());
+  const uint64_t place = std::min<uint64_t>(p.at(end).end() + 1, source.bytes().size());
+  std::string lines(source.slice({from, to}));
+  if (place == p.at(end).end()) lines = line_end(source, p.at(sub.opener)) + lines;
+  return {"move the sub below the end of the program", false, {{{from, to}, ""}, {{place, place}, std::move(lines)}}};
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
@@ -44,8 +64,7 @@ void check(const Input& in, Reporter& out) {
       f.help = "begin the file with `%`, or end it with `M2`";
       if (!begins_pair(p, stop.statement)) return &f;
       const Span first = first_line(p);
-      f.message = "`%` must be the file's first line: line " + std::to_string(p.source->position(first.begin).line) +
-          " comes before it";
+      f.message = "`%` must be the first line of the file";
       f.help = "put `%` first, or remove it and end the program with `M2`";
       f.related.push_back({first, "this comes before it", nullptr});
       const Span line = p.source->line(p.at(stop.statement).line);
@@ -60,9 +79,19 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(span, p.syntax.blank ? "the file is empty" : "the program ends without `M2`, `M30` or `%`");
     f.help = p.syntax.percent ? "end it with `%`" : "end it with `M2`";
     if (p.syntax.blank) return &f;
+    const bool by_m98 = stop.call_elsewhere.program != nullptr &&
+        stop.call_elsewhere.program->at(stop.call_elsewhere.statement).kind == LineKind::kM98;
+    if (by_m98) {
+      f.message = "the sub for `M98` ends without `M99`";
+      f.help = "end it with `M99`";
+    }
     const std::string_view bytes = p.source->bytes();
     const std::string end = bytes.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
-    const std::string text = (bytes.ends_with('\n') ? "" : end) + (p.syntax.percent ? "%" : "M2") + end;
+    const std::string text = (bytes.ends_with('\n') ? "" : end) +
+        (by_m98                 ? "M99"
+             : p.syntax.percent ? "%"
+                                : "M2") +
+        end;
     f.fixes.push_back({f.help, true, {{{bytes.size(), bytes.size()}, text}}});
     return &f;
   });
@@ -71,10 +100,15 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(h.statement);
     Finding& f = out.add(s.head_span(), "the program runs into `" + p.head(h.statement) + "`, a sub for `M98`");
     relate(f, p, h.other, "LinuxCNC starts the program again here, for ever; `rs274` ends it here");
-    f.help = "end the program with `M30` before this line";
     f.reach = h.reach;
     f.never_ends = true;
     f.unproven = true;  // `rs274` ends it
+    if (const StatementId end = end_below(p, h.statement); end != kNoStatement) {
+      f.help = "move the sub below the end of the program, on line " + std::to_string(p.at(end).line);
+      f.fixes.push_back(move_below(p, p.regions[p.region_of[h.statement]], end));
+      continue;
+    }
+    f.help = "end the program with `M30` before this line";
     f.fixes.push_back({f.help, false, {{{s.offset, s.offset}, "M30" + line_end(*p.source, s)}}});
   }
 }

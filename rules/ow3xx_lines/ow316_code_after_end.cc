@@ -76,6 +76,8 @@ void check(const Input& in, Reporter& out) {
       within =
           within || (block.opener < end && block.end != kNoStatement && block.end > end && block.region == kMainRegion);
     if (within) return;
+    // These lines are a sub: what is wrong with its first one is said there, or where it is called.
+    if (std::ranges::any_of(in.index.subs, [&](const auto& sub) { return sub.second > end; })) return;
     const Span span = p.source->line(line);
     Finding& f = out.add(span, "no run gets to this line: the program ends on line " + std::to_string(p.at(end).line));
     relate(f, p, end, "the program ends here");

@@ -13,20 +13,32 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(p.at(stop.statement).head_span(),
                          "`" + p.head(stop.statement) + "` reads " + path + ", which does not define that sub");
     if (path == p.source->path()) {
-      f.message = "`" + p.head(stop.statement) + "` finds this program itself: its file " + file_name(*file.source) +
-          " has the name of the sub";
+      f.message = "`" + p.head(stop.statement) + "` opens this program itself, because the file is named " +
+          file_name(*file.source) + "; it does not define the sub";
       f.help = "give the program another name";
+      return &f;
+    }
+    const bool marked = file.source->bytes().starts_with("\xEF\xBB\xBF");
+    const std::unordered_map<NameId, StatementId> misread = misread_subs(file);
+    const auto line = misread.find(file.syntax.names.find(stop.detail));
+    if (line != misread.end() && !marked) {
+      f.message = "`" + p.head(stop.statement) + "` reads " + path + ", but " + misread_words(file, line->second);
+      Finding named;
+      name_misread(file, line->second, label_text(stop.detail) + " sub", named);
+      f.help = named.help + " of " + file_name(*file.source);
+      f.related.push_back(std::move(named.related[0]));
+      f.related.back().source = file.source;
       return &f;
     }
     const Region* only = nullptr;
     for (const Region& region : file.regions) {
       if (region.opener != kNoStatement && only == nullptr) only = &region;
     }
-    if (only != nullptr && file.name(only->name) == stop.detail && file.source->bytes().starts_with("\xEF\xBB\xBF")) {
+    if (only != nullptr && file.name(only->name) == stop.detail && marked) {
       f.message =
           "`" + p.head(stop.statement) + "` reads " + path + ", but a byte order mark hides the sub's first line";
-      relate(in, f, {&file, only->opener}, "a byte order mark comes before this line; no editor shows it");
-      f.help = "save " + file_name(*file.source) + " as UTF-8 without byte order mark, or as plain text";
+      relate(in, f, {&file, only->opener}, "a byte order mark comes before this line; most editors do not show it");
+      f.help = "save " + file_name(*file.source) + " as UTF-8 without a byte order mark (BOM), or as plain text";
     } else if (only != nullptr) {
       relate(in, f, {&file, only->opener}, "the file defines this sub");
       f.help = "give the sub the name of its file, and call it by that name";

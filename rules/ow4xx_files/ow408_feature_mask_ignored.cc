@@ -8,9 +8,10 @@ namespace {
 struct Bit {
   uint32_t mask;
   std::string_view key;
+  bool on = false;  ///< by default
 };
-constexpr Bit kBits[] = {{0x01, "RETAIN_G43"},   {0x02, "OWORD_NARGS"},       {0x04, "INI_VARS"},
-                         {0x08, "HAL_PIN_VARS"}, {0x10, "NO_DOWNCASE_OWORD"}, {0x20, "OWORD_WARNONLY"}};
+constexpr Bit kBits[] = {{0x01, "RETAIN_G43"},         {0x02, "OWORD_NARGS"},       {0x04, "INI_VARS", true},
+                         {0x08, "HAL_PIN_VARS", true}, {0x10, "NO_DOWNCASE_OWORD"}, {0x20, "OWORD_WARNONLY"}};
 
 void check(const Input&, Reporter&) {}
 
@@ -20,11 +21,17 @@ void check_setup(const SetupInput& in, Reporter& out) {
   if (in.profile.version_given && in.profile.version < Version::k2_8) return;
   std::string keys;
   for (const Bit& bit : kBits) {
-    if ((*in.setup.mask & bit.mask) != 0) keys += (keys.empty() ? "`" : ", `") + std::string(bit.key) + " = 1`";
+    if ((*in.setup.mask & bit.mask) != 0 && !bit.on)
+      keys += (keys.empty() ? "`" : ", `") + std::string(bit.key) + " = 1`";
   }
   Finding& f = out.add(entry->source, entry->span, "LinuxCNC ignores the mask `" + entry->key + "` since version 2.8");
-  f.help =
-      keys.empty() ? "remove the line: none of its bits means anything" : "write " + keys + " instead, in `[RS274NGC]`";
+  constexpr uint32_t kAllBits = 0x3F;
+  f.help = !keys.empty()                 ? "write " + keys + " instead, in `[RS274NGC]`"
+      : (*in.setup.mask & kAllBits) == 0 ? "remove the line: none of its bits means anything"
+                                         : "remove the line: all that it turns on is on by default";
+  // Joints have sections of their own since 2.8: with `[AXIS_0]` the machine may still run 2.7, which reads the mask.
+  const bool old = in.setup.ini.has_section("AXIS_0") && !in.profile.version_given;
+  if (keys.empty() || old) f.weight = Weight::kAside;
 }
 
 }  // namespace
@@ -58,7 +65,8 @@ OWORD_NARGS = 1
 )",
             .fix =
                 R"(Write the keys that replaced the bits, and remove the mask. `INI_VARS` and `HAL_PIN_VARS` are on by
-default.)",
+default; a mask of only these two is an info, and so is
+one in an INI that LinuxCNC 2.8 does not start with (it has `[AXIS_0]` for the first joint).)",
             .level_reason = "Warning: LinuxCNC starts and runs, without the features in the mask.",
             .interpreter = "",
             .options = "--ini machine.ini",

@@ -10,9 +10,9 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kCrash) continue;
-    Finding& f = out.add(
-        p.at(h.statement).head_span(),
-        "LinuxCNC crashes at `" + p.head(h.statement) + "`: the label is unknown, and with FEATURE 0x20 it goes on");
+    Finding& f = out.add(p.at(h.statement).head_span(),
+                         "LinuxCNC crashes at `" + p.head(h.statement) +
+                             "`: no block has this label, and with FEATURE 0x20 LinuxCNC goes on after the error");
     f.help = "correct the label; do not rely on FEATURE 0x20";
     f.interpreter = h.interpreter;
     f.reach = h.reach;

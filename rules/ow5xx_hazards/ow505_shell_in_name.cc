@@ -12,7 +12,8 @@ void check(const Input& in, Reporter& out) {
     if (call.callee == kNoName) continue;
     const std::string& name = p.name(call.callee);
     const bool command = expands(name);
-    if (!command && !breaks_expansion(name)) continue;
+    const bool breaks = breaks_expansion(name);
+    if (!command && !breaks) continue;
     // A sub that the program defines is found before any file is looked for.
     if (call.target != UINT32_MAX && p.regions[call.target].opener < call.statement) continue;
     Finding& f = out.add(
@@ -23,7 +24,7 @@ void check(const Input& in, Reporter& out) {
                        "`-` and `_` in names of subs"
                      : "use only small letters, digits, `-` and `_` in the name of the sub";
     f.reach = in.flow.reach(call.statement);
-    f.stops = !command && f.reach != Reach::kNever && !has_stop(in, call.statement);
+    f.stops = breaks && f.reach != Reach::kNever && !has_stop(in, call.statement);
     f.never_ends = f.stops || command;
   }
 }

@@ -31,8 +31,10 @@ void report(const Input& in, Reporter& out, StatementId id, const Reads& reads) 
       ? "pass a " + ordinal(number) + " argument, or set `#" + std::to_string(number) + "` in the sub before it is read"
       : "pass " + std::to_string(reads.rbegin()->first) + " arguments, or set these in the sub before they are read";
   // Calls all over a shop that lack the same arguments of a sub in a file of its own are one question to its author.
-  if (place_of(in, first->other, first->other_elsewhere).program != &in.program)
+  if (place_of(in, first->other, first->other_elsewhere).program != &in.program) {
     f.group = in.program.label_at(id) + " " + argument_words(bits);
+    f.habit_severity = Severity::kInfo;
+  }
   f.reach = first->reach;
 }
 
@@ -67,7 +69,8 @@ extern const Rule kOw507{
 
 Arguments that the sub treats as optional are not reported: those that it tests (`if [#3 EQ 0]`,
 `EXISTS[#3]`, or `#<depth> = #3` and then `if [#<depth> EQ 0]`), all arguments of a sub that reads
-`#<n_args>`, and those that most calls leave out.)",
+`#<n_args>`, and those that most calls leave out. If three or more calls in several files leave out the
+same arguments, they seem to do so on purpose: that is an info.)",
             .why = R"(LinuxCNC sets arguments that are not passed to **0**. The documentation says that they keep the
 caller's values, but the interpreter does not do that, so setting `#3` before the call does not
 help. A depth, a feed or a safe height of 0 can mean a plunge or a rapid move through the part,

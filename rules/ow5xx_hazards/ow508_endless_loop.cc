@@ -2,6 +2,7 @@
 // Depends on: the interpreter has no limit on passes and reads ahead of the machine, so it never
 // ends.
 #include <algorithm>
+#include <optional>
 
 #include "analyzer/syntax/line_parser.h"
 #include "rules/driver/blocks.h"
@@ -21,30 +22,88 @@ StatementId second_end(const Input& in, BlockId block) {
   return kNoStatement;
 }
 
-/// Whether the loop goes on until a value is met exactly, which something in it computes.
-bool waits_for_equal(const Program& p, StatementId opener) {
+/// What a loop's `NE` waits for, which something in the loop computes.
+struct Wait {
+  std::string what;  ///< the value, as it is written
+  int step = 0;      ///< 1: the loop counts up, -1: down, 0: not known
+  int ahead = 0;     ///< 1: the value is above the one that the loop begins with, -1: below, 0: not known
+};
+
+/// Whether a line assigns the parameter of an expression, and from what.
+const Item* assignment(const Program& p, const Statement& s, const Expr& parameter) {
+  for (uint32_t i = 0; s.has_items() && i < s.item_count; ++i) {
+    const Item& item = p.syntax.items[s.first + i];
+    if (parameter.op == Operator::kNamed && item.target_name == parameter.name()) return &item;
+    double number = 0;
+    double assigned = 0;
+    if (parameter.op == Operator::kParameter && item.target != kNoExpr &&
+        literal_value(p.syntax.exprs, parameter.left(), &number) &&
+        literal_value(p.syntax.exprs, item.target, &assigned) && number == assigned)
+      return &item;
+  }
+  return nullptr;
+}
+
+/// Whether a value is `[#1 + 2]` or the like, with the parameter: in which direction it counts.
+int step_of(const Program& p, ExprId value, const Expr& parameter) {
+  const auto same = [&](ExprId id) {
+    const Expr& e = p.syntax.exprs[id];
+    double a = 0;
+    double b = 0;
+    if (e.op != parameter.op) return false;
+    if (e.op == Operator::kNamed) return e.name() == parameter.name();
+    return e.op == Operator::kParameter && literal_value(p.syntax.exprs, e.left(), &a) &&
+        literal_value(p.syntax.exprs, parameter.left(), &b) && a == b;
+  };
+  const Expr& e = p.syntax.exprs[value];
+  if (e.op != Operator::kPlus && e.op != Operator::kMinus) return 0;
+  const bool second = e.op == Operator::kPlus && same(e.right());
+  double step = 0;
+  if ((!second && !same(e.left())) || !literal_value(p.syntax.exprs, second ? e.left() : e.right(), &step)) return 0;
+  const int sign = step > 0 ? 1 : step < 0 ? -1 : 0;
+  return e.op == Operator::kMinus ? -sign : sign;
+}
+
+/// Whether the loop goes on until a value is met exactly.
+std::optional<Wait> waits_for_equal(const Program& p, StatementId opener) {
   const BlockId block = p.block_of[opener];
   const StatementId test = p.at(opener).is(Keyword::kDo) && block != kNoBlock ? p.blocks[block].end : opener;
-  if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return false;
+  if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return std::nullopt;
   const Expr& condition = p.syntax.exprs[p.syntax.values[p.at(test).first]];
-  if (condition.op != Operator::kNe) return false;
+  if (condition.op != Operator::kNe) return std::nullopt;
   const Expr& left = p.syntax.exprs[condition.left()];
   const StatementId end =
       block == kNoBlock ? opener : std::min<StatementId>(p.blocks[block].end, static_cast<StatementId>(p.size()));
+  Wait wait;
+  size_t assignments = 0;
   for (StatementId id = opener; id < end; ++id) {
-    const Statement& s = p.at(id);
-    for (uint32_t i = 0; s.has_items() && i < s.item_count; ++i) {
-      const Item& item = p.syntax.items[s.first + i];
-      if (left.op == Operator::kNamed && item.target_name == left.name()) return true;
-      double number = 0;
-      double assigned = 0;
-      if (left.op == Operator::kParameter && item.target != kNoExpr &&
-          literal_value(p.syntax.exprs, left.left(), &number) &&
-          literal_value(p.syntax.exprs, item.target, &assigned) && number == assigned)
-        return true;
-    }
+    if (const Item* item = assignment(p, p.at(id), left))
+      wait.step = assignments++ == 0 ? step_of(p, item->value, left) : 0;
   }
-  return false;
+  if (assignments == 0) return std::nullopt;
+  double value = 0;
+  if (!literal_value(p.syntax.exprs, condition.right(), &value)) return wait;
+  wait.what = fmt::format("{}", value);
+  // The nearest line above, if nothing lies between that may assign another value.
+  double start = 0;
+  for (StatementId id = opener; id-- > 0;) {
+    const Statement& s = p.at(id);
+    if (s.kind != LineKind::kWords) break;
+    const Item* item = assignment(p, s, left);
+    if (item == nullptr) continue;
+    if (literal_value(p.syntax.exprs, item->value, &start)) wait.ahead = value > start ? 1 : value < start ? -1 : 0;
+    break;
+  }
+  return wait;
+}
+
+/// How to correct a loop that passes the value that ends it.
+std::string past_value(const Wait& wait) {
+  const std::string value = wait.what.empty() ? "the value" : wait.what;
+  if (wait.step == 0) return "compare with `GT` or `LT` instead of `NE`: the steps may jump over " + value;
+  if (wait.ahead == -wait.step) return "count the other way: the steps lead away from " + value;
+  return std::string("write `") + (wait.step > 0 ? "LT" : "GT") + "` instead of `NE`: the steps " +
+      (wait.ahead == 0 ? "may jump over " : "jump over ") + value;
 }
 
 void check(const Input& in, Reporter& out) {
@@ -73,14 +132,14 @@ void check(const Input& in, Reporter& out) {
       f.never_ends = true;
       continue;
     }
-    const std::string who = h.not_always ? "some runs never leave" : "no run leaves";
-    Finding& f = out.add(s.head_span(), who + " the loop that begins with `" + p.head(h.statement) + "`");
+    Finding& f = out.add(s.head_span(),
+                         "the loop that begins with `" + p.head(h.statement) +
+                             (h.not_always ? "` never ends on some runs" : "` never ends"));
     f.unproven = h.not_always;
     if (block != kNoBlock && p.blocks[block].end != kNoStatement)
       relate(f, p, p.blocks[block].end, "the loop goes back from here");
     f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
-    if (waits_for_equal(p, h.statement))
-      f.help = "compare with `GT` or `LT` instead of `NE`: the steps may jump over the value";
+    if (const std::optional<Wait> wait = waits_for_equal(p, h.statement)) f.help = past_value(*wait);
     f.reach = h.reach;
     f.never_ends = true;
   }

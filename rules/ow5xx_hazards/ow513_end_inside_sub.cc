@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
     const Elsewhere call = place_of(in, h.other, h.other_elsewhere);
     const Statement& s = p.at(h.statement);
     const Region& sub = p.regions[p.region_of[h.statement]];
-    const bool fanuc = sub.opener != kNoStatement && p.at(sub.opener).is(Keyword::kBare);
+    const bool fanuc = call.program->at(call.statement).kind == LineKind::kM98;
     // A sub of a called file that is not closed may end before the line: then the call names it.
     const std::string name = sub.name == kNoName ? call.program->label_at(call.statement) : p.label_text(sub.name);
     Finding& f = out.add(s.whole(),

@@ -7,6 +7,7 @@
 
 #include "analyzer/machine/predefined.h"
 #include "analyzer/machine/remap_names.h"
+#include "analyzer/syntax/look_alike.h"
 #include "rules/driver/parameters.h"
 
 namespace owlint::rules {
@@ -41,6 +42,20 @@ void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
       "`EXISTS[#<…>]` tests it first";
 }
 
+/// Says which name was probably meant: another one that has a value.
+void suggest(const Input& in, const std::string& name, RegionId reader, Finding& f) {
+  const NearName near = near_name(in, name, reader);
+  if (near.name.empty()) {
+    if (reader != kMainRegion && !name.starts_with('_')) {
+      f.help = "assign it in the sub, pass it as an argument, or write `#<_" + name +
+          ">`, which is global: a name without `_` starts without a value in every call";
+    }
+    return;
+  }
+  f.help = "did you mean `#<" + near.name + ">`?";
+  relate(f, in.program, near.assigned, "`#<" + near.name + ">` is assigned here");
+}
+
 /// Finds the words for a local name that is read without a value: which other name was probably meant.
 class LocalNames {
  public:
@@ -55,17 +70,22 @@ class LocalNames {
 
   /// Finds the words, the position and the help for a name that `reader` reads. `caller`: the call in which it does, if known.
   void explain(const std::string& name, RegionId reader, const Elsewhere& caller, Finding& f) {
-    constexpr int kMost = 100;  // each goes through all lines
     if (in_.data.too_large() || ++asked_ > kMost) return;
     const Program& p = in_.program;
     if (assigns(reader, name)) return;
     const Elsewhere other = owner(name, reader, caller);
-    if (other.statement == kNoStatement) return suggest(name, reader, f);
+    if (other.statement == kNoStatement) return suggest(in_, name, reader, f);
     f.message = "`#<" + name + ">` has no value in " + region_words(p, reader) + ": " + belongs(other, f);
     f.help = (reader == kMainRegion
                   ? "return the value with `endsub [#<" + name + ">]`, and read `#<_value>`"
                   : "a name without `_` starts without a value in every call: pass the value as an argument") +
         ", or write `#<_" + name + ">` in both places, which is global";
+  }
+
+  /// The same for a global name.
+  void explain_global(const std::string& name, RegionId reader, Finding& f) {
+    f.help = "assign `#<" + name + ">` first";
+    if (!in_.data.too_large() && ++asked_ <= kMost) suggest(in_, name, reader, f);
   }
 
   /// The same for a name that a sub assigns from itself, which is 0 there (measured).
@@ -109,33 +129,15 @@ class LocalNames {
     return first;
   }
 
-  /// The name that was probably meant: one that the same lines assign.
-  void suggest(const std::string& name, RegionId reader, Finding& f) const {
-    const Program& p = in_.program;
-    std::vector<std::string> names;
-    for (const flow::Write& write : in_.data.accesses_of(reader).all_writes()) {
-      const flow::ParameterId target = flow::parameter_of(write.key);
-      if (target.named && !flow::is_global(write.key)) names.push_back(p.name(target.id));
-    }
-    const std::string near = nearest(name, names);
-    if (!near.empty()) {
-      f.help = "did you mean `#<" + near + ">`?";
-    } else if (reader != kMainRegion) {
-      f.help = "assign it in the sub, pass it as an argument, or write `#<_" + name +
-          ">`, which is global: a name without `_` starts without a value in every call";
-    }
-  }
+  static constexpr int kMost = 100;  // each goes through all lines
 
   const Input& in_;
   int asked_ = 0;
 };
 
-/// Whether the lines of a sub are those that a call from elsewhere enters.
-bool is_entry(const Program& p, RegionId region) { return p.sub_file && p.regions[region].name == p.entry; }
-
 /// Whether a remap may give a name to the sub whose lines read it.
 bool given(const Input& in, const std::string& name, RegionId reader) {
-  return is_entry(in.program, reader) && remap_gives(name, in.program.name(in.program.entry), in.profile);
+  return enters_from_outside(in.program, reader) && remap_gives(name, in.program.name(in.program.entry), in.profile);
 }
 
 /// Calls `each` for the names that a value reads, and for those that it asks for.
@@ -184,15 +186,6 @@ void check_own_values(const Input& in, LocalNames& names, Reporter& out) {
   }
 }
 
-/// Whether some run is in the lines of a region.
-bool reached(const Input& in, RegionId region) {
-  const Region& r = in.program.regions[region];
-  if (region == kMainRegion || is_entry(in.program, region)) return true;
-  const auto executed = [&](StatementId id) { return in.flow.executed[id] && id != r.opener && id != r.end; };
-  const auto called = [&](const Call& call) { return call.target == region && in.flow.executed[call.statement]; };
-  return std::ranges::any_of(in.data.lines_of(region), executed) || std::ranges::any_of(in.program.calls, called);
-}
-
 /// Names without a value in comments that show them.
 void check_comments(const Input& in, LocalNames& names, Reporter& out) {
   const Program& p = in.program;
@@ -206,7 +199,7 @@ void check_comments(const Input& in, LocalNames& names, Reporter& out) {
     // Without an INI, a name that the sub assigns below may be one that Python gives it.
     const bool below =
         shown.key != flow::kComputedKey && in.data.first_assignment(shown.region, shown.key) != kNoStatement;
-    if (below && in.profile.setup == nullptr && is_entry(p, shown.region)) continue;
+    if (below && in.profile.setup == nullptr && enters_from_outside(p, shown.region)) continue;
     const bool runs = reached(in, shown.region);
     if (runs && above != kNoStatement && in.flow.reach(above) == Reach::kNever) continue;
     Finding& f = out.add(shown.span, "`#<" + shown.local + ">` has no value here");
@@ -238,6 +231,17 @@ void check_unreached(const Input& in, LocalNames& names, Reporter& out) {
         f.reach = Reach::kNever;
       });
     }
+  }
+}
+
+/// Names the line that assigns the name which looks like this one.
+void relate_look_alike(const Input& in, const std::string& name, RegionId reader, Finding& f) {
+  const Program& p = in.program;
+  if (in.data.too_large()) return;
+  for (NameId other = 0; other < p.syntax.names.size(); ++other) {
+    if (p.name(other) == name || plain_text(p.name(other)) != plain_text(name)) continue;
+    const StatementId line = in.data.first_assignment(reader, flow::key_of_name(p.syntax, other));
+    if (line != kNoStatement) return relate(f, p, line, "the other name is assigned here");
   }
 }
 
@@ -273,7 +277,10 @@ void check(const Input& in, Reporter& out) {
       tell_entry(in.profile, name, f);
     } else if (const std::string other = look_alike_name(in, s.detail); !other.empty()) {
       f.help = other;
-    } else if (!s.detail.starts_with("_")) {
+      relate_look_alike(in, s.detail, p.region_of[s.statement], f);
+    } else if (s.detail.starts_with("_")) {
+      names.explain_global(s.detail, p.region_of[s.statement], f);
+    } else {
       const bool called = s.call != kNoStatement || s.call_elsewhere.program != nullptr;
       names.explain(s.detail, p.region_of[s.statement], called ? place_of(in, s.call, s.call_elsewhere) : Elsewhere{},
                     f);

@@ -1,7 +1,10 @@
 // OW610 value-unused: a parameter that is assigned and never read, or assigned again on the next line.
 // Depends on: names without `_` are the sub's own; a line's values are read before it assigns.
 #include <algorithm>
+#include <optional>
+#include <set>
 
+#include "analyzer/syntax/look_alike.h"
 #include "rules/driver/parameters.h"
 
 namespace owlint::rules {
@@ -32,8 +35,42 @@ std::string meant(const Input& in, const flow::UnusedValue& unused) {
   return nearest(text, names, 2);
 }
 
+/// The names that OW603 finds to be read without a value: with the region that reads them.
+using Missing = std::set<std::pair<RegionId, std::string>>;
+
+Missing missing_names(const Input& in) {
+  const Program& p = in.program;
+  Missing missing;
+  for (const FlowStop& stop : in.flow.stops) {
+    if (stop.kind == StopKind::kNameUndefined && stop.statement != kNoStatement)
+      missing.emplace(p.region_of[stop.statement], stop.detail);
+  }
+  for (RegionId region = 1; region < p.regions.size(); ++region) {
+    if (reached(in, region)) continue;
+    for (const flow::ParameterKey key : in.data.reads_of(region)) {
+      const flow::ParameterId read = flow::parameter_of(key);
+      if (read.named && !flow::is_global(key) && in.data.first_assignment(region, key) == kNoStatement)
+        missing.emplace(region, p.name(read.id));
+    }
+  }
+  return missing;
+}
+
+/// Whether OW603 says of the name that was meant that it has no value: then that is the finding.
+bool said_where_it_is_read(const Input& in, const flow::UnusedValue& unused, const std::string& meant,
+                           const Missing& missing) {
+  const std::string& name = in.program.name(unused.parameter.id);
+  const RegionId region = in.program.region_of[unused.statement];
+  const auto looks_like = [&](const auto& read) {
+    return read.first == region && plain_text(read.second) == plain_text(name);
+  };
+  return (missing.contains({region, meant}) && near_name(in, meant, region).name == name) ||
+      std::ranges::any_of(missing, looks_like);
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
+  std::optional<Missing> missing;
   constexpr size_t kMaxSuggestions = 20;  // each goes through all names
   size_t suggestions = 0;
   for (const flow::UnusedValue& u : in.data.unused()) {
@@ -47,9 +84,13 @@ void check(const Input& in, Reporter& out) {
       f.reach = in.flow.reach(u.statement);
       continue;
     }
+    const std::string near = suggestions++ < kMaxSuggestions ? meant(in, u) : std::string();
+    if (u.parameter.named && suggestions <= kMaxSuggestions) {
+      if (!missing) missing = missing_names(in);
+      if (said_where_it_is_read(in, u, near, *missing)) continue;
+    }
     Finding& f = out.add(item_span(p, u.statement, u.item), words + " is assigned here and never read in " + where);
     f.reach = in.flow.reach(u.statement);
-    const std::string near = suggestions++ < kMaxSuggestions ? meant(in, u) : std::string();
     if (!near.empty()) {
       f.help = "did you mean `#<" + near + ">`?";
     } else if (u.argument != 0) {

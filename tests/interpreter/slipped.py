@@ -57,7 +57,7 @@ _OF_WORDS = re.compile(r"Bad character|bad number format|Unknown word|No charact
 _AMONG_WORDS = re.compile(r"Multiple \S+ words|Cannot use axis values|P word with no|Unknown g code used|Two g codes|Cannot (do|make) ")
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 # O-words, also where the letter or the label is lost; assignments; calls and returns of the other style.
-_NO_WORDS = re.compile(r"^/?(n[\d.]+)?(#|o|(0|n)?(\d+|<[^>]*>|\[.*?\])?(sub|endsub|call|do\b|while|endwhile|repeat|endrepeat|if|elseif|else|endif|break|continue|return))"
+_NO_WORDS = re.compile(r"^/?(n[\d.]+)?(#|o|(0|n)?(\d+|<[^>]*>|\[.*?\])?(sub|endsub|call|do\b|while|endwhile|repeat|endrepeat|if|elseif|else|endif|break|continue|return)(?![a-z]))"
                        r"|m0*(98|99)(?!\d)", re.IGNORECASE)
 
 

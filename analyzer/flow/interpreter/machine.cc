@@ -294,13 +294,18 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
   State out = exit;
   const bool fanuc = callee.fanuc;
   const Effects& effects = effects_.of(callee.sub);
-  if (merged && !effects.everything) {
-    // The exit was computed for many callers at once. What the callee cannot have changed is as it was for this one.
+  if (merged) {
+    // The exit was computed for many callers at once. What the callee cannot have changed is as it was for this one, and a
+    // label that was defined still is: no call takes one away.
     out.table =
         PersistentMap::merge(pool_, caller.table, exit.table, [&](uint32_t label, uint32_t before, uint32_t after) {
           const auto& [scope, name] = labels_[label];
-          return effects.subs.contains(scope == kGlobalScope ? name : scope) ? after : before;
+          if (!effects.everything && !effects.subs.contains(scope == kGlobalScope ? name : scope)) return before;
+          if (before == 0 || definers_.get(before).undefined) return after;
+          return after == 0 ? before : definers_.without_undefined(after);
         });
+  }
+  if (merged && !effects.everything) {
     out.parameters.globals = PersistentMap::merge(
         pool_, caller.parameters.globals, exit.parameters.globals, [&](uint32_t key, uint32_t before, uint32_t after) {
           return effects.globals.contains(key) || effects.any_global ? after : before;

@@ -17,6 +17,7 @@ struct Reads {
   std::vector<ParameterKey> keys;
   bool global = false, local = false;
   bool trackable = true;
+  bool changes = false;  ///< it reads what can change while the program runs
 };
 
 /// Structure of an expression as a number, and what it reads. Depth is bounded by the length of a line.
@@ -31,9 +32,13 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
   switch (expr.op) {
     case Operator::kNumber: return mix(hash, std::hash<double>()(expr.value()));
     case Operator::kNamed:
-      if (may_be_predefined(syntax.names.text(expr.name()))) reads.trackable = false;
+      if (!fixed_by_machine(syntax.names.text(expr.name()))) {
+        reads.changes = true;
+        if (may_be_predefined(syntax.names.text(expr.name()))) reads.trackable = false;
+      }
       return note(key_of_name(syntax, expr.name()));
     case Operator::kParameter: {
+      reads.changes = true;
       const ParameterKey key = key_of_number(syntax, expr.left());
       const ParameterKey number = key & ~kGlobalKey;
       if (number >= 1 && number < kFirstVolatileNumber) return note(key);
@@ -68,10 +73,12 @@ void Evaluator::find_facts() {
   uint32_t next = 1;
   for (size_t first = 0, end = 0; first < tests.size(); first = end) {
     while (end < tests.size() && tests[end].first == tests[first].first) ++end;
-    // Tested in one place only, an outcome decides nothing later; remembering it would only tell states apart.
-    if (end - first < 2) continue;
+    reads = {std::move(reads.keys)};
     reads.keys.clear();
     describe(syntax_, tests[first].second, reads);
+    // Tested in one place only, an outcome decides nothing later, but for what is the same in the next pass and call; to
+    // remember it would only tell states apart.
+    if (end - first < 2 && reads.changes) continue;
     const bool crowded =
         std::ranges::any_of(reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= kMaxFactsOfOne; });
     if (crowded) continue;

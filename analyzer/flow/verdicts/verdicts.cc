@@ -258,8 +258,16 @@ void Analysis::finish() {
   }
   if (memory_of_calls_) learn_calls();
   ends_in_subs();
+  // The lines of a `sub` within a called one run in its place: they read its arguments by mistake, and that is said there.
+  std::map<RegionId, StatementId> inner;
+  for (const auto& [key, hazard] : hazards_) {
+    if (hazard.kind == HazardKind::kSubInCall)
+      inner.try_emplace(program_.region_of[hazard.statement], hazard.statement);
+  }
   std::optional<OptionalArguments> optional;
   for (const auto& [context, number, read] : not_passed_) {
+    const auto within = inner.find(program_.region_of[read]);
+    if (within != inner.end() && within->second < read) continue;
     if (!optional) optional.emplace(program_);
     if (optional->optional(read, number)) continue;
     for (const Caller& caller : frames_[context].callers) {

@@ -1,0 +1,224 @@
+// Words of other controllers and languages, and what LinuxCNC has in place of them.
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "rules/driver/idioms.h"
+
+namespace owlint::rules {
+namespace {
+
+constexpr std::string_view kInsteadOfJumps =
+    "to skip lines, write `o100 if [...]` and `o100 endif` with the opposite condition; to repeat lines, write `o100 "
+    "while [...]` and `o100 endwhile`";
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A keyword of other languages, and what to do in LinuxCNC.
+struct OtherWord {
+  std::string_view word;
+  std::string_view instead;
+};
+
+constexpr std::array<OtherWord, 34> kOtherWords = {{
+    {"gosub", "call a sub with `o100 call`"},
+    {"until", "close `do` with `while` and the opposite condition"},
+    {"wend", "write `o100 endwhile`, with the label of the `while`"},
+    {"endw", "write `o100 endwhile`, with the label of the `while`"},
+    {"endfor", "count in a `while`, or use `repeat` and `endrepeat`"},
+    {"endloop", "use `repeat` and `endrepeat`, or `while` and `endwhile`"},
+    {"endproc", "end a sub with `o<name> endsub`"},
+    {"enddo", "close `do` with `while [...]`"},
+    {"endcase", "use `if`, `elseif` and `endif`"},
+    {"endswitch", "use `if`, `elseif` and `endif`"},
+    {"endselect", "use `if`, `elseif` and `endif`"},
+    {"for", "count in a `while`, or use `o100 repeat [5]` and `o100 endrepeat`"},
+    {"next", "a loop ends with `endwhile` or `endrepeat`; to begin its next pass early, use `continue`"},
+    {"loop", "use `repeat` and `endrepeat`, or `while` and `endwhile`"},
+    {"foreach", "count in a `while`"},
+    {"switch", "use `if`, `elseif` and `endif`"},
+    {"select", "use `if`, `elseif` and `endif`"},
+    {"case", "use `if`, `elseif` and `endif`"},
+    {"default", "use `else`"},
+    {"elif", "write `elseif`"},
+    {"exit", "leave a loop with `break`, a sub with `return`, the program with `M2`"},
+    {"quit", "leave a loop with `break`, a sub with `return`, the program with `M2`"},
+    {"stop", "`M0` waits for the operator, `M2` ends the program"},
+    {"pause", "`M0` waits for the operator, `G4 P1` waits for a second"},
+    {"print", "write a comment: `(PRINT,text)`"},
+    {"msg", "write a comment: `(MSG,text)`"},
+    {"rem", "write a comment: `(text)` or `; text`"},
+    {"proc", "define a sub with `o<name> sub` and `o<name> endsub`"},
+    {"function", "define a sub with `o<name> sub` and `o<name> endsub`"},
+    {"def", "name a value with `#<name> = 5`, define a sub with `o<name> sub`"},
+    {"let", "assign with `#<name> = 5`"},
+    {"var", "assign with `#<name> = 5`"},
+    {"dim", "assign with `#<name> = 5`"},
+    {"set", "assign with `#<name> = 5`"},
+}};
+
+std::string upper(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c; });
+  return out;
+}
+
+/// A condition turned round, in its brackets, and the part of it that changed: `[#1 LT 3]` for `GE 3`.
+struct Opposite {
+  std::string condition;
+  std::string was;
+};
+
+/// The opposite of a condition that is one comparison and nothing else.
+std::optional<Opposite> opposite_of(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kOpposites = {
+      {{"EQ", "NE"}, {"NE", "EQ"}, {"GT", "LE"}, {"LE", "GT"}, {"GE", "LT"}, {"LT", "GE"}}};
+  text = text.substr(0, text.find_first_of("(;"));
+  const size_t open = text.find_first_not_of(" \t");
+  const size_t close = text.find_last_not_of(" \t\r");
+  if (open == std::string_view::npos || text[open] != '[' || text[close] != ']') return std::nullopt;
+  text = text.substr(open, close - open + 1);
+  std::optional<Opposite> found;
+  int depth = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '<') i = std::min(text.find('>', i), text.size() - 1);
+    depth += text[i] == '[' ? 1 : text[i] == ']' ? -1 : 0;
+    const std::string word = upper(text.substr(i, 2));
+    if (word == "OR" || (word == "AN" && upper(text.substr(i, 3)) == "AND")) return std::nullopt;
+    const auto* pair = std::ranges::find(kOpposites, word, &std::pair<std::string_view, std::string_view>::first);
+    if (pair == kOpposites.end()) continue;
+    if (found || depth != 1) return std::nullopt;
+    found = Opposite{std::string(text.substr(0, i)).append(pair->second).append(text.substr(i + 2)),
+                     std::string(text.substr(i, text.size() - 1 - i))};
+  }
+  return found;
+}
+
+/// `o1 do` … `o1 until [...]`: the `while` that ends it.
+void closes_do(const RefusedLine& line, Finding& f) {
+  const size_t from = line.at + line.first_word().size();
+  const std::optional<Opposite> opposite = opposite_of(line.written(from, line.end));
+  if (!opposite || line.statement.label == kNoName || !line.ends_do()) return;
+  f.help = "write `" + line.program.label_at(line.id) + " while " + opposite->condition + "`, the opposite of `" +
+      opposite->was + "`";
+  line.propose(f, f.help, {line.put(line.at, line.end, "while " + opposite->condition)}, true);
+}
+
+}  // namespace
+
+/// `IF [#1 EQ 1] GOTO 20`, `GOTO 20`.
+bool jumps(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const size_t jump = text.find(
+      "goto", line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing ? 0 : line.at);
+  if (jump == std::string_view::npos) return false;
+  const bool right_there = jump == line.at || (jump == line.at + 1 && line.text[line.at] == ']');
+  const bool of_keyword = line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing;
+  if (!right_there && !of_keyword) return false;
+  f.message = "LinuxCNC has no `GOTO`: a program cannot jump to a line";
+  f.help = kInsteadOfJumps;
+  return true;
+}
+
+/// `WHILE [#1 LT 3] DO1` and `END1`.
+bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
+  const std::string_view rest = line.rest();
+  const auto numbered = [&](std::string_view word) {
+    return rest.starts_with(word) && rest.size() == word.size() + 1 && is_digit(rest[word.size()]);
+  };
+  const bool begins = line.kind() == StopKind::kLabelForgotten && rest.starts_with("while") && rest.size() > 3 &&
+      is_digit(rest.back()) && rest.substr(0, rest.size() - 1).ends_with("do");
+  const bool ends = line.kind() == StopKind::kWordUnreadable && numbered("end");
+  const bool behind =
+      line.kind() == StopKind::kTrailingText && line.has_keyword(Keyword::kWhile) && (rest == "do" || numbered("do"));
+  if (!begins && !ends && !behind) return false;
+  if (behind) {
+    f.message = "`" + upper(rest) + "` after the condition: LinuxCNC has a `while` without it";
+    f.help = "remove it; the loop ends with `" + line.program.label_at(line.id) + " endwhile`";
+    line.propose(f, "remove `" + upper(rest) + "`", {line.put(line.at, line.end, "")}, true);
+    return true;
+  }
+  f.message = "other controllers write loops with `WHILE … DO1` and `END1`; LinuxCNC does not";
+  f.help = ends ? "write `o100 endwhile`, with the label of the `while`"
+                : "write `o100 while [...]`, without `DO1`, and `o100 endwhile` in place of `END1`";
+  return true;
+}
+
+/// `o100 if [#1 EQ 2] then`.
+bool says_then(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const bool forgotten = line.kind() == StopKind::kLabelForgotten && text.substr(line.at).starts_with("if");
+  const bool here = line.rest().starts_with("then") &&
+      (line.kind() == StopKind::kTrailingText || line.kind() == StopKind::kWordUnreadable);
+  const size_t then = forgotten ? text.find("]then", line.at) + 1 : here ? line.at : 0;
+  if (then == 0 && !here) return false;
+  const std::string_view behind = text.substr(std::min(then + 4, text.size()));
+  f.message = "LinuxCNC has no `THEN`";
+  if (forgotten || line.kind() == StopKind::kWordUnreadable) {
+    f.help = "write `o100 if [...]` on a line, the lines for a true condition below it, and then `o100 endif`";
+  } else if (behind.empty()) {
+    f.help = "remove it";
+    line.propose(f, "remove `then`", {line.put(line.at, line.end, "")}, true);
+  } else {
+    f.help =
+        "remove it, and write the rest on a line of its own, before `" + line.program.label_at(line.id) + " endif`";
+  }
+  return true;
+}
+
+/// `o1 repeat` … `o1 until [...]`.
+bool repeats_until(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kBracketMissing || !line.has_keyword(Keyword::kRepeat) ||
+      line.statement.label == kNoName)
+    return false;
+  const Program& p = line.program;
+  const auto lines = p.by_label[line.statement.label];
+  const auto until = std::ranges::find_if(lines, [&](StatementId id) {
+    return id > line.id && p.at(id).is(Keyword::kUnknown) && upper(p.source->slice(p.at(id).keyword_span())) == "UNTIL";
+  });
+  if (until == lines.end()) return false;
+  const std::string label = p.label_at(line.id);
+  const Statement& end = p.at(*until);
+  const std::string_view text = p.source->slice({end.keyword_span().end, end.end()});
+  const std::optional<Opposite> opposite = opposite_of(text);
+  f.message = "LinuxCNC has no `REPEAT` … `UNTIL`";
+  f.help = "write `" + label + " do`, and in place of `until` on line " + std::to_string(end.line) + " `" + label +
+      " while " +
+      (opposite ? opposite->condition + "`, the opposite of `" + opposite->was + "`"
+                : "[...]` with the opposite condition");
+  return true;
+}
+
+/// A keyword of another language, after a label or alone.
+bool is_other_word(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown &&
+      line.kind() != StopKind::kTrailingText)
+    return false;
+  const std::string_view word = line.first_word();
+  const auto* other = std::ranges::find(kOtherWords, word, &OtherWord::word);
+  if (other != kOtherWords.end()) {
+    f.message = "LinuxCNC has no `" + upper(word) + "`";
+    f.help = other->instead;
+    if (word == "until") closes_do(line, f);
+    return true;
+  }
+  if (word == "end" || word == "endprogram") {
+    f.message = "`" + upper(word) + "` does not say what ends";
+    f.help = "write `endif`, `endwhile`, `endrepeat` or `endsub` with its label, or `M2` at the end of the program";
+    return true;
+  }
+  // A LinuxCNC keyword that is not followed by brackets.
+  const Keyword keyword = keyword_of(line.rest());
+  if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown ||
+      line.first_word() != spelling(keyword))
+    return false;
+  f.message = "the `o…` label is missing before `" + std::string(spelling(keyword)) + "`";
+  f.help = keyword == Keyword::kCall || keyword == Keyword::kSub
+      ? "write the label first: `o<name> " + std::string(spelling(keyword)) + "`"
+      : "write the label first, and the condition or values in square brackets: `o100 " +
+          std::string(spelling(keyword)) + " [...]`";
+  return true;
+}
+
+}  // namespace owlint::rules

@@ -1,0 +1,140 @@
+#include <algorithm>
+
+#include "analyzer/syntax/look_alike.h"
+#include "rules/driver/stops.h"
+
+namespace owlint {
+namespace {
+
+uint64_t key_of(RegionId region, NameId label) { return static_cast<uint64_t>(region) << 32 | label; }
+
+}  // namespace
+
+Index::Index(const Program& program, const FlowResult& flow)
+    : nature(nature_of(program.source->bytes())), at(program.size()) {
+  std::vector<bool> stopped(program.size());
+  for (const FlowStop& stop : flow.stops) {
+    if (stop.statement == kNoStatement) continue;
+    const Statement& s = program.at(stop.statement);
+    if (stop.kind != StopKind::kFileEnd || !(opens_block(s.keyword) || s.opens_sub())) stopped[stop.statement] = true;
+  }
+  for (const Hazard& hazard : flow.hazards) {
+    if (hazard.kind == HazardKind::kCrash) stopped[hazard.statement] = true;
+  }
+  at = stopped;
+  for (const Hazard& hazard : flow.hazards) {
+    if (hazard.kind != HazardKind::kWarned) continue;
+    at[hazard.statement] = true;
+    warned_by_code[rules::code_of(hazard.warned, program.at(hazard.statement))].push_back(&hazard);
+  }
+  for (const FlowStop& stop : flow.stops) {
+    if (stop.kind == StopKind::kFileEnd && stop.statement != kNoStatement) {
+      // A block whose end has a wrong label: the stop at that end and the end of the file, which a run meets
+      // when it skips the block, are one mistake.
+      const BlockId block = program.block_of[stop.statement];
+      StatementId mistaken = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
+      // Or one that LinuxCNC cannot read.
+      if (block != kNoBlock && program.blocks[block].end != kNoStatement &&
+          program.at(program.blocks[block].end).refused)
+        mistaken = program.blocks[block].end;
+      if (mistaken != kNoStatement && stopped[mistaken]) {
+        consequences.emplace(mistaken, &stop);
+        continue;
+      }
+    }
+    by_code[rules::code_of(stop, program)].push_back(&stop);
+  }
+  subs = misread_subs(program);
+  find_spoken_for(program, flow, stopped);
+  for (StatementId id = 0; id < program.size(); ++id) add_line(program, id);
+  for (NameId id = 0; id < program.syntax.names.size(); ++id) {
+    if (std::ranges::any_of(program.syntax.names.text(id), is_foreign)) foreign_names.push_back(id);
+  }
+  find_shared_labels(program);
+}
+
+void Index::add_line(const Program& program, StatementId id) {
+  const Statement& s = program.at(id);
+  if (s.error != UINT32_MAX) {
+    FlowStop unmet;
+    unmet.statement = id;
+    unmet.kind = program.syntax.errors[s.error].kind;
+    if (!at[id] && !spoken_for.contains(id)) unmet_by_code[rules::code_of(unmet, program)].push_back(id);
+    if ((s.is(Keyword::kUnknown) || s.is(Keyword::kBare)) && s.label != kNoName)
+      unreadable.insert(key_of(program.region_of[id], s.label));
+    if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
+  }
+  if (s.name_open) {
+    const Meant meant = meant_by(program, id);
+    if (meant.label != kNoName) unreadable.insert(key_of(program.region_of[id], meant.label));
+  }
+  if (s.name_open || s.nul || s.inner_cr) {
+    if (odd_lines.empty() || odd_lines.back() != id) odd_lines.push_back(id);
+  }
+  if (s.is(Keyword::kBare)) program_numbers.push_back(id);
+  if (s.kind == LineKind::kProgramEnd || s.has_m99() || s.kind == LineKind::kPercent) ends.push_back(id);
+  if (s.has_items() && s.item_count > 1) several_items.push_back(id);
+  if (s.kind != LineKind::kOWord) return;
+  if ((s.keyword == Keyword::kIf || s.keyword == Keyword::kElseif || s.keyword == Keyword::kWhile) && s.value_count > 0)
+    tests.push_back(id);
+  if (s.keyword == Keyword::kSub || s.keyword == Keyword::kEndsub || s.keyword == Keyword::kReturn) {
+    sub_lines.push_back(id);
+  } else if (!global_label(s.keyword) && s.label != kNoName) {
+    const BlockId block = program.block_of[id];
+    if (block == kNoBlock || program.blocks[block].mistaken_end == id) stray_parts.push_back(id);
+  }
+}
+
+void Index::find_spoken_for(const Program& program, const FlowResult& flow, const std::vector<bool>& stopped) {
+  // What was meant to end a sub or a block: the sub or block says so.
+  for (const Region& region : program.regions) {
+    if (region.likely_end == kNoStatement || region.end != kNoStatement || stopped[region.likely_end]) continue;
+    // Two lines that lack the same are one mistake.
+    const LineError* begin = program.syntax.error(program.at(region.opener));
+    const LineError* end = program.syntax.error(program.at(region.likely_end));
+    const bool same = begin != nullptr && end != nullptr && begin->kind == end->kind;
+    if (!program.at(region.opener).refused || same) spoken_for.insert(region.likely_end);
+  }
+  // What was meant to begin one: the first stop that comes of it.
+  for (StatementId id = 0; id < program.size(); ++id) {
+    if (!program.at(id).name_open) continue;
+    const Meant meant = meant_by(program, id);
+    if (opens_block(meant.keyword) && meant.label != kNoName)
+      openers.emplace(std::pair(program.region_of[id], meant.label), id);
+  }
+  const auto speak_for = [&](const auto& lines, auto key, StatementId before) {
+    const auto found = lines.find(key);
+    if (found != lines.end() && found->second < before && !stopped[found->second]) spoken_for.insert(found->second);
+  };
+  for (const FlowStop& stop : flow.stops) {
+    if (stop.statement == kNoStatement) continue;
+    const Statement& s = program.at(stop.statement);
+    if (stop.kind == StopKind::kFileEnd) {
+      const BlockId block = program.block_of[stop.statement];
+      const StatementId end = block == kNoBlock ? kNoStatement : program.blocks[block].mistaken_end;
+      if (end != kNoStatement && !stopped[end]) spoken_for.insert(end);
+    } else if (stop.kind == StopKind::kSubNotFound) {
+      speak_for(subs, program.syntax.names.find(stop.detail), kNoStatement);
+    } else if (stop.kind == StopKind::kReturnOutside || stop.kind == StopKind::kNotInDefinition) {
+      speak_for(subs, s.label, stop.statement);
+    } else if (stop.kind == StopKind::kLabelUndefined && s.label != kNoName) {
+      speak_for(openers, std::pair(program.region_of[stop.statement], s.label), stop.statement);
+    }
+  }
+}
+
+void Index::find_shared_labels(const Program& program) {
+  // Blocks are region by region: what was noted for an earlier region is out of date.
+  std::vector<BlockId> first(program.syntax.names.size(), kNoBlock);
+  for (BlockId id = 0; id < program.blocks.size(); ++id) {
+    const Block& block = program.blocks[id];
+    BlockId& known = first[block.label];
+    if (known == kNoBlock || program.blocks[known].region != block.region) {
+      known = id;
+    } else {
+      shared_labels.emplace_back(program.blocks[known].opener, block.opener);
+    }
+  }
+}
+
+}  // namespace owlint
