@@ -13,7 +13,7 @@ namespace {
 /// Values of all kinds, over a domain with these thresholds.
 class Values {
  public:
-  explicit Values(uint32_t seed) : random_(seed) { known.set_thresholds({-5, 0, 1, 2.5, 10, 100}); }
+  explicit Values(uint32_t seed) : random_(seed) { known.set_thresholds(Thresholds({-5, 0, 1, 2.5, 10, 100})); }
 
   ValueId any() {
     const auto kind = random_() % 10;

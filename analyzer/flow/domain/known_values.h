@@ -35,7 +35,7 @@ class KnownValues {
   Range range(ValueId id) const;
   /// What is known after two paths are joined.
   ValueId join(ValueId a, ValueId b);
-  void set_thresholds(std::vector<double> numbers) { thresholds_ = Thresholds(std::move(numbers)); }
+  void set_thresholds(Thresholds thresholds) { thresholds_ = std::move(thresholds); }
   const Thresholds& thresholds() const { return thresholds_; }
 
  private:

@@ -211,10 +211,10 @@ void add_thresholds(Operator op, double number, std::vector<double>& out) {
   out.push_back(number + 2 * kEqualTolerance);
 }
 
-Thresholds::Thresholds(std::vector<double> numbers) : numbers_(std::move(numbers)) {
+Thresholds::Thresholds(std::vector<double> numbers, size_t most) : numbers_(std::move(numbers)) {
   std::ranges::sort(numbers_);
   numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
-  if (numbers_.size() > kMost) numbers_.clear();
+  if (numbers_.size() > most) numbers_.clear();
   if (!std::ranges::binary_search(numbers_, 0.0)) numbers_.insert(std::ranges::lower_bound(numbers_, 0.0), 0.0);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "analyzer/flow/limits.h"
 #include "analyzer/syntax/expression.h"
 
 namespace owlint::flow {
@@ -47,10 +48,8 @@ void add_thresholds(Operator op, double number, std::vector<double>& out);
 /// after a few passes.
 class Thresholds {
  public:
-  /// From a program's conditions: the numbers that parameters are compared with.
-  explicit Thresholds(std::vector<double> numbers);
-  /// With more, ranges would stop growing too late: then only 0 is used.
-  static constexpr size_t kMost = 64;
+  /// From a program's conditions: the numbers that parameters are compared with. With more than `most`, only 0 is used.
+  explicit Thresholds(std::vector<double> numbers, size_t most = Limits{}.thresholds);
   Thresholds() : Thresholds(std::vector<double>{}) {}
   Range widened(const Range& range) const;
   const std::vector<double>& numbers() const { return numbers_; }

@@ -9,7 +9,7 @@ namespace owlint::flow {
 
 void Analysis::start() {
   called_calmly_.resize(program_.size());
-  if (level_ >= kCoarse) machine_.set_coarse(passes_over_);
+  if (coarse()) machine_.set_coarse(passes_over_);
   State state;
   Frame main(&memory_);
   if (program_.sub_file) {
@@ -108,13 +108,12 @@ RegionId Analysis::region_at(StatementId position) const {
 
 /// The operations of a sub, or of the main program, that can fail: the first ones, for they are computed often.
 const std::vector<ExprId>& Analysis::fragile_in(RegionId region) {
-  constexpr size_t kMost = 16;
   const auto [known, is_new] = fragile_.try_emplace(region);
   if (is_new) {
     const bool is_main = region == kMainRegion;
     const StatementId first = is_main ? 0 : program_.regions[region].opener;
     const StatementId last = is_main ? static_cast<StatementId>(program_.size()) : program_.regions[region].last;
-    for (StatementId id = first; id < last && known->second.size() < kMost; ++id) {
+    for (StatementId id = first; id < last && known->second.size() < limits_.fallible_operations; ++id) {
       if (program_.region_of[id] == region) machine_.evaluator().note_fragile(program_.at(id), known->second);
     }
   }
@@ -125,7 +124,7 @@ const std::vector<ExprId>& Analysis::fragile_in(RegionId region) {
 /// fail is kept apart longer: among other values the stop would not be seen.
 bool Analysis::joins(const State& state, RegionId region, size_t there, size_t most) {
   if (there < most) return false;
-  if (level_ >= kCoarse || there >= 2 * most) return true;
+  if (coarse() || there >= 2 * most) return true;
   const Parameters& p = state.parameters;
   const auto [known, is_new] = failing_.try_emplace(mix(
       mix(p.locals.hash(), p.globals.hash()), static_cast<uint64_t>(region) << 1 | static_cast<uint64_t>(p.outside)));
@@ -142,7 +141,7 @@ void Analysis::arrive(State state) {
     if (state.record != kNoRecord) trace_->link(state.record, known, state.branch);
     return;
   }
-  if (!joins(state, region_at(state.position), group.seen.size(), patience().states))
+  if (!joins(state, region_at(state.position), group.seen.size(), level().states))
     return execute(std::move(state), group, hash);
   ++result_.statistics.merges;
   if (state.record != kNoRecord) group.parents.emplace_back(state.record, state.branch);
@@ -201,9 +200,9 @@ void Analysis::execute(State state, Group& group, uint64_t hash) {
 
 void Analysis::count_steps(uint64_t steps) {
   result_.statistics.steps += steps;
-  while (result_.statistics.steps >= kPatience[level_].steps) {
+  while (result_.statistics.steps >= level().steps) {
     ++level_;
-    if (level_ >= kCoarse) machine_.set_coarse(passes_over_);
+    if (coarse()) machine_.set_coarse(passes_over_);
   }
 }
 
@@ -234,7 +233,7 @@ ContextId Analysis::context_for(const Context& callee, const State& entry, bool*
   *merged = false;
   if (const auto found = contexts_.find(key); found != contexts_.end()) return found->second;
   auto& [count, shared] = context_counts_.try_emplace(kind, 0, 0).first->second;
-  if (joins(entry, region_at(entry.position), count, patience().contexts)) {
+  if (joins(entry, region_at(entry.position), count, level().contexts)) {
     *merged = true;
     if (shared != 0) return shared;
   }
@@ -292,8 +291,7 @@ void Analysis::resume_one(const Caller& caller, const State& exit, Frame& frame)
   if (shared) trace_->link(exit.record, after.record);
   trace_->come_back(caller.state.record, after.record);
   // M98 with L: the call is made again. A few times are counted; more, or an unknown number, run the line again.
-  constexpr int kCountedRepeats = 8;
-  if (caller.repeats > 1 && caller.repeats <= kCountedRepeats) {
+  if (caller.repeats > 1 && caller.repeats <= limits_.counted_repeats) {
     const FullLabel label = machine_.full_label(kGlobalScope, frame.info.sub);
     const Definers::Set set = machine_.definers().get(after.table.get(label));
     if (set.lines.empty()) return;
@@ -316,7 +314,7 @@ void Analysis::leave(const State& at) {
   State exit = at;
   exit.position = 0;
   exit.context = 0;
-  if (joins(exit, region_at(frame.callers.front().state.position), frame.exits.size(), patience().states)) {
+  if (joins(exit, region_at(frame.callers.front().state.position), frame.exits.size(), level().states)) {
     ++result_.statistics.merges;
     if (frame.joined_exit == nullptr) {
       frame.joined_exit = std::make_unique<State>(exit);
@@ -348,12 +346,12 @@ std::vector<std::string> Analysis::computed_calls() const {
 
 /// A call that begins like none before in this analysis: its outcome may be known from an earlier one.
 void Analysis::recall(ContextId context, const State& at, const State& entry) {
-  if (!memory_of_calls_ || level_ >= kCoarse || frames_[context].info.contour) return;
+  if (!memory_of_calls_ || coarse() || frames_[context].info.contour) return;
   std::optional<std::string> key = memory_of_calls_->keys.of(frames_[context].info, entry, level_);
   if (!key) return;
   Frame& frame = frames_[context];
   const CallOutcome* outcome = memory_of_calls_->known.find(*key);
-  const bool joins_more = outcome != nullptr && result_.statistics.steps + outcome->steps >= kPatience[level_].steps;
+  const bool joins_more = outcome != nullptr && result_.statistics.steps + outcome->steps >= level().steps;
   if (outcome == nullptr || joins_more) {
     frame.watch = std::make_unique<Watch>(Watch{std::move(*key), entry, level_, 0, false, {}});
     return;
@@ -390,14 +388,14 @@ namespace owlint {
 
 Reach FlowResult::reach(StatementId statement) const { return trace->reach(first + statement); }
 
-std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail, flow::KnownCalls* known) {
-  constexpr int kRounds = 8;  // each knows names that the one before has computed
+std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail, flow::KnownCalls* known,
+                                     const flow::Limits& limits) {
   for (int round = 1;; ++round) {
-    flow::Analysis analysis(linked, profile, detail, known);
+    flow::Analysis analysis(linked, profile, detail, known, limits);
     FlowResult result = analysis.run();
     bool grown = false;
     for (const std::string& name : analysis.computed_calls()) grown |= linked.add(name);
-    if (grown && round < kRounds) continue;
+    if (grown && round < limits.rounds) continue;
     if (linked.files().size() == 1) result.structure = analysis.structure();
     return flow::by_file(linked, std::move(result));
   }

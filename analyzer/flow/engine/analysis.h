@@ -22,31 +22,21 @@
 
 namespace owlint::flow {
 
-// How many states are kept separate at one line. Small programs are followed almost path by path; the longer an
-// analysis runs, the more states it joins.
-struct Patience {
-  uint64_t steps;
-  size_t states;
-  size_t contexts;
-};
-inline constexpr Patience kPatience[] = {{10'000, 128, 256}, {40'000, 64, 32}, {100'000, 8, 4}, {UINT64_MAX, 1, 1}};
-inline constexpr size_t kCoarse = 3;  // from this level on, constants are joined too
-// Programs with more statements are analysed at this level from the start: most of their lines would be anyway, and
-// states that are separate by then would have to be carried through all of them.
-inline constexpr size_t kTooLarge = 250'000;
-
 inline constexpr uint32_t kNormalEnd = 0;
 
 class Analysis final : public Listener {
  public:
-  Analysis(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known)
-      : linked_(linked),
+  /// `limits` must outlive the analysis.
+  Analysis(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known, const Limits& limits)
+      : limits_(limits),
+        linked_(linked),
         program_(linked.program()),
         passes_over_(detail != Detail::kStepwise),
-        level_(detail != Detail::kBySize || program_.size() > kTooLarge ? kCoarse : 0),
-        machine_(linked, profile, pool_),
+        level_(detail != Detail::kBySize || program_.size() > limits.followed_statements ? limits.levels.size() - 1
+                                                                                         : 0),
+        machine_(linked, profile, limits, pool_),
         heads_(program_.size() + 1, UINT32_MAX),
-        trace_(std::make_shared<Trace>()) {
+        trace_(std::make_shared<Trace>(limits)) {
     result_.executed.resize(program_.size());
     remaps_ = profile.setup != nullptr && profile.setup->has_remaps;
     // Under FEATURE 0x20 any label may lead out of a sub.
@@ -143,7 +133,9 @@ class Analysis final : public Listener {
     FlowStop stop;
   };
 
-  const Patience& patience() const { return kPatience[level_]; }
+  const Limits::Level& level() const { return limits_.levels[level_]; }
+  /// Whether constants are joined, too.
+  bool coarse() const { return level_ + 1 == limits_.levels.size(); }
   void start();
   void push(State state);
   void arrive(State state);
@@ -179,6 +171,7 @@ class Analysis final : public Listener {
   bool joins(const State& state, RegionId region, size_t there, size_t most);
   Group& group_at(const State& state);
 
+  const Limits& limits_;
   const Linked& linked_;
   const Program& program_;
   bool passes_over_;

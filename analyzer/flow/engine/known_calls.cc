@@ -12,10 +12,8 @@ void add_number(std::string& key, uint64_t number) {
 }  // namespace
 
 void KnownCalls::next_check() {
-  // While a line is being written the program may stop early, and nothing after it is called meanwhile.
-  constexpr uint64_t kLong = 256;
-  if (++check_ % kLong != 0) return;
-  std::erase_if(calls_, [&](const auto& known) { return known.second.used + kLong < check_; });
+  if (++check_ % remembered_checks_ != 0) return;
+  std::erase_if(calls_, [&](const auto& known) { return known.second.used + remembered_checks_ < check_; });
 }
 
 const CallOutcome* KnownCalls::find(const std::string& key) {

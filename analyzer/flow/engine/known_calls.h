@@ -34,6 +34,8 @@ struct LearnedCall {
 /// The memory for one program. Not thread-safe.
 class KnownCalls {
  public:
+  explicit KnownCalls(const Limits& limits = {}) : remembered_checks_(limits.remembered_checks) {}
+
   /// A new check begins; calls that no check has used for a long time are forgotten.
   void next_check();
   const CallOutcome* find(const std::string& key);
@@ -48,6 +50,7 @@ class KnownCalls {
   };
   std::unordered_map<std::string, Known> calls_;
   uint64_t check_ = 0;
+  uint64_t remembered_checks_;
 };
 
 /// Makes the keys of calls in one analysis.

@@ -5,12 +5,6 @@
 namespace owlint::flow {
 namespace {
 
-// Questions that walk the whole graph are answered exactly up to these sizes; beyond, `maybe` and unpruned paths
-// are true as well, only less telling.
-constexpr size_t kMaxWork = 16'000'000;  // records looked at for `reach`, over all questions
-constexpr size_t kMaxRecords = 2'000'000;
-constexpr size_t kMaxDecisions = 64;
-
 void pack(const std::vector<std::pair<RecordId, RecordId>>& edges, size_t nodes, bool forward,
           std::vector<uint32_t>& first, std::vector<uint32_t>& list) {
   first.assign(nodes + 1, 0);
@@ -189,7 +183,7 @@ Reach Trace::reach(StatementId statement) const {
   const bool reached = statement < executed_.size() && executed_[statement];
   Reach answer = reached ? Reach::kMaybe : Reach::kNever;
   work_ += reached ? records_.size() : 0;
-  if (reached && work_ <= kMaxWork) {
+  if (reached && work_ <= reach_records_) {
     // Can a run end (or never end) without coming here?
     std::vector<bool> seen(records_.size());
     std::vector<RecordId> todo{0};
@@ -213,7 +207,7 @@ Reach Trace::reach(StatementId statement) const {
 
 std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {
   std::vector<bool> can_stop;
-  if (records_.size() < kMaxRecords) {
+  if (records_.size() < path_records_) {
     std::vector<RecordId> goals;
     for (const auto& [at, k] : terminals_) {
       if (k == key && (unsure_.contains(stop) || !unsure_.contains(at))) goals.push_back(at);
@@ -232,7 +226,7 @@ std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {
     const StatementId decided = records_[parent].statement;
     if (std::ranges::find(path, decided, &Decision::statement) != path.end()) continue;
     path.push_back({decided, record.branch == 1});
-    if (path.size() == kMaxDecisions) break;
+    if (path.size() == path_decisions_) break;
   }
   std::ranges::reverse(path);
   return path;

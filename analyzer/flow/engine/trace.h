@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analyzer/flow/flow.h"
+#include "analyzer/flow/limits.h"
 
 namespace owlint::flow {
 
@@ -30,6 +31,11 @@ class Trace {
     RecordId to = kNoRecord;
     uint8_t branch = 0;
   };
+
+  explicit Trace(const Limits& limits)
+      : reach_records_(limits.reach_records),
+        path_records_(limits.path_records),
+        path_decisions_(limits.path_decisions) {}
 
   RecordId add(Record record) {
     records_.push_back(record);
@@ -102,6 +108,7 @@ class Trace {
   bool has_cycle(const std::vector<bool>& within) const;
   std::vector<bool> backward_from(const std::vector<RecordId>& goals) const;
 
+  size_t reach_records_, path_records_, path_decisions_;  // see Limits
   std::vector<Record> records_;
   std::vector<Link> links_;
   std::vector<std::pair<RecordId, RecordId>> calls_;

@@ -34,7 +34,6 @@ bool is_regular(const Program& program) {
 }
 
 bool has_shallow_calls(const Program& program) {
-  constexpr int kMaxCallDepth = 9;
   // Longest chain from the main program, by rounds: after nine of them nothing may be left to deepen.
   std::unordered_map<NameId, std::vector<NameId>> callees;
   for (const Call& call : program.calls) {

@@ -9,6 +9,8 @@
 
 namespace owlint::flow {
 
+inline constexpr int kMaxCallDepth = 9;  ///< LinuxCNC's (measured): the tenth nested call is an error
+
 struct Structure {
   explicit Structure(const Program& program);
 

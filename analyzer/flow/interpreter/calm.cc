@@ -42,10 +42,12 @@ struct CalmSub {
 
 class CalmBuilder {
  public:
-  CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const Evaluator& evaluator)
+  CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const Evaluator& evaluator,
+              const Limits& limits)
       : out_(out),
         program_(program),
         structure_(structure),
+        limits_(limits),
         lines_(program, structure, evaluator),
         read_(program.syntax.names.size()),
         written_(program.syntax.names.size()),
@@ -69,11 +71,10 @@ class CalmBuilder {
       stopping_[id + 1] = stopping_[id] + (lines_.stop_when_skipped(id) ? 1 : 0);
       harmful_[id + 1] = harmful_[id] + (calls ? !harmless_call(*call) : !lines_.harmless(id));
     }
-    // Not longer than this: the analysis may come to know of stretches in the middle of one.
-    constexpr StatementId kMaxLines = 256;
     for (StatementId id = 0; id < count;) {
       StatementId last = id;
-      for (StatementId next = id; last < count && last - id < kMaxLines && (next = calm_until(last)) != last;)
+      for (StatementId next = id;
+           last < count && last - id < limits_.stretch_lines && (next = calm_until(last)) != last;)
         last = next;
       if (last - id > 1) add(id, last);
       id = std::max(last, id + 1);
@@ -312,7 +313,6 @@ class CalmBuilder {
     CalmSub sub;
     sub.calm_definition = sub.calm = true;
     sub.tests = body.tests;
-    constexpr size_t kMaxNoted = 64;  // more would make every call expensive
     for (size_t i = body.reads; i < out_.reads_.size(); ++i) {
       const ParameterId p = out_.reads_[i];
       if (!is_local(program_, p)) {
@@ -327,7 +327,7 @@ class CalmBuilder {
       if (!is_local(program_, out_.writes_[i].parameter)) writes.push_back(out_.writes_[i]);
     }
     const std::span<const StatementId> called = std::span(out_.called_).subspan(body.called);
-    if (sub.calm && reads.size() + writes.size() + called.size() <= kMaxNoted) {
+    if (sub.calm && reads.size() + writes.size() + called.size() <= limits_.stretch_accesses) {
       sub.reads = keep(sub_reads_, std::span<const ParameterId>(reads));
       sub.writes = keep(sub_writes_, std::span<const CalmWrite>(writes));
       sub.called = keep(sub_called_, called);
@@ -342,6 +342,7 @@ class CalmBuilder {
   CalmStretches& out_;
   const Program& program_;
   const Structure& structure_;
+  const Limits& limits_;
   CalmLines lines_;
   std::vector<uint32_t> harmful_;    // by statement: how many harmful lines come before it
   std::vector<uint32_t> stopping_;   // the same for lines that matter even where they are skipped
@@ -361,9 +362,9 @@ class CalmBuilder {
 };
 
 CalmStretches::CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator,
-                             bool warn_only)
+                             const Limits& limits, bool warn_only)
     : begins_(program.size(), kNone) {
-  if (!warn_only) CalmBuilder(*this, program, structure, evaluator).run();
+  if (!warn_only) CalmBuilder(*this, program, structure, evaluator, limits).run();
 }
 
 }  // namespace owlint::flow

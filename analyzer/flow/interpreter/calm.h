@@ -1,6 +1,6 @@
 // Stretches of lines in which nothing can go wrong, whatever their conditions are: they cannot stop, run for ever or jump
 // out, and their only effects are assigned parameters and defined subs. Most lines of a large program are in one. When
-// the analysis joins constants (kCoarse), such a stretch is one step.
+// the analysis joins constants (the last level of Limits), such a stretch is one step.
 #pragma once
 
 #include <span>
@@ -32,7 +32,8 @@ struct CalmStretch {
 class CalmStretches {
  public:
   /// `warn_only`: under FEATURE 0x20 nothing is calm.
-  CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator, bool warn_only);
+  CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator, const Limits& limits,
+                bool warn_only);
 
   /// The stretch that begins at a statement; null if none does.
   const CalmStretch* at(StatementId id) const { return begins_[id] == kNone ? nullptr : &stretches_[begins_[id]]; }

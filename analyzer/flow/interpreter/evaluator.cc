@@ -12,9 +12,11 @@
 
 namespace owlint::flow {
 
-Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool)
+Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, const Limits& limits, KnownValues& values,
+                     PersistentMap::Pool& pool)
     : syntax_(syntax),
       profile_(profile),
+      limits_(limits),
       values_(values),
       pool_(pool),
       relevant_number_(kLastNumber + 1),

@@ -13,6 +13,7 @@
 
 #include "analyzer/flow/domain/known_parameters.h"
 #include "analyzer/flow/facts/accesses.h"
+#include "analyzer/flow/limits.h"
 #include "analyzer/machine/predefined.h"
 #include "analyzer/syntax/statement.h"
 
@@ -45,7 +46,9 @@ struct Dependence {
 
 class Evaluator {
  public:
-  Evaluator(const Syntax& syntax, const Profile& profile, KnownValues& values, PersistentMap::Pool& pool);
+  /// `limits` must outlive it.
+  Evaluator(const Syntax& syntax, const Profile& profile, const Limits& limits, KnownValues& values,
+            PersistentMap::Pool& pool);
 
   /// Evaluates `id`. `zero_when_unassigned`: numbered parameters that the program never set are 0, as in a
   /// newly started interpreter; used only to find out whether a value can fail. `defining`: while a sub definition is
@@ -150,6 +153,7 @@ class Evaluator {
 
   const Syntax& syntax_;
   const Profile& profile_;
+  const Limits& limits_;
   KnownValues& values_;
   PersistentMap::Pool& pool_;
   std::vector<NameKind> kinds_;  // by name

@@ -90,17 +90,18 @@ uint32_t Definers::without_undefined(uint32_t packed) {
   return pack(std::move(set));
 }
 
-Machine::Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool)
+Machine::Machine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool)
     : linked_(linked),
       program_(linked.program()),
       profile_(profile),
+      limits_(limits),
       pool_(pool),
-      evaluator_(program_.syntax, profile_, values_, pool),
+      evaluator_(program_.syntax, profile_, limits, values_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
       reads_break_(profile.warn_only()),
       structure_(program_),
-      effects_(program_, structure_.regular) {
+      effects_(program_, structure_.regular, limits) {
   if (profile.setup != nullptr && profile.setup->has_remaps) evaluator_.distrust_globals();
   labels_.emplace_back(kNoName, kNoName);
   index();
@@ -143,7 +144,7 @@ void Machine::index() {
 
 void Machine::set_coarse(bool passes_over) {
   evaluator_.set_coarse();
-  if (passes_over && !calm_) calm_.emplace(program_, structure_, evaluator_, profile_.warn_only());
+  if (passes_over && !calm_) calm_.emplace(program_, structure_, evaluator_, limits_, profile_.warn_only());
 }
 
 const CalmStretch* Machine::pass_over(State& state, const Context& context) {

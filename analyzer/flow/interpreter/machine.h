@@ -16,6 +16,7 @@
 #include "analyzer/flow/flow.h"
 #include "analyzer/flow/interpreter/calm.h"
 #include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/limits.h"
 #include "analyzer/flow/summaries/effects.h"
 #include "analyzer/program/linker.h"
 
@@ -25,7 +26,6 @@ using ContextId = uint32_t;
 using FullLabel = uint32_t;  ///< a label with its scope, interned; 0 is none
 inline constexpr FullLabel kNoLabel = 0;
 inline constexpr NameId kGlobalScope = UINT32_MAX - 1;  ///< of `sub`, `endsub`, `call`, `return`, bare `O`, M98
-inline constexpr int kMaxCallDepth = 9;                 ///< measured: the tenth nested call is an error
 
 /// Sets of values of the interpreter's flags, one bit per possible value.
 enum FlagSet : uint8_t {
@@ -36,12 +36,10 @@ enum FlagSet : uint8_t {
 
 /// Remaining passes of a running `repeat`.
 enum Count : uint8_t {
-  // up to kLargestExactCount: exactly that many left
+  // up to Limits::counted_passes: exactly that many left
   kManyLeft = 16,  // running, number not tracked
   kAnyCount = 17,  // running or not
 };
-/// Bolt circles and step-downs have a few passes; where these are counted, the loop is left in one state and not in many.
-inline constexpr int kLargestExactCount = kManyLeft - 1;
 
 struct State {
   StatementId position = 0;
@@ -68,22 +66,20 @@ struct State {
 /// Which first lines a label may belong to, packed into a map value: undefined only (0), one line, or a set.
 class Definers {
  public:
-  /// If a label has more definers than kMost on merged paths, only the first ones are kept. The message may then name another
-  /// of these lines; whether it stops does not change.
+  /// The first Limits::kDefiners of these lines.
   class Lines {
    public:
     using value_type = StatementId;
-    static constexpr size_t kMost = 4;
     void push_back(StatementId line) { lines_[size_++] = line; }
     StatementId front() const { return lines_[0]; }
     const StatementId* begin() const { return lines_.data(); }
     const StatementId* end() const { return lines_.data() + size_; }
     size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
-    void shorten() { size_ = std::min(size_, kMost); }
+    void shorten() { size_ = std::min(size_, Limits::kDefiners); }
 
    private:
-    std::array<StatementId, 2 * kMost> lines_{};  // room for two sets that are joined
+    std::array<StatementId, 2 * Limits::kDefiners> lines_{};  // room for two sets that are joined
     size_t size_ = 0;
   };
   struct Set {
@@ -127,7 +123,7 @@ class Listener {
 
 class Machine {
  public:
-  Machine(const Linked& linked, const Profile& profile, PersistentMap::Pool& pool);
+  Machine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool);
 
   /// Executes or skips the line at `state.position`.
   void step(State state, const Context& context, Listener& out);
@@ -201,6 +197,7 @@ class Machine {
   const Linked& linked_;
   const Program& program_;
   const Profile& profile_;
+  const Limits& limits_;
   PersistentMap::Pool& pool_;
   KnownValues values_;
   Evaluator evaluator_;

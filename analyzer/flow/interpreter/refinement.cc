@@ -10,12 +10,6 @@
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
-namespace {
-
-// The detailed analysis of a very large program does not get further than this.
-constexpr size_t kMaxStatements = 100'000;
-
-}  // namespace
 
 /// The key of a parameter that is alone on one side of a comparison; kComputedKey for anything else.
 ParameterKey Evaluator::key_of(ExprId side) const {
@@ -65,7 +59,7 @@ void Evaluator::count_comparisons(ExprId id, bool of_while, std::vector<double>&
 void Evaluator::find_compared() {
   std::vector<double> thresholds;
   const std::span all(syntax_.statements);
-  const auto first = all.first(std::min(all.size(), kMaxStatements));
+  const auto first = all.first(std::min(all.size(), limits_.remembered_statements));
   for (const Statement& s : first) {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
     if (is_test && s.value_count > 0) count_comparisons(syntax_.values[s.first], s.is(Keyword::kWhile), thresholds);
@@ -96,11 +90,11 @@ void Evaluator::find_compared() {
   if (compared_.empty()) return;
   std::ranges::sort(thresholds);
   thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
-  if (thresholds.size() > Thresholds::kMost) {  // ranges between so many numbers would only tell states apart
+  if (thresholds.size() > limits_.thresholds) {  // ranges between so many numbers would only tell states apart
     compared_.clear();
     return;
   }
-  values_.set_thresholds(std::move(thresholds));
+  values_.set_thresholds(Thresholds(std::move(thresholds), limits_.thresholds));
 }
 
 void Evaluator::narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const {

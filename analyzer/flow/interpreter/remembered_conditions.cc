@@ -10,9 +10,6 @@
 namespace owlint::flow {
 namespace {
 
-// A parameter that more conditions than this read would make every assignment to it expensive.
-constexpr size_t kMaxFactsOfOne = 64;
-
 struct Reads {
   std::vector<ParameterKey> keys;
   bool global = false, local = false;
@@ -58,9 +55,8 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
 void Evaluator::find_facts() {
   std::vector<std::pair<uint64_t, ExprId>> tests;  // structure, condition
   Reads reads;
-  // The detailed analysis of a very large program does not get further than this.
-  constexpr size_t kMaxStatements = 100'000;
-  for (const Statement& s : std::span(syntax_.statements).first(std::min(syntax_.statements.size(), kMaxStatements))) {
+  for (const Statement& s :
+       std::span(syntax_.statements).first(std::min(syntax_.statements.size(), limits_.remembered_statements))) {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
     if (!is_test || s.value_count == 0) continue;
     const ExprId condition = syntax_.values[s.first];
@@ -79,8 +75,8 @@ void Evaluator::find_facts() {
     // Tested in one place only, an outcome decides nothing later, but for what is the same in the next pass and call; to
     // remember it would only tell states apart.
     if (end - first < 2 && reads.changes) continue;
-    const bool crowded =
-        std::ranges::any_of(reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= kMaxFactsOfOne; });
+    const bool crowded = std::ranges::any_of(
+        reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= limits_.conditions_of_one; });
     if (crowded) continue;
     const Fact fact{next++, is_global(reads.keys.front())};
     for (const ParameterKey key : reads.keys) facts_of_[key].push_back(fact.id);

@@ -77,14 +77,14 @@ void Machine::Step::count_passes(Truth truth, double number) {
     } else {
       const double times = std::nearbyint(number);  // measured: 2.5 passes are 2, 3.5 are 4
       if (times > 0) {
-        enter(times - 1 <= kLargestExactCount ? static_cast<int>(times) - 1 : kManyLeft);
+        enter(times - 1 <= m.limits_.counted_passes ? static_cast<int>(times) - 1 : kManyLeft);
       } else {
         pass_by();
       }
     }
   }
   if (left < 0) return;
-  decided = left <= kLargestExactCount;
+  decided = left <= m.limits_.counted_passes;
   if (left == kManyLeft || left == kAnyCount) {
     if (!fresh || truth != Truth::kOpen) {
       enter(kManyLeft);

@@ -193,15 +193,13 @@ void Machine::Step::o_word() {
 /// A call whose label is computed from something that is not known: any sub with a number in question may run, and what it does
 /// with the arguments is not proven; or another one, of which nothing is known. False where the arguments stop every run.
 bool Machine::Step::call_any() {
-  constexpr ptrdiff_t kMostCandidates = 16;  // more say too little about each
-  constexpr int kDeepest = 4;                // of calls within such calls
   std::vector<ValueId> passed;
   if (!arguments(&passed)) return false;
   const auto first =
       std::ranges::lower_bound(m.numbered_subs_, label_range.low, {}, [](const auto& sub) { return sub.first; });
   const auto last =
       std::ranges::upper_bound(m.numbered_subs_, label_range.high, {}, [](const auto& sub) { return sub.first; });
-  if (last - first <= kMostCandidates && context.depth < kDeepest) {
+  if (static_cast<size_t>(last - first) <= m.limits_.computed_candidates && context.depth < m.limits_.computed_depth) {
     for (auto sub = first; sub != last; ++sub) {
       const auto& [number, name] = *sub;
       if (name == context.sub || !label_range.has(number)) continue;

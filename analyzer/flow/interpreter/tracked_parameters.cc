@@ -8,12 +8,6 @@
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
-namespace {
-
-// Above this many tracked numbers a write to a computed number would cost too much to model.
-constexpr size_t kMaxTracked = 512;
-
-}  // namespace
 
 bool Evaluator::mark_number(long number) {
   if (number <= 0 || number > kLastNumber || relevant_number_[number]) return false;
@@ -119,10 +113,9 @@ void Evaluator::find_relevant() {
   for (const Statement& s : syntax_.statements) {
     if (s.label_expr != kNoExpr) mark(s.label_expr);
   }
-  // An assignment to a parameter that matters makes what it reads matter. Few rounds suffice in practice; the
-  // limit only costs precision.
+  // An assignment to a parameter that matters makes what it reads matter.
   bool grew = true;
-  for (int round = 0; grew && round < 8; ++round) {
+  for (int round = 0; grew && round < limits_.tracking_rounds; ++round) {
     grew = false;
     for (const Item& item : syntax_.items) {
       double number = 0;
@@ -142,7 +135,7 @@ void Evaluator::find_relevant() {
       if (matters) grew |= mark(item.value);
     }
   }
-  if ((computed_targets_ || computed_reads_) && tracked_numbers_.size() > kMaxTracked) {
+  if ((computed_targets_ || computed_reads_) && tracked_numbers_.size() > limits_.tracked_numbers) {
     relevant_number_.assign(kLastNumber + 1, false);
     tracked_numbers_.clear();
     computed_reads_ = false;

@@ -20,8 +20,11 @@ struct DataFlow::Sub {
 
 int Summary::last_argument() const { return arguments == 0 ? 0 : 31 - std::countl_zero(arguments); }
 
-DataFlow::DataFlow(const Program& program, std::shared_ptr<const Structure> structure)
-    : program_(program), too_large_(program.size() > kTooLarge), structure_(std::move(structure)) {}
+DataFlow::DataFlow(const Program& program, std::shared_ptr<const Structure> structure, const Limits& limits)
+    : program_(program),
+      limits_(limits),
+      too_large_(program.size() > limits.data_flow_statements),
+      structure_(std::move(structure)) {}
 
 DataFlow::~DataFlow() = default;
 
@@ -50,7 +53,7 @@ const ControlFlow& DataFlow::flow_of(RegionId region) const {
 
 const Liveness& DataFlow::live_in(RegionId region) const {
   Sub& sub = look(region);
-  if (!sub.live) sub.live.emplace(flow_of(region), sub.accesses, region == kMainRegion);
+  if (!sub.live) sub.live.emplace(flow_of(region), sub.accesses, region == kMainRegion, limits_);
   return *sub.live;
 }
 
@@ -193,7 +196,7 @@ const std::vector<FixedCondition>& DataFlow::fixed() const {
         return program_.at(id).is(Keyword::kIf) || program_.at(id).is(Keyword::kWhile);
       };
       if (std::ranges::none_of(statements_[region], tests) || !flow_of(region).known()) continue;
-      find_fixed_conditions(program_, flow_of(region), settings, *fixed_);
+      find_fixed_conditions(program_, flow_of(region), settings, limits_, *fixed_);
     }
     std::ranges::stable_sort(*fixed_, {}, &FixedCondition::statement);
   }

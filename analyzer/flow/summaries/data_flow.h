@@ -42,11 +42,9 @@ struct UnusedValue {
 
 class DataFlow {
  public:
-  /// Programs with more statements are not analysed: nothing is known about them.
-  static constexpr size_t kTooLarge = 50'000;
-
-  /// `structure`: the program's, if it is already known.
-  explicit DataFlow(const Program& program, std::shared_ptr<const Structure> structure = nullptr);
+  /// `structure`: the program's, if it is already known. Of programs that are too large for `limits` nothing is known.
+  explicit DataFlow(const Program& program, std::shared_ptr<const Structure> structure = nullptr,
+                    const Limits& limits = {});
   ~DataFlow();
 
   const Summary& of(RegionId region) const;
@@ -90,6 +88,7 @@ class DataFlow {
 
   // Everything is made when first needed: for most programs nothing is.
   const Program& program_;
+  Limits limits_;
   bool too_large_;
   mutable std::shared_ptr<const Structure> structure_;
   mutable Grouped statements_;                ///< by region

@@ -9,9 +9,6 @@
 namespace owlint::flow {
 namespace {
 
-// A sub that reaches more subs than this is taken to change everything.
-constexpr size_t kMaxReached = 256;
-
 void add_line(const Program& program, const Statement& s, Effects& effects) {
   if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) effects.jumps = true;
   if (s.is(Keyword::kIf)) effects.tests = true;
@@ -34,7 +31,8 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
 
 }  // namespace
 
-EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular) : program_(program), regular_(regular) {
+EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular, const Limits& limits)
+    : program_(program), regular_(regular), reached_subs_(limits.reached_subs) {
   const auto name_of = [&](RegionId r) { return r == kMainRegion ? kNoName : program.regions[r].name; };
   regions_.assign(program.syntax.names.size(), static_cast<uint32_t>(program.regions.size()), name_of);
   calls_.assign(program.regions.size(), static_cast<uint32_t>(program.calls.size()),
@@ -55,7 +53,7 @@ const Effects& EffectsOfSubs::of(NameId sub) {
     const NameId name = todo.back();
     todo.pop_back();
     if (!effects.subs.insert(name).second) continue;
-    if (effects.subs.size() > kMaxReached) effects.everything = true;
+    if (effects.subs.size() > reached_subs_) effects.everything = true;
     if (name >= regions_.size()) continue;  // a computed one
     for (const RegionId r : regions_[name]) {
       const Region& region = program_.regions[r];

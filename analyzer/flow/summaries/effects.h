@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "analyzer/flow/limits.h"
 #include "analyzer/program/program.h"
 
 namespace owlint::flow {
@@ -21,12 +22,13 @@ struct Effects {
 class EffectsOfSubs {
  public:
   /// `regular`: see Structure.
-  EffectsOfSubs(const Program& program, bool regular);
+  EffectsOfSubs(const Program& program, bool regular, const Limits& limits);
   const Effects& of(NameId sub);
 
  private:
   const Program& program_;
   bool regular_;
+  size_t reached_subs_;
   Grouped regions_;  ///< by name of the sub
   std::unordered_map<NameId, Effects> known_;
   Grouped calls_;  ///< by region: indices into Program::calls

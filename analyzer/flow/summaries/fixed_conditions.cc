@@ -10,29 +10,25 @@
 namespace owlint::flow {
 namespace {
 
-constexpr size_t kMaxRanges = 1U << 20;  // of all lines of a sub together
-constexpr int kMaxSweeps = 64;
-constexpr int kExactSweeps = 3;  // then ranges at the beginning of loops are widened
-
 using Ranges = std::vector<Range>;
 
 /// Ranges of the parameters that a sub compares, line by line until nothing changes.
 class Solver {
  public:
-  Solver(const Program& program, const ControlFlow& flow, const Settings& settings)
-      : program_(program), exprs_(program.syntax.exprs), flow_(flow) {
+  Solver(const Program& program, const ControlFlow& flow, const Settings& settings, const Limits& limits)
+      : program_(program), exprs_(program.syntax.exprs), flow_(flow), limits_(limits) {
     find_compared(settings);
   }
 
   bool solve() {
     const size_t count = flow_.nodes().size();
-    if (keys_.empty() || count * keys_.size() > kMaxRanges) return false;
+    if (keys_.empty() || count * keys_.size() > limits_.fixed_ranges) return false;
     at_.resize(count * keys_.size());
     reached_.resize(count);
     changed_.resize(count);
     reached_[0] = changed_[0] = true;
-    for (int i = 0; i < kMaxSweeps; ++i) {
-      if (!sweep(i >= kExactSweeps)) return true;
+    for (int i = 0; i < limits_.fixed_sweeps; ++i) {
+      if (!sweep(i >= limits_.exact_sweeps)) return true;
     }
     return false;
   }
@@ -62,7 +58,7 @@ class Solver {
     std::erase_if(keys_, [&](ParameterKey key) { return key == kComputedKey || settings.has(key); });
     std::ranges::sort(keys_);
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
-    thresholds_ = Thresholds(std::move(numbers));
+    thresholds_ = Thresholds(std::move(numbers), limits_.thresholds);
   }
 
   // Depth is bounded by the length of a line.
@@ -188,6 +184,7 @@ class Solver {
   const Program& program_;
   const ExprPool& exprs_;
   const ControlFlow& flow_;
+  const Limits& limits_;
   std::vector<ParameterKey> keys_;  // sorted
   Thresholds thresholds_;
   Ranges at_;  // by node and key
@@ -206,8 +203,7 @@ bool same(const ExprPool& exprs, ExprId a, ExprId b) {
 }
 
 /// An earlier branch of the same `if` with the same condition.
-StatementId earlier_branch(const Program& program, StatementId id) {
-  constexpr size_t kMaxBranches = 64;
+StatementId earlier_branch(const Program& program, StatementId id, const Limits& limits) {
   if (!program.at(id).is(Keyword::kElseif)) return kNoStatement;
   const BlockId block = program.block_of[id];
   const auto condition = [&](StatementId at) { return program.syntax.values[program.at(at).first]; };
@@ -217,7 +213,7 @@ StatementId earlier_branch(const Program& program, StatementId id) {
   if (fits(program.blocks[block].opener)) return program.blocks[block].opener;
   size_t looked = 0;
   for (const StatementId part : program.parts[block]) {
-    if (part >= id || ++looked > kMaxBranches) break;
+    if (part >= id || ++looked > limits.compared_branches) break;
     if (program.at(part).is(Keyword::kElseif) && fits(part)) return part;
   }
   return kNoStatement;
@@ -245,15 +241,15 @@ Settings::Settings(const Program& program) {
 bool Settings::has(ParameterKey key) const { return std::ranges::binary_search(keys_, key); }
 
 void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings,
-                           std::vector<FixedCondition>& out) {
-  Solver solver(program, flow, settings);
+                           const Limits& limits, std::vector<FixedCondition>& out) {
+  Solver solver(program, flow, settings, limits);
   const bool solved = solver.solve();
   for (NodeId id = 0; id < flow.nodes().size(); ++id) {
     const auto& node = flow.nodes()[id];
     if (!node.tests) continue;
     const Statement& s = program.at(node.statement);
     const ExprId condition = program.syntax.values[s.first];
-    if (const StatementId earlier = earlier_branch(program, node.statement); earlier != kNoStatement) {
+    if (const StatementId earlier = earlier_branch(program, node.statement, limits); earlier != kNoStatement) {
       out.push_back({node.statement, false, earlier});
       continue;
     }

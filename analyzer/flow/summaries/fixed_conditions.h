@@ -4,6 +4,7 @@
 #include "analyzer/flow/domain/ranges.h"
 #include "analyzer/flow/facts/accesses.h"
 #include "analyzer/flow/facts/control_flow.h"
+#include "analyzer/flow/limits.h"
 
 namespace owlint::flow {
 
@@ -27,6 +28,6 @@ class Settings {
 
 /// Adds the conditions of one sub, or of the main program.
 void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings,
-                           std::vector<FixedCondition>& out);
+                           const Limits& limits, std::vector<FixedCondition>& out);
 
 }  // namespace owlint::flow

@@ -5,13 +5,11 @@
 namespace owlint::flow {
 namespace {
 
-constexpr size_t kMaxWords = 1U << 22;  // of bits for all lines of a sub together
-constexpr int kMaxSweeps = 64;          // one for each loop inside another
 constexpr uint32_t kNone = UINT32_MAX;
 
 }  // namespace
 
-Liveness::Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps_numbers)
+Liveness::Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps_numbers, const Limits& limits)
     : flow_(flow), accesses_(accesses) {
   if (!flow.known()) return;
   for (const ParameterKey key : accesses.all_reads()) {
@@ -22,7 +20,7 @@ Liveness::Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps
   for (const ParameterKey key : accesses.all_reads()) uses_.push_back(bit(key));
   for (const auto& write : accesses.all_writes()) kills_.push_back(bit(write.key));
   words_ = keys_.size() / 64 + 1;
-  if (flow.nodes().size() * words_ > kMaxWords) return;
+  if (flow.nodes().size() * words_ > limits.liveness_words) return;
   live_.assign(flow.nodes().size() * words_, 0);
   numbers_.assign(words_, 0);
   for (uint32_t at = 0; at < keys_.size(); ++at) {
@@ -30,7 +28,7 @@ Liveness::Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps
   }
   exit_.assign(words_, 0);
   if (keeps_numbers) exit_ = numbers_;
-  for (int i = 0; i < kMaxSweeps && !known_; ++i) known_ = !sweep();
+  for (int i = 0; i < limits.liveness_sweeps && !known_; ++i) known_ = !sweep();
 }
 
 /// kNone for globals, and for what is never read.

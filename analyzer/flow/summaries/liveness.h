@@ -3,13 +3,14 @@
 
 #include "analyzer/flow/facts/accesses.h"
 #include "analyzer/flow/facts/control_flow.h"
+#include "analyzer/flow/limits.h"
 
 namespace owlint::flow {
 
 class Liveness {
  public:
   /// `keeps_numbers`: #1 to #30 may be read after the exit, as in the main program.
-  Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps_numbers);
+  Liveness(const ControlFlow& flow, const Accesses& accesses, bool keeps_numbers, const Limits& limits);
 
   /// False if the graph is too large or too deeply nested for this analysis.
   bool known() const { return known_; }

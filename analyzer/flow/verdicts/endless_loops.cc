@@ -58,7 +58,6 @@ std::vector<uint32_t> Analysis::passed_well() const {
 void Analysis::endless_loops() {
   const std::vector<bool>& hanging = trace_->hanging();
   if (std::ranges::find(hanging, true) == hanging.end()) return;
-  constexpr int kMaxNesting = 64;
   std::vector<bool> found(program_.size());  // by statement: the opener of such a loop
   const std::vector<uint32_t> passed = passed_well();
   const auto is_left = [&](StatementId loop) {
@@ -78,7 +77,7 @@ void Analysis::endless_loops() {
   const auto removed = [&](RecordId from, RecordId to) {
     return goes_back(from, to) && found[trace_->at(to).statement];
   };
-  for (int i = 0; i < kMaxNesting; ++i) {
+  for (int i = 0; i < limits_.endless_nesting; ++i) {
     const std::vector<uint32_t> round = trace_->closed_cycles(removed);
     std::vector<StatementId> outermost(trace_->size() + 1, kNoStatement);  // by way round
     trace_->for_edges([&](RecordId from, RecordId to) {
@@ -136,7 +135,7 @@ void Analysis::idle_loops() {
 }
 
 void Analysis::stuck_loops() {
-  if (remaps_ || level_ >= kCoarse) return;  // stretches that were passed over may assign something
+  if (remaps_ || coarse()) return;  // stretches that were passed over may assign something
   const std::vector<uint32_t> group = trace_->cycles();
   struct Round {
     std::vector<StatementId> lines;

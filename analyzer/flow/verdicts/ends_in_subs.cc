@@ -29,10 +29,10 @@ bool Analysis::leaves_work(ContextId context, StatementId call, int depth) const
     }
     if (s.kind == LineKind::kProgramEnd || s.kind == LineKind::kPercent || s.kind == LineKind::kM99) return false;
     if (!s.is(Keyword::kEndsub) && !s.is(Keyword::kReturn)) return true;
-    constexpr size_t kMostCallers = 16;
     size_t callers = 0;
     return depth < kMaxCallDepth && std::ranges::any_of(frames_[context].callers, [&](const Caller& caller) {
-             return ++callers <= kMostCallers && leaves_work(caller.state.context, caller.state.position, depth + 1);
+             return ++callers <= limits_.asked_callers &&
+                 leaves_work(caller.state.context, caller.state.position, depth + 1);
            });
   }
   return false;

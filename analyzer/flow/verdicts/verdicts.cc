@@ -110,12 +110,10 @@ void Analysis::hazard(const State& at, HazardKind kind, uint32_t number, StopKin
     hazard.other = hazard.statement;
     hazard.statement = origin;
   };
-  // Looking for where it began walks back along the run; a few such places are enough.
-  constexpr size_t kMaxOrigins = 4;
   const bool of_value = kind == HazardKind::kValueNotReturned || kind == HazardKind::kValueCleared;
   const bool has_origin = of_value || kind == HazardKind::kStaleBreak || kind == HazardKind::kStaleContinue ||
       kind == HazardKind::kContinueMeetsBreak || kind == HazardKind::kStaleRepeatCount;
-  if (has_origin && ++origins_[{kind, at.position}] > kMaxOrigins) return;
+  if (has_origin && ++origins_[{kind, at.position}] > limits_.origins) return;
   if (has_origin && trace_->leaves_out()) trace_->miss_left_out();  // it may have begun there
   switch (kind) {
     case HazardKind::kStaleBreak:
@@ -284,17 +282,15 @@ void Analysis::finish() {
       if (key.kind == StopKind::kCallTooDeep && key.statement == call) info.stop.unproven = true;
     }
   }
-  constexpr size_t kMaxPaths = 64;
-  constexpr size_t kShownDecisions = 8;  // the last ones: a longer list helps nobody
   size_t paths = 0;
   for (auto& [key, info] : stops_) {
     FlowStop stop = std::move(info.stop);
     stop.reach = trace_->only_end(info.key) && !may_go_round_ ? Reach::kAlways : Reach::kMaybe;
-    if (stop.reach == Reach::kMaybe && paths++ < kMaxPaths) stop.path = trace_->path(info.record, info.key);
+    if (stop.reach == Reach::kMaybe && paths++ < limits_.paths) stop.path = trace_->path(info.record, info.key);
     // A global name may come from another program; a branch that is not followed exactly may go as one before it.
     if (key.kind == StopKind::kNameUndefined) {
       const bool proven = stop.reach == Reach::kAlways ||
-          (level_ < kCoarse && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
+          (!coarse() && !stop.path.empty() && followed(stop.path) && !assigned_in_most_cases(stop));
       // But nobody assigns what looks like an entry of the INI or is LinuxCNC's own in another version.
       const NameId name = program_.syntax.names.find(key.detail);
       const bool never = name != kNoName && may_be_predefined(key.detail) &&
@@ -302,7 +298,8 @@ void Analysis::finish() {
       const bool from_elsewhere = is_global_name(key.detail) && !never;
       if (!proven || from_elsewhere) stop.unproven = true;
     }
-    if (stop.path.size() > kShownDecisions) stop.path.erase(stop.path.begin(), stop.path.end() - kShownDecisions);
+    const size_t shown = std::min(stop.path.size(), limits_.shown_decisions);
+    stop.path.erase(stop.path.begin(), stop.path.end() - static_cast<ptrdiff_t>(shown));
     result_.stops.push_back(std::move(stop));
   }
   result_.trace = trace_;
