@@ -1,0 +1,109 @@
+// Where states are joined nothing may be lost but precision. Each program is followed with the usual limits, and again with
+// so small ones that two states at a line are already joined: every stop must still be there, and one that not every
+// run makes may not become one that every run makes.
+#include <algorithm>
+#include <map>
+#include <random>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <catch2/catch.hpp>
+
+#include "analyzer/flow/flow.h"
+#include "support/damage.h"
+
+using namespace owlint;
+
+namespace {
+
+using Stops = std::map<std::tuple<StatementId, StatementId, StopKind, std::string>, Reach>;
+
+/// At most so many states at a line and calls of a sub; nothing else is changed.
+flow::Limits at_most(size_t states, size_t contexts) {
+  flow::Limits limits;
+  for (auto& level : limits.levels) {
+    level.states = std::min(level.states, states);
+    level.contexts = std::min(level.contexts, contexts);
+  }
+  return limits;
+}
+
+FlowResult analyzed(const std::shared_ptr<const Program>& program, const flow::Limits& limits) {
+  Library library;
+  Linked linked(program, {}, library);
+  return std::move(analyze_flow(linked, {}, Detail::kBySize, nullptr, limits).front());
+}
+
+Stops stops_of(const FlowResult& result) {
+  Stops out;
+  for (const FlowStop& stop : result.stops) out[{stop.statement, stop.end_of, stop.kind, stop.detail}] = stop.reach;
+  return out;
+}
+
+/// Stops that only some values make: they are not seen where these are joined with others (README, "Limits").
+bool of_values(StopKind kind) {
+  return kind == StopKind::kValueFails || kind == StopKind::kParameterRange || kind == StopKind::kParameterReadOnly ||
+      kind == StopKind::kLabelNotInteger || kind == StopKind::kM98Words;
+}
+
+/// A call whose label is joined from many values calls no sub that is followed (README, "Limits").
+bool computes_labels(const Program& program) {
+  return std::ranges::any_of(program.syntax.statements, [](const Statement& s) { return s.label_expr != kNoExpr; });
+}
+
+struct Compared {
+  size_t stops = 0;
+  size_t merges = 0;
+};
+
+void check_sound(const std::string& name, const std::string& text, const flow::Limits& limits, Compared& count) {
+  Library library;
+  const auto program = library.load(Source::own("joins.ngc", text));
+  if (computes_labels(*program)) return;
+  const FlowResult precise = analyzed(program, {});
+  const FlowResult joined = analyzed(program, limits);
+  const Stops all = stops_of(joined);
+  std::string wrong;
+  for (const auto& [stop, reach] : stops_of(precise)) {
+    const auto& [statement, end, kind, detail] = stop;
+    if (of_values(kind)) continue;
+    const auto found = all.find(stop);
+    const auto what = fmt::format("stop {} at statement {} ({}, {})", static_cast<int>(kind), statement, end, detail);
+    if (found == all.end())
+      wrong += what + " is lost\n";
+    else if (reach != Reach::kAlways && found->second == Reach::kAlways)
+      wrong += what + " is said to be every run's\n";
+    ++count.stops;
+  }
+  for (StatementId id = 0; id < precise.executed.size(); ++id) {
+    if (precise.executed[id] && !joined.executed[id]) wrong += fmt::format("statement {} is not executed\n", id);
+  }
+  if (precise.ends && !joined.ends) wrong += "no run comes to an end\n";
+  count.merges += joined.statistics.merges;
+  if (wrong.empty()) return;
+  INFO(name << '\n' << text);
+  CHECK(wrong == "");
+}
+
+}  // namespace
+
+TEST_CASE("joining states and calls early loses no stop", "[joins]") {
+  Compared count;
+  for (const auto& [name, text] : test::all_programs()) {
+    check_sound(name, text, at_most(2, 2), count);
+    check_sound(name, text, at_most(1, 1), count);
+  }
+  CHECK(count.stops > 500);
+  CHECK(count.merges > 500);
+}
+
+TEST_CASE("joining states and calls of damaged programs early loses no stop", "[joins]") {
+  std::mt19937 random(20261129);
+  const auto all = test::all_programs();
+  Compared count;
+  for (int i = 0; i < 3000; ++i) {
+    const auto& [name, text] = all[std::uniform_int_distribution<size_t>(0, all.size() - 1)(random)];
+    check_sound(name, test::damaged(text, random), at_most(2, 2), count);
+  }
+  CHECK(count.merges > 1000);
+}
