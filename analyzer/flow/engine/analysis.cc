@@ -58,24 +58,20 @@ void Analysis::push(State state) {
   queue_.push({position, order_++, slot});
 }
 
-void Analysis::successor(State state) {
-  if (state.skip != kNoLabel) state.position = machine_.next_stop(state, state.position);
-  push(std::move(state));
-}
+void Analysis::successor(State state) { push(machine_.skip_ahead(std::move(state))); }
 
 Analysis::Group& Analysis::group_at(const State& state) {
   constexpr uint32_t kFew = 8;  // more groups than this at one place are not gone through one by one
-  const auto executed = [](const auto& mode) { return mode.skip == kNoLabel ? uint8_t{0} : mode.executed; };
-  const auto hash = [&](const auto& mode, StatementId position) {
+  const uint8_t executed = state.skip == kNoLabel ? uint8_t{0} : state.flags.executed;
+  const auto hash = [](const auto& mode, uint8_t taken, StatementId position) {
     const uint64_t where = mix(mix(mix(position, mode.context), mode.skip), mode.defining);
-    return mix(where,
-               static_cast<uint64_t>(executed(mode)) << 2 | static_cast<uint64_t>(mode.seek) << 1 |
-                   static_cast<uint64_t>(mode.looped));
+    return mix(
+        where,
+        static_cast<uint64_t>(taken) << 2 | static_cast<uint64_t>(mode.seek) << 1 | static_cast<uint64_t>(mode.looped));
   };
   const auto fits = [&](const Group& g) {
     return g.position == state.position && g.context == state.context && g.skip == state.skip &&
-        g.defining == state.defining && g.seek == state.seek && g.looped == state.looped &&
-        g.executed == executed(state);
+        g.defining == state.defining && g.seek == state.seek && g.looped == state.looped && g.executed == executed;
   };
   uint32_t& head = heads_[state.position];
   const uint32_t rank = head == UINT32_MAX ? 0 : groups_[head].rank + 1;
@@ -84,20 +80,21 @@ Analysis::Group& Analysis::group_at(const State& state) {
       if (fits(groups_[i])) return groups_[i];
     }
   } else {
-    const auto [first, last] = crowds_.equal_range(hash(state, state.position));
+    const auto [first, last] = crowds_.equal_range(hash(state, executed, state.position));
     for (auto found = first; found != last; ++found) {
       if (fits(groups_[found->second])) return groups_[found->second];
     }
   }
   const auto number = static_cast<uint32_t>(groups_.size());
   groups_.push_back({state.position, number, rank, state.context, state.skip, state.defining, state.seek, state.looped,
-                     executed(state), head, std::pmr::vector<std::pair<uint64_t, RecordId>>(&memory_), nullptr,
-                     std::pmr::vector<std::pair<RecordId, uint8_t>>(&memory_), false});
+                     executed, head, std::pmr::vector<std::pair<uint64_t, RecordId>>(&memory_), nullptr,
+                     std::pmr::vector<std::pair<RecordId, Branch>>(&memory_), false});
   head = number;
   if (rank == kFew) {
-    for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next) crowds_.emplace(hash(groups_[i], state.position), i);
+    for (uint32_t i = head; i != UINT32_MAX; i = groups_[i].next)
+      crowds_.emplace(hash(groups_[i], groups_[i].executed, state.position), i);
   } else if (rank > kFew) {
-    crowds_.emplace(hash(state, state.position), number);
+    crowds_.emplace(hash(state, executed, state.position), number);
   }
   return groups_.back();
 }
@@ -148,7 +145,7 @@ void Analysis::arrive(State state) {
   if (group.joined == nullptr) {
     group.joined = std::make_unique<State>(std::move(state));
   } else {
-    State joined = machine_.join(*group.joined, state);
+    State joined = machine_.states().join(*group.joined, state);
     joined.record = state.record;
     joined.branch = state.branch;
     *group.joined = std::move(joined);
@@ -162,7 +159,7 @@ void Analysis::execute_joined(uint32_t index) {
   group.dirty = false;
   State state = *group.joined;
   const uint64_t hash = state.hash();
-  const std::vector<std::pair<RecordId, uint8_t>> parents(group.parents.begin(), group.parents.end());
+  const std::vector<std::pair<RecordId, Branch>> parents(group.parents.begin(), group.parents.end());
   group.parents.clear();
   RecordId record = group.find(hash);
   if (record == kNoRecord) {
@@ -266,7 +263,7 @@ void Analysis::call(const State& at, State entry, Context callee, int repeats) {
         frame.joined_entry->skip != entry.skip) {
       frame.joined_entry = std::make_unique<State>(entry);
     } else {
-      *frame.joined_entry = machine_.join(*frame.joined_entry, entry);
+      *frame.joined_entry = machine_.states().join(*frame.joined_entry, entry);
       frame.joined_entry->record = at.record;
       entry = *frame.joined_entry;
     }
@@ -284,10 +281,10 @@ void Analysis::call(const State& at, State entry, Context callee, int repeats) {
 
 void Analysis::resume_one(const Caller& caller, const State& exit, Frame& frame) {
   State after = machine_.resume(caller.state, exit, frame.info, frame.joined_entry != nullptr);
-  if (frames_[caller.state.context].info.depth == 0) after.returned = kYes;
+  if (frames_[caller.state.context].info.depth == 0) after.flags.returned = kYes;
   // The way back is a record of its own, so that "every run" and "never ends" see it.
   const bool shared = frame.callers.size() > 1;
-  after.record = trace_->add({shared ? caller.state.record : exit.record, kNoStatement, 0, false, true});
+  after.record = trace_->add({shared ? caller.state.record : exit.record, kNoStatement, Branch::kNone, false, true});
   if (shared) trace_->link(exit.record, after.record);
   trace_->come_back(caller.state.record, after.record);
   // M98 with L: the call is made again. A few times are counted; more, or an unknown number, run the line again.
@@ -319,7 +316,7 @@ void Analysis::leave(const State& at) {
     if (frame.joined_exit == nullptr) {
       frame.joined_exit = std::make_unique<State>(exit);
     } else {
-      *frame.joined_exit = machine_.join(*frame.joined_exit, exit);
+      *frame.joined_exit = machine_.states().join(*frame.joined_exit, exit);
     }
     exit = *frame.joined_exit;
     exit.record = at.record;
@@ -367,13 +364,13 @@ void Analysis::recall(ContextId context, const State& at, const State& entry) {
   State exit = entry;
   exit.position = 0;
   exit.context = 0;
-  exit.executed = outcome->executed;
-  exit.returned = outcome->returned;
+  exit.flags.executed = outcome->executed;
+  exit.flags.returned = outcome->returned;
   exit.joined = outcome->joined;
   exit.mixed = outcome->mixed;
   exit.parameters.locals = exit.parameters.local_facts = PersistentMap();
-  exit.branch = 0;
-  exit.record = trace_->add({at.record, opener, 0, true, false});
+  exit.branch = Branch::kNone;
+  exit.record = trace_->add({at.record, opener, Branch::kNone, true, false});
   frame.exit_hashes.push_back(exit.hash());
   frame.exits.push_back(std::move(exit));
 }

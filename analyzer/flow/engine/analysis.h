@@ -74,7 +74,7 @@ class Analysis final : public Listener {
     uint32_t next;
     std::pmr::vector<std::pair<uint64_t, RecordId>> seen;
     std::unique_ptr<State> joined;
-    std::pmr::vector<std::pair<RecordId, uint8_t>>
+    std::pmr::vector<std::pair<RecordId, Branch>>
         parents;  ///< records whose states wait in `joined`, and their branches
     bool dirty;
 

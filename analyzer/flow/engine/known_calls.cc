@@ -70,13 +70,14 @@ std::optional<std::string> CallKeys::of(const Context& callee, const State& entr
   if (!sub.fits) return std::nullopt;
   const Parameters& p = entry.parameters;
   if (sub.dependence.global_facts && p.global_facts.hash() != PersistentMap().hash()) return std::nullopt;
-  if (std::ranges::any_of(entry.counts,
+  if (std::ranges::any_of(entry.counts.all(),
                           [&](const auto& count) { return machine_.scope_of(count.first) == callee.sub; }))
     return std::nullopt;
   std::string key = sub.text;
   add_number(key,
-             level << 32 | static_cast<uint64_t>(entry.executed) << 24 | static_cast<uint64_t>(entry.breaking) << 16 |
-                 static_cast<uint64_t>(entry.continuing) << 8 | entry.returned);
+             level << 32 | static_cast<uint64_t>(entry.flags.executed) << 24 |
+                 static_cast<uint64_t>(entry.flags.breaking) << 16 |
+                 static_cast<uint64_t>(entry.flags.continuing) << 8 | entry.flags.returned);
   add_number(key,
              static_cast<uint64_t>(entry.joined) | static_cast<uint64_t>(entry.mixed) << 1 |
                  static_cast<uint64_t>(p.outside) << 2);

@@ -138,11 +138,12 @@ std::vector<uint32_t> Trace::idle_cycles() const {
   // What a call does is one edge over it: its own lines, and the ways back to other callers, are no way round.
   std::vector<std::pair<RecordId, RecordId>> edges = calls_;
   for (const Link& link : links_) {
-    if (link.branch != 1 && !records_[link.to].after_call) edges.emplace_back(link.from, link.to);
+    if (link.branch != Branch::kTrue && !records_[link.to].after_call) edges.emplace_back(link.from, link.to);
   }
   for (RecordId id = 0; id < records_.size(); ++id) {
     const Record& record = records_[id];
-    if (record.parent != kNoRecord && record.branch != 1 && !record.after_call) edges.emplace_back(record.parent, id);
+    if (record.parent != kNoRecord && record.branch != Branch::kTrue && !record.after_call)
+      edges.emplace_back(record.parent, id);
   }
   std::vector<uint32_t> first;
   std::vector<uint32_t> next;
@@ -217,7 +218,7 @@ std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {
   std::vector<Decision> path;
   for (RecordId id = stop; records_[id].parent != kNoRecord; id = records_[id].parent) {
     const Record& record = records_[id];
-    if (record.branch == 0) continue;
+    if (record.branch == Branch::kNone) continue;
     const RecordId parent = record.parent;
     bool decides = can_stop.empty();
     for (uint32_t i = next_first_[parent]; !decides && i < next_first_[parent + 1]; ++i) decides = !can_stop[next_[i]];
@@ -225,7 +226,7 @@ std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {
     // In a loop or a recursion the last pass is the one that counts.
     const StatementId decided = records_[parent].statement;
     if (std::ranges::find(path, decided, &Decision::statement) != path.end()) continue;
-    path.push_back({decided, record.branch == 1});
+    path.push_back({decided, record.branch == Branch::kTrue});
     if (path.size() == path_decisions_) break;
   }
   std::ranges::reverse(path);

@@ -9,27 +9,25 @@
 #include <utility>
 #include <vector>
 
+#include "analyzer/flow/domain/state.h"
 #include "analyzer/flow/flow.h"
 #include "analyzer/flow/limits.h"
 
 namespace owlint::flow {
-
-using RecordId = uint32_t;
-inline constexpr RecordId kNoRecord = UINT32_MAX;
 
 class Trace {
  public:
   struct Record {
     RecordId parent = kNoRecord;
     StatementId statement = kNoStatement;
-    uint8_t branch = 0;       ///< of the step that led here: 1 true, 2 false
-    bool executed = false;    ///< not only skipped
-    bool after_call = false;  ///< a call has come back here; come_back() adds the edge
+    Branch branch = Branch::kNone;  ///< of the step that led here
+    bool executed = false;          ///< not only skipped
+    bool after_call = false;        ///< a call has come back here; come_back() adds the edge
   };
   struct Link {
     RecordId from = kNoRecord;
     RecordId to = kNoRecord;
-    uint8_t branch = 0;
+    Branch branch = Branch::kNone;
   };
 
   explicit Trace(const Limits& limits)
@@ -42,7 +40,7 @@ class Trace {
     return static_cast<RecordId>(records_.size() - 1);
   }
   /// A state is equal to an earlier one at the same line.
-  void link(RecordId from, RecordId to, uint8_t branch = 0) { links_.push_back({from, to, branch}); }
+  void link(RecordId from, RecordId to, Branch branch = Branch::kNone) { links_.push_back({from, to, branch}); }
   /// The call made at the record `call` has come back at `after`, a record made for that with `after_call`.
   void come_back(RecordId call, RecordId after) { calls_.push_back({call, after}); }
   /// A run ends here; `key` is the kind of end (0: a program end without error).

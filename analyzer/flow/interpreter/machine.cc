@@ -6,89 +6,6 @@
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
-namespace {
-
-constexpr uint32_t kSetMark = 0x80000000U;
-
-uint64_t combine(uint64_t hash, uint64_t value) { return mix(hash, value); }
-
-std::vector<std::pair<FullLabel, uint8_t>> join_counts(const std::vector<std::pair<FullLabel, uint8_t>>& a,
-                                                       const std::vector<std::pair<FullLabel, uint8_t>>& b) {
-  std::vector<std::pair<FullLabel, uint8_t>> out;
-  auto left = a.begin();
-  auto right = b.begin();
-  while (left != a.end() || right != b.end()) {
-    if (right == b.end() || (left != a.end() && left->first < right->first)) {
-      out.emplace_back((left++)->first, kAnyCount);
-    } else if (left == a.end() || right->first < left->first) {
-      out.emplace_back((right++)->first, kAnyCount);
-    } else {
-      uint8_t count = left->second;
-      if (left->second != right->second) {
-        count = left->second == kAnyCount || right->second == kAnyCount ? uint8_t{kAnyCount} : uint8_t{kManyLeft};
-      }
-      out.emplace_back(left->first, count);
-      ++left;
-      ++right;
-    }
-  }
-  return out;
-}
-
-}  // namespace
-
-uint64_t State::hash() const {
-  uint64_t h = combine(position, skip);
-  h = combine(h, defining);
-  h = combine(h,
-              static_cast<uint64_t>(executed) | breaking << 4 | continuing << 8 | returned << 12 |
-                  static_cast<uint64_t>(seek) << 16 | static_cast<uint64_t>(looped) << 17 |
-                  static_cast<uint64_t>(parameters.outside) << 18 | static_cast<uint64_t>(joined) << 19 |
-                  static_cast<uint64_t>(mixed) << 20);
-  h = combine(h, table.hash());
-  h = combine(h, parameters.locals.hash());
-  h = combine(h, parameters.globals.hash());
-  h = combine(h, parameters.local_facts.hash());
-  h = combine(h, parameters.global_facts.hash());
-  for (const auto& [label, count] : counts) h = combine(h, static_cast<uint64_t>(label) << 8 | count);
-  return h;
-}
-
-Definers::Set Definers::get(uint32_t packed) const {
-  if (packed == 0) return {{}, true};
-  if (packed == kElsewhere) return {{}, false};
-  if ((packed & kSetMark) != 0) return sets_[packed & ~kSetMark];
-  Set set{{}, (packed & 1) != 0};
-  set.lines.push_back((packed >> 1) - 1);
-  return set;
-}
-
-uint32_t Definers::pack(Set set) {
-  if (set.lines.empty()) return 0;
-  if (set.lines.size() == 1) return one(*set.lines.begin()) | (set.undefined ? 1 : 0);
-  uint64_t hash = set.undefined ? 1 : 0;
-  for (const StatementId line : set.lines) hash = mix(hash, line);
-  const auto [entry, added] = ids_.try_emplace(hash, static_cast<uint32_t>(sets_.size()) | kSetMark);
-  if (added) sets_.push_back(std::move(set));
-  return entry->second;
-}
-
-uint32_t Definers::join(uint32_t a, uint32_t b) {
-  if (a == b) return a;
-  const Set left = get(a);
-  const Set right = get(b);
-  Set out;
-  out.undefined = left.undefined || right.undefined;
-  std::ranges::set_union(left.lines, right.lines, std::back_inserter(out.lines));
-  out.lines.shorten();
-  return pack(std::move(out));
-}
-
-uint32_t Definers::without_undefined(uint32_t packed) {
-  Set set = get(packed);
-  set.undefined = false;
-  return pack(std::move(set));
-}
 
 Machine::Machine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool)
     : linked_(linked),
@@ -97,6 +14,7 @@ Machine::Machine(const Linked& linked, const Profile& profile, const Limits& lim
       limits_(limits),
       pool_(pool),
       evaluator_(program_.syntax, profile_, limits, values_, pool),
+      states_(values_, definers_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
       reads_break_(profile.warn_only()),
@@ -171,10 +89,10 @@ const CalmStretch* Machine::pass_over(State& state, const Context& context) {
   for (const CalmWrite& write : calm_->writes(*stretch))
     evaluator_.assign_unknown(write.parameter, write.certain, state.parameters);
   for (const StatementId opener : defined) state.table.set(pool_, label_of_sub(opener), Definers::one(opener));
-  if (stretch->tests) state.executed = kYes;
-  if (!called && (stretch->calls || stretch->ends_defining)) state.returned = stretch->ends_defining ? kNo : kYes;
+  if (stretch->tests) state.flags.executed = kYes;
+  if (!called && (stretch->calls || stretch->ends_defining)) state.flags.returned = stretch->ends_defining ? kNo : kYes;
   state.position = stretch->last;
-  state.branch = 0;
+  state.branch = Branch::kNone;
   return stretch;
 }
 
@@ -191,6 +109,11 @@ uint32_t Machine::entry(const State& state, FullLabel label) const {
       return Definers::one(program_.blocks[block].opener);
   }
   return 0;
+}
+
+State Machine::skip_ahead(State state) const {
+  if (state.skip != kNoLabel) state.position = next_stop(state, state.position);
+  return state;
 }
 
 StatementId Machine::next_stop(const State& state, StatementId from) const {
@@ -269,28 +192,6 @@ FullLabel Machine::full_label(NameId scope, NameId label) {
   return entry->second;
 }
 
-State Machine::join(const State& a, const State& b) {
-  State out = a;
-  out.executed |= b.executed;
-  out.breaking |= b.breaking;
-  out.continuing |= b.continuing;
-  out.returned |= b.returned;
-  out.looped = a.looped && b.looped;
-  out.joined = true;
-  out.mixed = a.mixed && b.mixed;
-  out.table = PersistentMap::merge(pool_, a.table, b.table,
-                                   [this](uint32_t, uint32_t x, uint32_t y) { return definers_.join(x, y); });
-  if (a.counts != b.counts) out.counts = join_counts(a.counts, b.counts);
-  const auto join = [this](uint32_t, uint32_t x, uint32_t y) { return values_.join(x, y); };
-  out.parameters.locals = PersistentMap::merge(pool_, a.parameters.locals, b.parameters.locals, join);
-  out.parameters.globals = PersistentMap::merge(pool_, a.parameters.globals, b.parameters.globals, join);
-  const auto same = [](uint32_t, uint32_t x, uint32_t y) { return x == y ? x : 0; };
-  out.parameters.local_facts = PersistentMap::merge(pool_, a.parameters.local_facts, b.parameters.local_facts, same);
-  out.parameters.global_facts = PersistentMap::merge(pool_, a.parameters.global_facts, b.parameters.global_facts, same);
-  out.parameters.outside = a.parameters.outside || b.parameters.outside;
-  return out;
-}
-
 State Machine::resume(const State& caller, const State& exit, const Context& callee, bool merged) {
   State out = exit;
   const bool fanuc = callee.fanuc;
@@ -312,10 +213,10 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
           return effects.globals.contains(key) || effects.any_global ? after : before;
         });
     if (!effects.jumps) {
-      out.breaking = caller.breaking;
-      out.continuing = caller.continuing;
+      out.flags.breaking = caller.flags.breaking;
+      out.flags.continuing = caller.flags.continuing;
     }
-    if (!effects.tests) out.executed = caller.executed;
+    if (!effects.tests) out.flags.executed = caller.flags.executed;
   }
   out.joined = exit.joined || caller.joined;
   out.mixed = exit.mixed || caller.mixed || (merged && effects.everything);
@@ -325,7 +226,7 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
   out.skip = kNoLabel;
   out.seek = false;
   out.looped = false;
-  out.branch = 0;
+  out.branch = Branch::kNone;
   // M98 does not save #1 to #30; an O-word call gives the caller's own values back.
   out.parameters.locals =
       fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;

@@ -1,5 +1,5 @@
-// The abstract O-word state machine. A State is what the interpreter remembers between two lines, with sets of values
-// after paths were merged; `Machine::step` executes one line. The transitions follow the measured table in
+// The abstract O-word state machine: `Machine::step` executes one line in a state, which after paths were joined holds sets
+// of values. The transitions follow the measured table in
 // docs/interpreter.md; if a set has several members, a step has several successors.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "analyzer/flow/domain/state.h"
 #include "analyzer/flow/facts/structured.h"
 #include "analyzer/flow/flow.h"
 #include "analyzer/flow/interpreter/calm.h"
@@ -22,81 +23,7 @@
 
 namespace owlint::flow {
 
-using ContextId = uint32_t;
-using FullLabel = uint32_t;  ///< a label with its scope, interned; 0 is none
-inline constexpr FullLabel kNoLabel = 0;
 inline constexpr NameId kGlobalScope = UINT32_MAX - 1;  ///< of `sub`, `endsub`, `call`, `return`, bare `O`, M98
-
-/// Sets of values of the interpreter's flags, one bit per possible value.
-enum FlagSet : uint8_t {
-  kNo = 1,
-  kYes = 2,    // for breaking and continuing: set by the kind of loop that clears it
-  kStale = 4,  // set by the other kind of loop, and not cleared
-};
-
-/// Remaining passes of a running `repeat`.
-enum Count : uint8_t {
-  // up to Limits::counted_passes: exactly that many left
-  kManyLeft = 16,  // running, number not tracked
-  kAnyCount = 17,  // running or not
-};
-
-struct State {
-  StatementId position = 0;
-  ContextId context = 0;
-  FullLabel skip = kNoLabel;
-  NameId defining = kNoName;
-  bool seek = false;
-  bool looped = false;     ///< arrived by the jump back of a loop
-  bool joined = false;     ///< represents several states whose differences are lost
-  bool mixed = false;      ///< such a state was split again: perhaps no run is in it
-  uint8_t executed = kNo;  ///< "a branch has been taken"
-  uint8_t breaking = kNo;
-  uint8_t continuing = kNo;
-  uint8_t returned = kNo;                             ///< level 0: a call has come back since the last definition
-  PersistentMap table;                                ///< FullLabel -> definers, see Definers
-  std::vector<std::pair<FullLabel, uint8_t>> counts;  ///< running repeats, sorted
-  Parameters parameters;
-  uint32_t record = UINT32_MAX;  ///< the trace record before this state
-  uint8_t branch = 0;            ///< 1: a condition was true on the step here, 2: false
-
-  uint64_t hash() const;
-};
-
-/// Which first lines a label may belong to, packed into a map value: undefined only (0), one line, or a set.
-class Definers {
- public:
-  /// The first Limits::kDefiners of these lines.
-  class Lines {
-   public:
-    using value_type = StatementId;
-    void push_back(StatementId line) { lines_[size_++] = line; }
-    StatementId front() const { return lines_[0]; }
-    const StatementId* begin() const { return lines_.data(); }
-    const StatementId* end() const { return lines_.data() + size_; }
-    size_t size() const { return size_; }
-    bool empty() const { return size_ == 0; }
-    void shorten() { size_ = std::min(size_, Limits::kDefiners); }
-
-   private:
-    std::array<StatementId, 2 * Limits::kDefiners> lines_{};  // room for two sets that are joined
-    size_t size_ = 0;
-  };
-  struct Set {
-    Lines lines;
-    bool undefined = false;
-  };
-  static uint32_t one(StatementId line) { return (line + 1) << 1; }
-  static constexpr uint32_t kElsewhere = 1;  ///< a sub that owlint does not know, of the calling program or of a file
-  Set get(uint32_t packed) const;
-  uint32_t join(uint32_t a, uint32_t b);
-  uint32_t without_undefined(uint32_t packed);
-
- private:
-  uint32_t pack(Set set);
-  std::vector<Set> sets_;
-  std::unordered_map<uint64_t, uint32_t> ids_;
-};
 
 /// A call in progress, merged over all calls that begin in the same state.
 struct Context {
@@ -137,13 +64,14 @@ class Machine {
   std::span<const StatementId> defined_in(const CalmStretch& stretch) const { return calm_->defined(stretch); }
   std::span<const StatementId> called_in(const CalmStretch& stretch) const { return calm_->called(stretch); }
 
-  /// The next position at which a skipping state has something to do.
-  StatementId next_stop(const State& state, StatementId from) const;
+  /// A state that skips lines goes on to the next one at which it has something to do.
+  State skip_ahead(State state) const;
 
   /// The table's entry for a label; structured blocks have none.
   uint32_t entry(const State& state, FullLabel label) const;
 
-  State join(const State& a, const State& b);
+  /// The lattice of the machine's states.
+  StateDomain& states() { return states_; }
   /// The state after a call: the callee's effects, with the caller's own parameters restored.
   /// `merged`: the exit stands for the calls of several callers.
   State resume(const State& caller, const State& exit, const Context& callee, bool merged);
@@ -193,6 +121,7 @@ class Machine {
   friend struct Step;
 
   void index();
+  StatementId next_stop(const State& state, StatementId from) const;
 
   const Linked& linked_;
   const Program& program_;
@@ -202,6 +131,7 @@ class Machine {
   KnownValues values_;
   Evaluator evaluator_;
   Definers definers_;
+  StateDomain states_;
   bool no_fanuc_;     // DISABLE_FANUC_STYLE_SUB
   bool reads_break_;  // only a `do` loop reads the flag that `break` sets
   Structure structure_;

@@ -44,14 +44,14 @@ struct Machine::Step {
 
   // --- leaving the line ---
 
-  /// `branch`: 1 if this outcome needs a true condition, 2 a false one.
-  void go(State next, StatementId position, uint8_t branch = 0) {
-    if (branch != 0 && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
-      m.evaluator_.learn(next.parameters, tested, branch == 1);
-      m.evaluator_.refine(next.parameters, value(0), branch == 1);
+  /// `branch`: the outcome of the condition that this needs.
+  void go(State next, StatementId position, Branch branch = Branch::kNone) {
+    if (branch != Branch::kNone && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
+      m.evaluator_.learn(next.parameters, tested, branch == Branch::kTrue);
+      m.evaluator_.refine(next.parameters, value(0), branch == Branch::kTrue);
     }
     next.position = position;
-    next.branch = decided ? 0 : branch;
+    next.branch = decided ? Branch::kNone : branch;
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
     out.successor(std::move(next));
   }
@@ -212,25 +212,6 @@ struct Machine::Step {
   }
   /// `N: `, the beginning of the interpreter's messages about labels.
   std::string at_line(const std::string& rest) const { return std::to_string(s.line) + ": " + rest; }
-
-  void set_count(FullLabel of, int count) {
-    auto& counts = state.counts;
-    const auto found = std::ranges::lower_bound(counts, of, {}, &std::pair<FullLabel, uint8_t>::first);
-    const bool present = found != counts.end() && found->first == of;
-    if (count < 0) {
-      if (present) counts.erase(found);
-    } else if (present) {
-      found->second = static_cast<uint8_t>(count);
-    } else {
-      counts.insert(found, {of, static_cast<uint8_t>(count)});
-    }
-  }
-  int count() const {
-    for (const auto& [of, count] : state.counts) {
-      if (of == label) return count;
-    }
-    return -1;
-  }
 
   // --- keywords ---
 

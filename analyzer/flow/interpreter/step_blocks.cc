@@ -44,23 +44,19 @@ void Machine::Step::repeat(Truth truth, double number) {
 
 /// Decides on the next pass of a `repeat` whose entry is in the table.
 void Machine::Step::count_passes(Truth truth, double number) {
-  const int left = count();
+  const int left = state.counts.of(label);
   if (left >= 0 && !state.looped) out.hazard(state, HazardKind::kStaleRepeatCount, 0, StopKind::kNone, "");
   const auto enter = [&](int remaining) {
     State in = state;
     in.skip = kNoLabel;
-    std::swap(state, in);
-    set_count(label, remaining);
-    std::swap(state, in);
-    go(std::move(in), here + 1, 1);
+    in.counts.set(label, remaining);
+    go(std::move(in), here + 1, Branch::kTrue);
   };
   const auto pass_by = [&] {
     State after = state;
-    std::swap(state, after);
-    set_count(label, -1);
-    state.skip = label;
-    std::swap(state, after);
-    go(std::move(after), here + 1, 2);
+    after.counts.set(label, RepeatCounts::kNotRunning);
+    after.skip = label;
+    go(std::move(after), here + 1, Branch::kFalse);
   };
   const bool fresh = left < 0 || left == kAnyCount;
   if (fresh && !std::isnan(number)) {
@@ -107,29 +103,29 @@ void Machine::Step::while_(Truth truth) {
     state.skip = kNoLabel;
     const bool pre_test = opener == here || kind_of(opener) == Keyword::kWhile;
     if (pre_test) {
-      if (truth != Truth::kFalse) go(state, here + 1, 1);
+      if (truth != Truth::kFalse) go(state, here + 1, Branch::kTrue);
       if (truth != Truth::kTrue) {
         state.skip = label;
-        go(state, here + 1, 2);
+        go(state, here + 1, Branch::kFalse);
       }
       return;
     }
-    const uint8_t breaking = state.breaking;
+    const uint8_t breaking = state.flags.breaking;
     if (truth != Truth::kFalse && (breaking & kNo) != 0) {
       State again = state;
-      again.breaking = kNo;
-      go(std::move(again), opener, 1);
+      again.flags.breaking = kNo;
+      go(std::move(again), opener, Branch::kTrue);
     }
     if ((breaking & kStale) != 0 && truth != Truth::kFalse)
       out.hazard(before, HazardKind::kStaleBreak, 0, StopKind::kNone, "");
     if ((breaking & (kYes | kStale)) != 0) {  // ends whatever the condition
       State out_of_loop = state;
-      out_of_loop.breaking = kNo;
+      out_of_loop.flags.breaking = kNo;
       go(std::move(out_of_loop), here + 1);
     }
     if (truth != Truth::kTrue && (breaking & kNo) != 0) {
-      state.breaking = kNo;
-      go(state, here + 1, 2);
+      state.flags.breaking = kNo;
+      go(state, here + 1, Branch::kFalse);
     }
   };
   if (set.undefined) as(Definers::one(here), here);
@@ -169,18 +165,18 @@ void Machine::Step::end_loop() {
 void Machine::Step::end_loop_at(StatementId opener) {
   if (!skipping) return go(std::move(state), opener);
   state.skip = kNoLabel;
-  const uint8_t continuing = state.continuing;
+  const uint8_t continuing = state.flags.continuing;
   if ((continuing & kNo) != 0) {
     State after = state;
-    after.continuing = kNo;
+    after.flags.continuing = kNo;
     go(std::move(after), here + 1);
   }
   // Behind a condition that is false, the loop only asks once more.
-  const bool by_break = (state.breaking & (kYes | kStale)) != 0;
+  const bool by_break = (state.flags.breaking & (kYes | kStale)) != 0;
   if ((continuing & kStale) != 0 && (s.is(Keyword::kEndrepeat) || by_break))
     out.hazard(state, HazardKind::kStaleContinue, 0, StopKind::kNone, "");
   if ((continuing & (kYes | kStale)) != 0) {
-    state.continuing = kNo;
+    state.flags.continuing = kNo;
     go(std::move(state), opener);
   }
 }
@@ -202,13 +198,13 @@ void Machine::Step::jump() {
         continue;
     }
     if (is_break) {
-      if (skipping && kind == Keyword::kDo && (state.continuing & (kYes | kStale)) != 0) {
+      if (skipping && kind == Keyword::kDo && (state.flags.continuing & (kYes | kStale)) != 0) {
         out.hazard(state, HazardKind::kContinueMeetsBreak, 0, StopKind::kNone, "");
       }
       // The `while` that closes a `do` clears the flag; `endwhile` leaves it set.
-      if (m.reads_break_) state.breaking = kind == Keyword::kDo ? kYes : kStale;
+      if (m.reads_break_) state.flags.breaking = kind == Keyword::kDo ? kYes : kStale;
     } else if (!skipping) {
-      state.continuing = kind == Keyword::kDo ? kStale : kYes;
+      state.flags.continuing = kind == Keyword::kDo ? kStale : kYes;
     }
     state.skip = label;
     go(state, here + 1);
@@ -225,17 +221,19 @@ void Machine::Step::if_(Truth truth) {
     state = before;
     set_entry(Definers::one(opener));
     if (opener == here)
-      set_count(label, -1);  // it makes its own entry again each time, and leaves the entries of others
+      state.counts.set(
+          label,
+          RepeatCounts::kNotRunning);  // it makes its own entry again each time, and leaves the entries of others
     if (truth != Truth::kFalse) {
       State in = state;
-      in.executed = kYes;
+      in.flags.executed = kYes;
       in.skip = kNoLabel;
-      go(std::move(in), here + 1, 1);
+      go(std::move(in), here + 1, Branch::kTrue);
     }
     if (truth != Truth::kTrue) {
-      state.executed = kNo;
+      state.flags.executed = kNo;
       state.skip = label;
-      go(state, here + 1, 2);
+      go(state, here + 1, Branch::kFalse);
     }
   };
   const bool own = set.undefined || std::ranges::find(set.lines, here) != set.lines.end();
@@ -266,28 +264,28 @@ void Machine::Step::else_(Truth truth) {
               line))
         continue;
     }
-    const uint8_t executed = state.executed;
+    const uint8_t executed = state.flags.executed;
     if ((executed & kYes) != 0) {
       State past = state;
-      past.executed = kYes;
+      past.flags.executed = kYes;
       past.skip = label;
       go(std::move(past), here + 1);
     }
     if ((executed & kNo) == 0) continue;
-    state.executed = kNo;
+    state.flags.executed = kNo;
     if (s.keyword == Keyword::kElse) {
       if (skipping) {
-        state.executed = kYes;
+        state.flags.executed = kYes;
         state.skip = kNoLabel;
       }
       go(state, here + 1);
       continue;
     }
-    if (truth != Truth::kTrue) go(state, here + 1, 2);
+    if (truth != Truth::kTrue) go(state, here + 1, Branch::kFalse);
     if (truth != Truth::kFalse) {
-      state.executed = kYes;
+      state.flags.executed = kYes;
       state.skip = kNoLabel;
-      go(state, here + 1, 1);
+      go(state, here + 1, Branch::kTrue);
     }
   }
 }
@@ -307,7 +305,7 @@ void Machine::Step::endif() {
         continue;
     }
     state.skip = kNoLabel;
-    state.executed = kYes;
+    state.flags.executed = kYes;
     go(state, here + 1);
   }
 }

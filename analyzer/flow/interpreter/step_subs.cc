@@ -93,13 +93,13 @@ void Machine::Step::leave_sub() {
     if (endsub) {
       state.skip = kNoLabel;
       state.defining = kNoName;
-      state.returned = kNo;
+      state.flags.returned = kNo;
     }
     return next_line();
   }
-  const uint8_t returned = state.returned;
+  const uint8_t returned = state.flags.returned;
   if ((returned & kNo) != 0) {
-    state.returned = kNo;
+    state.flags.returned = kNo;
     if (documented(StopKind::kReturnOutside, at_line("not in a subroutine definition: '" + line_text() + "'"))) {
       // Measured: `endsub` is still an error, `return` goes on.
       if (endsub) {
@@ -110,7 +110,7 @@ void Machine::Step::leave_sub() {
     }
   }
   if ((returned & kYes) != 0) {
-    state.returned = kYes;
+    state.flags.returned = kYes;
     if (endsub) return stop(StopKind::kNotInDefinition, "Not in subroutine definition");
     go(std::move(state), here + 1);
   }
@@ -134,7 +134,7 @@ void Machine::Step::call_elsewhere(FullLabel sub) {
   State back = state;
   if (m.opens_somewhere(m.label_of(sub))) back.table.set(m.pool_, sub, Definers::kElsewhere);
   Evaluator::call_outside(back.parameters);
-  back.returned = kYes;
+  back.flags.returned = kYes;
   go(std::move(back), here + 1);
 }
 
@@ -149,7 +149,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
                        context.contour || s.kind == LineKind::kContour};
   State enter = state;
   enter.looped = false;
-  enter.branch = 0;
+  enter.branch = Branch::kNone;
   enter.parameters.local_facts = {};
   if (fanuc) {
     enter.parameters.locals = m.evaluator_.share_numbers({}, state.parameters.locals);

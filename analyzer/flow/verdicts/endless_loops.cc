@@ -162,8 +162,8 @@ void Analysis::stuck_loops() {
     }
     const bool tests = s != nullptr && (s->is(Keyword::kIf) || s->is(Keyword::kElseif) || s->is(Keyword::kWhile));
     // The counter of `repeat` comes to an end; the number that it begins with decides whether there is a pass.
-    const bool begins =
-        s != nullptr && s->is(Keyword::kRepeat) && trace_->at(to).parent == from && trace_->at(to).branch == 1;
+    const bool begins = s != nullptr && s->is(Keyword::kRepeat) && trace_->at(to).parent == from &&
+        trace_->at(to).branch == Branch::kTrue;
     if (tests || begins) {
       round.deciding.push_back(here);
     } else {

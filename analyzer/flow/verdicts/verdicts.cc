@@ -319,7 +319,7 @@ void Analysis::learn_calls() {
     const auto same = [](const PersistentMap& a, const PersistentMap& b) { return a.hash() == b.hash(); };
     return same(entry.table, exit.table) && same(entry.parameters.globals, exit.parameters.globals) &&
         same(entry.parameters.global_facts, exit.parameters.global_facts) && entry.counts == exit.counts &&
-        entry.breaking == exit.breaking && entry.continuing == exit.continuing &&
+        entry.flags.breaking == exit.flags.breaking && entry.flags.continuing == exit.flags.continuing &&
         entry.parameters.outside == exit.parameters.outside;
   };
   for (Frame& frame : frames_) {
@@ -348,10 +348,10 @@ void Analysis::learn_calls() {
   for (Frame& frame : frames_) {
     if (frame.watch == nullptr || frame.watch->disturbed) continue;
     const State& exit = frame.exits.front();
-    result_.learned->push_back(
-        {std::move(frame.watch->key),
-         {exit.executed, exit.returned, exit.joined, exit.mixed, std::move(frame.watch->lines), frame.watch->steps},
-         frame.watch->entry.position});
+    result_.learned->push_back({std::move(frame.watch->key),
+                                {exit.flags.executed, exit.flags.returned, exit.joined, exit.mixed,
+                                 std::move(frame.watch->lines), frame.watch->steps},
+                                frame.watch->entry.position});
   }
 }
 
