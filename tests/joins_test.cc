@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/flow/flow.h"
+#include "support/analysis.h"
 #include "support/damage.h"
 
 using namespace owlint;
@@ -17,16 +18,6 @@ using namespace owlint;
 namespace {
 
 using Stops = std::map<std::tuple<StatementId, StatementId, StopKind, std::string>, Reach>;
-
-/// At most so many states at a line and calls of a sub; nothing else is changed.
-flow::Limits at_most(size_t states, size_t contexts) {
-  flow::Limits limits;
-  for (auto& level : limits.levels) {
-    level.states = std::min(level.states, states);
-    level.contexts = std::min(level.contexts, contexts);
-  }
-  return limits;
-}
 
 FlowResult analyzed(const std::shared_ptr<const Program>& program, const flow::Limits& limits) {
   Library library;
@@ -90,8 +81,8 @@ void check_sound(const std::string& name, const std::string& text, const flow::L
 TEST_CASE("joining states and calls early loses no stop", "[joins]") {
   Compared count;
   for (const auto& [name, text] : test::all_programs()) {
-    check_sound(name, text, at_most(2, 2), count);
-    check_sound(name, text, at_most(1, 1), count);
+    check_sound(name, text, test::at_most(2, 2), count);
+    check_sound(name, text, test::at_most(1, 1), count);
   }
   CHECK(count.stops > 500);
   CHECK(count.merges > 500);
@@ -103,7 +94,7 @@ TEST_CASE("joining states and calls of damaged programs early loses no stop", "[
   Compared count;
   for (int i = 0; i < 3000; ++i) {
     const auto& [name, text] = all[std::uniform_int_distribution<size_t>(0, all.size() - 1)(random)];
-    check_sound(name, test::damaged(text, random), at_most(2, 2), count);
+    check_sound(name, test::damaged(text, random), test::at_most(2, 2), count);
   }
   CHECK(count.merges > 1000);
 }

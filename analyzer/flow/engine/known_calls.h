@@ -5,12 +5,13 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
-#include "analyzer/flow/interpreter/machine.h"
+#include "analyzer/flow/domain/flags.h"
+#include "analyzer/flow/limits.h"
+#include "analyzer/syntax/statement.h"
 
 namespace owlint::flow {
 
@@ -51,37 +52,6 @@ class KnownCalls {
   std::unordered_map<std::string, Known> calls_;
   uint64_t check_ = 0;
   uint64_t remembered_checks_;
-};
-
-/// Makes the keys of calls in one analysis.
-class CallKeys {
- public:
-  CallKeys(const Linked& linked, const Machine& machine)
-      : linked_(linked),
-        program_(linked.program()),
-        machine_(machine),
-        circumstances_(machine.circumstances()),
-        subs_(program_.regions.size()) {}
-
-  /// The key of a call that enters `entry`, at the sub's first line; none for calls that cannot be kept. `level`: how exactly
-  /// the analysis follows runs.
-  std::optional<std::string> of(const Context& callee, const State& entry, size_t level);
-
- private:
-  struct Sub {
-    bool looked_at = false;
-    bool fits = false;  ///< calls of it can be kept
-    std::string text;   ///< its text, and how the rest of the program uses its parameters
-    Dependence dependence;
-  };
-  void look_at(RegionId region, Sub& sub) const;
-  bool note_line(StatementId id, Dependence& out) const;
-
-  const Linked& linked_;
-  const Program& program_;
-  const Machine& machine_;
-  uint64_t circumstances_;
-  std::vector<Sub> subs_;  // by region
 };
 
 }  // namespace owlint::flow

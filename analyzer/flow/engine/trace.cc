@@ -71,8 +71,7 @@ std::vector<uint32_t> Trace::ways_round(const std::vector<uint32_t>& first, cons
   return group;
 }
 
-void Trace::finish(std::vector<bool> executed) {
-  executed_ = std::move(executed);
+void Trace::finish() {
   std::vector<std::pair<RecordId, RecordId>> edges;
   for (const Link& link : links_) edges.emplace_back(link.from, link.to);
   for (RecordId id = 0; id < records_.size(); ++id) {

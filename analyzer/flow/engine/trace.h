@@ -30,10 +30,12 @@ class Trace {
     Branch branch = Branch::kNone;
   };
 
-  explicit Trace(const Limits& limits)
+  /// For a program of so many statements.
+  Trace(const Limits& limits, size_t statements)
       : reach_records_(limits.reach_records),
         path_records_(limits.path_records),
-        path_decisions_(limits.path_decisions) {}
+        path_decisions_(limits.path_decisions),
+        executed_(statements) {}
 
   RecordId add(Record record) {
     records_.push_back(record);
@@ -50,6 +52,11 @@ class Trace {
     if (unsure) unsure_.insert(at);
   }
 
+  /// Some run executes a statement, and does not only skip it.
+  void mark_executed(StatementId statement) { executed_[statement] = true; }
+  /// By statement.
+  const std::vector<bool>& executed() const { return executed_; }
+
   const Record& at(RecordId id) const { return records_[id]; }
   size_t size() const { return records_.size(); }
 
@@ -63,9 +70,8 @@ class Trace {
   /// Whether reach() was asked about a statement from `first` to before `last`.
   bool asked(StatementId first, StatementId last) const;
 
-  /// Must be called once, after the last record and before the questions below. `executed`: by statement, whether some
-  /// run executes it.
-  void finish(std::vector<bool> executed);
+  /// Must be called once, after the last record and before the questions below.
+  void finish();
 
   /// Whether every run that ends, ends with `key`.
   bool only_end(uint32_t key) const;

@@ -82,7 +82,7 @@ class Evaluator {
   static int known(const Parameters& p, Fact fact);  ///< 0 not known, 1 true, 2 false
   void learn(Parameters& p, Fact fact, bool truth) const;
   /// Adds the operations of a line that may fail: `10/[#5-1]`, `SQRT[#5]`, `#[#5]`.
-  void note_fragile(const Statement& s, std::vector<ExprId>& out) const;
+  void note_fallible(const Statement& s, std::vector<ExprId>& out) const;
   /// Whether one of them fails for these values.
   bool will_fail(std::span<const ExprId> operations, const Parameters& p) const;
   /// Adds the parameters that a condition reads, by their keys. Whether its outcomes are followed
@@ -142,7 +142,7 @@ class Evaluator {
   bool mark(ExprId id);
   bool mark_number(long number);
   void mark_operand(ExprId id);
-  void note_fragile(ExprId id, std::vector<ExprId>& out) const;
+  void note_fallible(ExprId id, std::vector<ExprId>& out) const;
   void mark_what_can_fail(ExprId id);
   void note_number(long number, Dependence& out) const;
   void note_name(NameId name, Dependence& out) const;

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -35,14 +36,54 @@ struct Context {
       false;  ///< within a G70, G71 or G72: lines are read for the contour, M2, M30 and `(abort, …)` do nothing (measured)
 };
 
-/// What a step reports besides successors.
+/// The interpreter stops.
+struct StopReport {
+  StopKind kind = StopKind::kNone;
+  StatementId other = kNoStatement;  ///< the line that the message names
+  std::string message;               ///< the interpreter's
+  std::string detail;                ///< a name that the message is about
+};
+
+/// Something runs, but not as written.
+struct HazardReport {
+  HazardKind kind{};
+  StatementId other = kNoStatement;  ///< another line that it is about
+  uint32_t number = 0;               ///< of an argument
+  StopKind error = StopKind::kNone;  ///< the error that became a message, or shows later
+  std::string message;               ///< the interpreter's
+  std::string detail;                ///< passes of a `repeat`
+
+  static HazardReport of(HazardKind kind, StatementId other = kNoStatement) {
+    HazardReport out;
+    out.kind = kind;
+    out.other = other;
+    return out;
+  }
+  static HazardReport of_argument(HazardKind kind, uint32_t number) {
+    HazardReport out = of(kind);
+    out.number = number;
+    return out;
+  }
+  static HazardReport of_error(HazardKind kind, StopKind error, std::string message) {
+    HazardReport out = of(kind);
+    out.error = error;
+    out.message = std::move(message);
+    return out;
+  }
+  static HazardReport of_passes(HazardKind kind, std::string passes) {
+    HazardReport out = of(kind);
+    out.detail = std::move(passes);
+    return out;
+  }
+};
+
+/// What a step reports: where the run goes on, and what happens on the way.
 class Listener {
  public:
   virtual ~Listener() = default;
   virtual void successor(State state) = 0;
-  virtual void stop(const State& at, StopKind kind, StatementId other, std::string message, std::string detail) = 0;
-  virtual void hazard(const State& at, HazardKind kind, uint32_t number, StopKind warned, std::string message,
-                      StatementId other = kNoStatement) = 0;
+  virtual void stop(const State& at, StopReport report) = 0;
+  virtual void hazard(const State& at, HazardReport report) = 0;
   virtual void end(const State& at) = 0;                                             ///< the program ends
   virtual void call(const State& at, State entry, Context callee, int repeats) = 0;  ///< repeats: -1 unknown
   virtual void leave(const State& at) = 0;  ///< `return`, `endsub`, M99 in a call

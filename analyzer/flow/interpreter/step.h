@@ -58,8 +58,9 @@ struct Machine::Step {
   void next_line() { go(std::move(state), here + 1); }
 
   void stop(StopKind kind, std::string message, StatementId other = kNoStatement, std::string detail = {}) {
-    out.stop(state, kind, other, std::move(message), std::move(detail));
+    out.stop(state, {kind, other, std::move(message), std::move(detail)});
   }
+  void hazard(HazardKind kind, StatementId other = kNoStatement) { out.hazard(state, HazardReport::of(kind, other)); }
   void stop_error() {
     for (ExprId id = error()->read_from; id < error()->read_to; ++id) {
       const Expr& expr = m.program_.syntax.exprs[id];
@@ -88,7 +89,7 @@ struct Machine::Step {
       stop(kind, std::move(message), other);
       return false;
     }
-    out.hazard(state, HazardKind::kWarned, 0, kind, std::move(message));
+    out.hazard(state, HazardReport::of_error(HazardKind::kWarned, kind, std::move(message)));
     return true;
   }
 
@@ -104,7 +105,7 @@ struct Machine::Step {
         detail = m.name(e.name);
         message = "Named parameter #<" + detail + "> not defined";
       }
-      if (at_definition) out.hazard(state, HazardKind::kValueAtDefinition, 0, kind, message);
+      if (at_definition) out.hazard(state, HazardReport::of_error(HazardKind::kValueAtDefinition, kind, message));
       const bool merged = e.fails == StopKind::kNone;
       const bool mixed = state.mixed;
       // It is not known on which of the merged paths, nor whether one of them gets here.
@@ -135,7 +136,8 @@ struct Machine::Step {
 
   void report_reads() {
     for (uint32_t n = 1; n <= 30; ++n) {
-      if ((reads.not_passed >> n & 1) != 0) out.hazard(state, HazardKind::kArgumentNotPassed, n, StopKind::kNone, "");
+      if ((reads.not_passed >> n & 1) != 0)
+        out.hazard(state, HazardReport::of_argument(HazardKind::kArgumentNotPassed, n));
     }
     reads.not_passed = 0;
     report_value_reads();
@@ -145,9 +147,7 @@ struct Machine::Step {
     // After paths were joined, the outcomes of `#<_value_returned>` are joined too.
     const bool guarded =
         reads.no_value == kMaybeNotReturned && m.program_.syntax.names.find("_value_returned") != kNoName;
-    if (!guarded)
-      out.hazard(state, reads.no_value == kCleared ? HazardKind::kValueCleared : HazardKind::kValueNotReturned, 0,
-                 StopKind::kNone, "");
+    if (!guarded) hazard(reads.no_value == kCleared ? HazardKind::kValueCleared : HazardKind::kValueNotReturned);
     reads.no_value = kUnassigned;
   }
 

@@ -45,7 +45,7 @@ void Machine::Step::repeat(Truth truth, double number) {
 /// Decides on the next pass of a `repeat` whose entry is in the table.
 void Machine::Step::count_passes(Truth truth, double number) {
   const int left = state.counts.of(label);
-  if (left >= 0 && !state.looped) out.hazard(state, HazardKind::kStaleRepeatCount, 0, StopKind::kNone, "");
+  if (left >= 0 && !state.looped) hazard(HazardKind::kStaleRepeatCount);
   const auto enter = [&](int remaining) {
     State in = state;
     in.skip = kNoLabel;
@@ -64,7 +64,7 @@ void Machine::Step::count_passes(Truth truth, double number) {
     const bool literal = literal_value(m.program_.syntax.exprs, value(0), &written);
     const bool odd =
         number < 0 || std::fabs(number - std::nearbyint(number)) > kEqualTolerance || (literal && number == 0);
-    if (odd) out.hazard(state, HazardKind::kRepeatCount, 0, StopKind::kNone, fmt::format("{:.6g}", number));
+    if (odd) out.hazard(state, HazardReport::of_passes(HazardKind::kRepeatCount, fmt::format("{:.6g}", number)));
   }
   if (fresh) {
     if (truth == Truth::kOpen) {
@@ -117,7 +117,7 @@ void Machine::Step::while_(Truth truth) {
       go(std::move(again), opener, Branch::kTrue);
     }
     if ((breaking & kStale) != 0 && truth != Truth::kFalse)
-      out.hazard(before, HazardKind::kStaleBreak, 0, StopKind::kNone, "");
+      out.hazard(before, HazardReport::of(HazardKind::kStaleBreak));
     if ((breaking & (kYes | kStale)) != 0) {  // ends whatever the condition
       State out_of_loop = state;
       out_of_loop.flags.breaking = kNo;
@@ -173,8 +173,7 @@ void Machine::Step::end_loop_at(StatementId opener) {
   }
   // Behind a condition that is false, the loop only asks once more.
   const bool by_break = (state.flags.breaking & (kYes | kStale)) != 0;
-  if ((continuing & kStale) != 0 && (s.is(Keyword::kEndrepeat) || by_break))
-    out.hazard(state, HazardKind::kStaleContinue, 0, StopKind::kNone, "");
+  if ((continuing & kStale) != 0 && (s.is(Keyword::kEndrepeat) || by_break)) hazard(HazardKind::kStaleContinue);
   if ((continuing & (kYes | kStale)) != 0) {
     state.flags.continuing = kNo;
     go(std::move(state), opener);
@@ -199,7 +198,7 @@ void Machine::Step::jump() {
     }
     if (is_break) {
       if (skipping && kind == Keyword::kDo && (state.flags.continuing & (kYes | kStale)) != 0) {
-        out.hazard(state, HazardKind::kContinueMeetsBreak, 0, StopKind::kNone, "");
+        hazard(HazardKind::kContinueMeetsBreak);
       }
       // The `while` that closes a `do` clears the flag; `endwhile` leaves it set.
       if (m.reads_break_) state.flags.breaking = kind == Keyword::kDo ? kYes : kStale;
@@ -324,7 +323,7 @@ bool Machine::Step::require_defined(StopKind) {
 
 /// Under FEATURE 0x20 the interpreter goes on with a label that it does not have, and crashes.
 void Machine::Step::crash(StopKind kind, std::string message) {
-  out.hazard(state, HazardKind::kCrash, 0, kind, std::move(message));
+  out.hazard(state, HazardReport::of_error(HazardKind::kCrash, kind, std::move(message)));
 }
 
 }  // namespace owlint::flow

@@ -59,8 +59,7 @@ void Machine::Step::plain() {
     return stop(StopKind::kM99Behind, "Bug:  Reached convert_stop() from M99 as subprogram return");
   if (s.has_m99()) {
     const StatementId opener = m.program_.regions[m.program_.region_of[here]].opener;
-    if (opener != kNoStatement && m.program_.at(opener).is(Keyword::kBare))
-      out.hazard(state, HazardKind::kRunsIntoSub, 0, StopKind::kNone, "", opener);
+    if (opener != kNoStatement && m.program_.at(opener).is(Keyword::kBare)) hazard(HazardKind::kRunsIntoSub, opener);
     return out.end(state);  // of a run of the main program; the machine itself starts it again
   }
   if (s.kind == LineKind::kProgramEnd && !context.contour) return out.end(state);

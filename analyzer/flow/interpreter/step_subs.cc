@@ -52,7 +52,7 @@ void Machine::Step::sub() {
                   "Nested subroutine definition: 'O" + m.name(m.label_of(label)) +
                       " sub' found inside called subroutine 'O" + m.name(context.sub) + "'");
     }
-    if (!is_called_sub()) out.hazard(state, HazardKind::kSubInCall, 0, StopKind::kNone, "");
+    if (!is_called_sub()) hazard(HazardKind::kSubInCall);
     return next_line();
   }
   if (!enter_sub()) return;
@@ -83,7 +83,7 @@ void Machine::Step::leave_sub() {
     if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
     if (endsub) {
       state.skip = kNoLabel;
-      if (!is_called_sub()) out.hazard(state, HazardKind::kForeignEnd, 0, StopKind::kNone, "");
+      if (!is_called_sub()) hazard(HazardKind::kForeignEnd);
     }
     come_back();
     return out.leave(state);
@@ -176,7 +176,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
   enter.mixed = state.mixed;
   for (const StatementId line : set.lines) {
     if (m.linked_.file_of(line) != m.linked_.file_of(here) && own_file_has(plain))
-      out.hazard(state, HazardKind::kOtherHelper, 0, StopKind::kNone, "", line);
+      hazard(HazardKind::kOtherHelper, line);
     State known = enter;
     known.table.set(m.pool_, defined, Definers::one(line));
     known.position = line;  // the definition's line is read again (measured: text after it stops there)
@@ -195,7 +195,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
     return out.call(state, std::move(enter), callee, repeats);
   }
   if (m.profile_.version >= Version::k2_9 && breaks_expansion(m.name(callee.sub))) {
-    return out.hazard(state, HazardKind::kLookupCrash, 0, StopKind::kNone, "");
+    return hazard(HazardKind::kLookupCrash);
   }
   if (m.may_be_elsewhere(callee.sub)) {
     call_elsewhere(defined);  // or it stops

@@ -67,7 +67,7 @@ void Evaluator::mark_what_can_fail(ExprId id) {
   if (expr.right() != kNoExpr) mark_what_can_fail(expr.right());
 }
 
-void Evaluator::note_fragile(ExprId id, std::vector<ExprId>& out) const {
+void Evaluator::note_fallible(ExprId id, std::vector<ExprId>& out) const {
   const Expr& expr = syntax_.exprs[id];
   double number = 0;
   switch (expr.op) {
@@ -88,13 +88,13 @@ void Evaluator::note_fragile(ExprId id, std::vector<ExprId>& out) const {
     case Operator::kPower: out.push_back(id); break;
     default: break;
   }
-  note_fragile(expr.left(), out);
-  if (expr.right() != kNoExpr) note_fragile(expr.right(), out);
+  note_fallible(expr.left(), out);
+  if (expr.right() != kNoExpr) note_fallible(expr.right(), out);
 }
 
-void Evaluator::note_fragile(const Statement& s, std::vector<ExprId>& out) const {
-  for (uint32_t i = 0; i < s.value_count; ++i) note_fragile(syntax_.values[s.first + i], out);
-  for (uint32_t i = 0; i < s.item_count; ++i) note_fragile(syntax_.items[s.first + i].value, out);
+void Evaluator::note_fallible(const Statement& s, std::vector<ExprId>& out) const {
+  for (uint32_t i = 0; i < s.value_count; ++i) note_fallible(syntax_.values[s.first + i], out);
+  for (uint32_t i = 0; i < s.item_count; ++i) note_fallible(syntax_.items[s.first + i].value, out);
 }
 
 void Evaluator::find_relevant() {

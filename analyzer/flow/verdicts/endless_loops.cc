@@ -1,9 +1,9 @@
-// Loops without an end: those that no run leaves, and under FEATURE 0x20 ways round that an error which became a message makes.
+#include "analyzer/flow/verdicts/endless_loops.h"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
 
-#include "analyzer/flow/engine/analysis.h"
 #include "analyzer/flow/facts/accesses.h"
 #include "analyzer/machine/predefined.h"
 
@@ -42,12 +42,28 @@ bool stays_the_same(const Program& program, const std::vector<StatementId>& read
 
 }  // namespace
 
+void EndlessLoops::find() {
+  stuck_.assign(trace_.size(), false);
+  find_idle();
+  // After a message of FEATURE 0x20 that leads round and round, no stop is that of every run.
+  may_go_round_ = hazards_.has(HazardKind::kHang);
+  if (may_go_round_) return;  // one mistake, one finding
+  find_closed();
+  find_stuck();
+}
+
+void EndlessLoops::add(StatementId loop, bool is_left) {
+  Hazard hazard = hazard_at(HazardKind::kEndlessLoop, loop);
+  hazard.not_always = is_left;
+  hazards_.add(std::move(hazard));
+}
+
 /// By statement: how many before it some run passes, executing them, that comes to an end.
-std::vector<uint32_t> Analysis::passed_well() const {
+std::vector<uint32_t> EndlessLoops::passed_well() const {
   std::vector<uint32_t> out(program_.size() + 1);
-  for (RecordId id = 0; id < trace_->size(); ++id) {
-    const Trace::Record& record = trace_->at(id);
-    if (record.statement != kNoStatement && record.executed && !trace_->hanging()[id]) out[record.statement + 1] = 1;
+  for (RecordId id = 0; id < trace_.size(); ++id) {
+    const Trace::Record& record = trace_.at(id);
+    if (record.statement != kNoStatement && record.executed && !trace_.hanging()[id]) out[record.statement + 1] = 1;
   }
   std::partial_sum(out.begin(), out.end(), out.begin());
   return out;
@@ -55,8 +71,8 @@ std::vector<uint32_t> Analysis::passed_well() const {
 
 /// Loops that no run leaves: nothing leads out of their way round, and no end is on it. A loop inside one of them that ends is
 /// left for the rest of the outer one: it shows when the way back to the beginning of the outer one is taken away.
-void Analysis::endless_loops() {
-  const std::vector<bool>& hanging = trace_->hanging();
+void EndlessLoops::find_closed() {
+  const std::vector<bool>& hanging = trace_.hanging();
   if (std::ranges::find(hanging, true) == hanging.end()) return;
   std::vector<bool> found(program_.size());  // by statement: the opener of such a loop
   const std::vector<uint32_t> passed = passed_well();
@@ -68,38 +84,28 @@ void Analysis::endless_loops() {
     return last > loop + 1 && passed[last] != passed[loop + 1];
   };
   const auto goes_back = [&](RecordId from, RecordId to) {
-    const StatementId target = trace_->at(to).statement;
-    const StatementId source = trace_->at(from).statement;
+    const StatementId target = trace_.at(to).statement;
+    const StatementId source = trace_.at(from).statement;
     if (target == kNoStatement || source == kNoStatement || target > source) return false;
     const Statement& s = program_.at(target);
     return is_loop(s);
   };
   const auto removed = [&](RecordId from, RecordId to) {
-    return goes_back(from, to) && found[trace_->at(to).statement];
+    return goes_back(from, to) && found[trace_.at(to).statement];
   };
-  for (int i = 0; i < limits_.endless_nesting; ++i) {
-    const std::vector<uint32_t> round = trace_->closed_cycles(removed);
-    std::vector<StatementId> outermost(trace_->size() + 1, kNoStatement);  // by way round
-    trace_->for_edges([&](RecordId from, RecordId to) {
+  for (int i = 0; i < analysis_.limits().endless_nesting; ++i) {
+    const std::vector<uint32_t> round = trace_.closed_cycles(removed);
+    std::vector<StatementId> outermost(trace_.size() + 1, kNoStatement);  // by way round
+    trace_.for_edges([&](RecordId from, RecordId to) {
       if (!hanging[from] || round[from] == 0 || round[from] != round[to] || !goes_back(from, to) || removed(from, to))
         return;
-      outermost[round[from]] = std::min(outermost[round[from]], trace_->at(to).statement);
+      outermost[round[from]] = std::min(outermost[round[from]], trace_.at(to).statement);
     });
     bool grew = false;
     for (const StatementId loop : outermost) {
       if (loop == kNoStatement) continue;
       grew = found[loop] = true;
-      hazards_.emplace(std::make_tuple(HazardKind::kEndlessLoop, loop, kNoStatement, 0U),
-                       Hazard{HazardKind::kEndlessLoop,
-                              loop,
-                              kNoStatement,
-                              0,
-                              Reach::kMaybe,
-                              StopKind::kNone,
-                              "",
-                              {},
-                              {},
-                              is_left(loop)});
+      add(loop, is_left(loop));
     }
     if (!grew) return;
   }
@@ -107,17 +113,17 @@ void Analysis::endless_loops() {
 
 /// Under FEATURE 0x20: ways round that an error which became a message leads into or keeps going. Loops as they
 /// are meant go round while a condition is true; these do with every condition false, so that nothing ends them.
-void Analysis::idle_loops() {
+void EndlessLoops::find_idle() {
   if (warned_.empty()) return;
-  const std::vector<uint32_t> group = trace_->idle_cycles();
+  const std::vector<uint32_t> group = trace_.idle_cycles();
   struct Loop {
     StatementId first = kNoStatement;   ///< the foremost line of the way round
     StatementId warned = kNoStatement;  ///< the foremost warning on it
     RecordId entry = kNoRecord;
   };
   std::map<uint32_t, Loop> loops;
-  for (RecordId id = 0; id < trace_->size(); ++id) {
-    const StatementId here = trace_->at(id).statement;
+  for (RecordId id = 0; id < trace_.size(); ++id) {
+    const StatementId here = trace_.at(id).statement;
     if (group[id] == 0 || here == kNoStatement) continue;
     Loop& loop = loops[group[id]];
     if (loop.entry == kNoRecord) loop.entry = id;
@@ -125,18 +131,20 @@ void Analysis::idle_loops() {
     if (warned_.contains(id) && (loop.warned == kNoStatement || here < loop.warned)) loop.warned = here;
   }
   for (auto& [number, loop] : loops) {
-    for (RecordId id = loop.entry; loop.warned == kNoStatement && id != kNoRecord; id = trace_->at(id).parent) {
-      if (warned_.contains(id)) loop.warned = trace_->at(id).statement;
+    for (RecordId id = loop.entry; loop.warned == kNoStatement && id != kNoRecord; id = trace_.at(id).parent) {
+      if (warned_.contains(id)) loop.warned = trace_.at(id).statement;
     }
     if (loop.warned == kNoStatement) continue;
-    hazards_.emplace(std::make_tuple(HazardKind::kHang, loop.warned, kNoStatement, 0U),
-                     Hazard{HazardKind::kHang, loop.warned, loop.first, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}});
+    hazards_.add(hazard_at(HazardKind::kHang, loop.warned, loop.first));
   }
 }
 
-void Analysis::stuck_loops() {
-  if (remaps_ || coarse()) return;  // stretches that were passed over may assign something
-  const std::vector<uint32_t> group = trace_->cycles();
+/// Loops that other runs leave, but in which a run may go round for ever: nothing on the way round changes what decides.
+void EndlessLoops::find_stuck() {
+  // Codes that are remapped, and stretches that were passed over, may assign something.
+  const bool has_remaps = analysis_.profile().setup != nullptr && analysis_.profile().setup->has_remaps;
+  if (has_remaps || analysis_.precision().coarse()) return;
+  const std::vector<uint32_t> group = trace_.cycles();
   struct Round {
     std::vector<StatementId> lines;
     std::vector<StatementId> deciding;  ///< conditions with a way out
@@ -144,49 +152,46 @@ void Analysis::stuck_loops() {
     bool fixed = true;
   };
   std::map<uint32_t, Round> rounds;
-  for (RecordId id = 0; id < trace_->size(); ++id) {
-    if (group[id] != 0 && trace_->at(id).statement != kNoStatement)
-      rounds[group[id]].lines.push_back(trace_->at(id).statement);
+  for (RecordId id = 0; id < trace_.size(); ++id) {
+    if (group[id] != 0 && trace_.at(id).statement != kNoStatement)
+      rounds[group[id]].lines.push_back(trace_.at(id).statement);
   }
   if (rounds.empty()) return;
-  trace_->for_edges([&](RecordId from, RecordId to) {
-    const StatementId here = trace_->at(from).statement;
+  trace_.for_edges([&](RecordId from, RecordId to) {
+    const StatementId here = trace_.at(from).statement;
     if (group[from] == 0) return;
     Round& round = rounds[group[from]];
     const Statement* s = here == kNoStatement ? nullptr : &program_.at(here);
     if (group[from] == group[to]) {
-      const StatementId target = trace_->at(to).statement;
+      const StatementId target = trace_.at(to).statement;
       if (target != kNoStatement && here != kNoStatement && target <= here && is_loop(program_.at(target)))
         round.opener = std::min(round.opener, target);
       return;
     }
     const bool tests = s != nullptr && (s->is(Keyword::kIf) || s->is(Keyword::kElseif) || s->is(Keyword::kWhile));
     // The counter of `repeat` comes to an end; the number that it begins with decides whether there is a pass.
-    const bool begins = s != nullptr && s->is(Keyword::kRepeat) && trace_->at(to).parent == from &&
-        trace_->at(to).branch == Branch::kTrue;
+    const bool begins = s != nullptr && s->is(Keyword::kRepeat) && trace_.at(to).parent == from &&
+        trace_.at(to).branch == Branch::kTrue;
     if (tests || begins) {
       round.deciding.push_back(here);
     } else {
       round.fixed = false;
     }
   });
-  std::vector<bool> stuck(trace_->size() + 1);  // by way round
+  std::vector<bool> stuck(trace_.size() + 1);  // by way round
   for (auto& [number, round] : rounds) {
     if (!round.fixed || round.opener == kNoStatement || round.deciding.empty()) continue;
     sort_once(round.lines);
     sort_once(round.deciding);
     if (!stays_the_same(program_, round.deciding, round.lines)) continue;
     // What a call that was not gone through assigns decides, if it assigns anything.
-    if (trace_->leaves_out() &&
+    if (trace_.leaves_out() &&
         std::ranges::any_of(round.lines, [&](StatementId id) { return program_.at(id).calls(); }))
-      trace_->miss_left_out();
+      trace_.miss_left_out();
     stuck[number] = may_go_round_ = true;
-    hazards_.emplace(
-        std::make_tuple(HazardKind::kEndlessLoop, round.opener, kNoStatement, 0U),
-        Hazard{
-            HazardKind::kEndlessLoop, round.opener, kNoStatement, 0, Reach::kMaybe, StopKind::kNone, "", {}, {}, true});
+    add(round.opener, true);
   }
-  for (RecordId id = 0; id < trace_->size(); ++id) stuck_[id] = stuck[group[id]];
+  for (RecordId id = 0; id < trace_.size(); ++id) stuck_[id] = stuck[group[id]];
 }
 
 }  // namespace owlint::flow

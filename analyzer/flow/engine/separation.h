@@ -1,0 +1,34 @@
+// Which states are kept apart where others are joined: those for which an operation will fail. Among other values the stop
+// would not be seen.
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "analyzer/flow/engine/precision.h"
+#include "analyzer/flow/interpreter/machine.h"
+
+namespace owlint::flow {
+
+class Separation {
+ public:
+  /// All must outlive it.
+  Separation(const Program& program, Machine& machine, const Precision& precision, const Limits& limits)
+      : program_(program), machine_(machine), precision_(precision), limits_(limits) {}
+
+  /// Whether a state that enters the sub at `position`, or goes on in it, is joined with others where `there` are kept apart
+  /// already, and `most` are if nothing speaks for more. Those that will fail get twice the room.
+  bool joins(const State& state, StatementId position, size_t there, size_t most);
+
+ private:
+  const std::vector<ExprId>& fallible_in(RegionId region);
+
+  const Program& program_;
+  Machine& machine_;
+  const Precision& precision_;
+  const Limits& limits_;
+  std::unordered_map<RegionId, std::vector<ExprId>> fallible_;
+  std::unordered_map<uint64_t, bool> failing_;  // by hash of region and parameters
+};
+
+}  // namespace owlint::flow
