@@ -1,5 +1,7 @@
 #include "analyzer/flow/engine/separation.h"
 
+#include "analyzer/flow/interpreter/fallible.h"
+
 namespace owlint::flow {
 
 /// The operations of a sub, or of the main program, that can fail: the first ones, for they are computed often.
@@ -10,7 +12,7 @@ const std::vector<ExprId>& Separation::fallible_in(RegionId region) {
     const StatementId first = is_main ? 0 : program_.regions[region].opener;
     const StatementId last = is_main ? static_cast<StatementId>(program_.size()) : program_.regions[region].last;
     for (StatementId id = first; id < last && known->second.size() < limits_.fallible_operations; ++id) {
-      if (program_.region_of[id] == region) machine_.evaluator().note_fallible(program_.at(id), known->second);
+      if (program_.region_of[id] == region) add_fallible(program_.syntax, program_.at(id), known->second);
     }
   }
   return known->second;

@@ -42,13 +42,13 @@ struct CalmSub {
 
 class CalmBuilder {
  public:
-  CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const Evaluator& evaluator,
-              const Limits& limits)
+  CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const TrackedParameters& tracked,
+              const Evaluator& evaluator, const Limits& limits)
       : out_(out),
         program_(program),
         structure_(structure),
         limits_(limits),
-        lines_(program, structure, evaluator),
+        lines_(program, structure, tracked, evaluator),
         read_(program.syntax.names.size()),
         written_(program.syntax.names.size()),
         assigned_(program.syntax.names.size()),
@@ -361,10 +361,10 @@ class CalmBuilder {
   std::vector<Call>::const_iterator call_;
 };
 
-CalmStretches::CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator,
-                             const Limits& limits, bool warn_only)
+CalmStretches::CalmStretches(const Program& program, const Structure& structure, const TrackedParameters& tracked,
+                             const Evaluator& evaluator, const Limits& limits, bool warn_only)
     : begins_(program.size(), kNone) {
-  if (!warn_only) CalmBuilder(*this, program, structure, evaluator, limits).run();
+  if (!warn_only) CalmBuilder(*this, program, structure, tracked, evaluator, limits).run();
 }
 
 }  // namespace owlint::flow

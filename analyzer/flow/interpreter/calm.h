@@ -32,8 +32,8 @@ struct CalmStretch {
 class CalmStretches {
  public:
   /// `warn_only`: under FEATURE 0x20 nothing is calm.
-  CalmStretches(const Program& program, const Structure& structure, const Evaluator& evaluator, const Limits& limits,
-                bool warn_only);
+  CalmStretches(const Program& program, const Structure& structure, const TrackedParameters& tracked,
+                const Evaluator& evaluator, const Limits& limits, bool warn_only);
 
   /// The stretch that begins at a statement; null if none does.
   const CalmStretch* at(StatementId id) const { return begins_[id] == kNone ? nullptr : &stretches_[begins_[id]]; }

@@ -7,8 +7,9 @@
 
 namespace owlint::flow {
 
-CalmLines::CalmLines(const Program& program, const Structure& structure, const Evaluator& evaluator)
-    : program_(program), structure_(structure), evaluator_(evaluator) {
+CalmLines::CalmLines(const Program& program, const Structure& structure, const TrackedParameters& tracked,
+                     const Evaluator& evaluator)
+    : program_(program), structure_(structure), tracked_(tracked), evaluator_(evaluator) {
   for (const Statement& s : program_.syntax.statements) {
     jumps_ = jumps_ || s.is(Keyword::kBreak) || s.is(Keyword::kContinue);
     do_loops_ = do_loops_ || s.is(Keyword::kDo);
@@ -75,7 +76,7 @@ bool CalmLines::harmless_words(const Statement& s) const {
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = program_.syntax.items[s.first + i];
     if (!look(item.value).safe) return false;
-    if (item.target_name != kNoName && evaluator_.kind(item.target_name) == NameKind::kPredefined) return false;
+    if (item.target_name != kNoName && tracked_.kind(item.target_name) == NameKind::kPredefined) return false;
     if (item.target != kNoExpr) {
       const Look target = look(item.target);
       long number = 0;
@@ -92,7 +93,7 @@ Look CalmLines::look(ExprId id) const {
   switch (expr.op) {
     case Operator::kNumber: return {true, true, expr.value()};
     case Operator::kNamed:
-      return {evaluator_.kind(expr.name()) == NameKind::kLocal || evaluator_.always_there(expr.name()), false, 0};
+      return {tracked_.kind(expr.name()) == NameKind::kLocal || evaluator_.always_there(expr.name()), false, 0};
     case Operator::kExistsNamed:
     case Operator::kExistsNumbered: return {false, false, 0};
     case Operator::kParameter: {

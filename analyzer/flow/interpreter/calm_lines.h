@@ -18,7 +18,8 @@ struct Look {
 
 class CalmLines {
  public:
-  CalmLines(const Program& program, const Structure& structure, const Evaluator& evaluator);
+  CalmLines(const Program& program, const Structure& structure, const TrackedParameters& tracked,
+            const Evaluator& evaluator);
 
   /// For a part of a block: harmless if the whole block is. Not for calls and subs.
   bool harmless(StatementId id) const;
@@ -36,6 +37,7 @@ class CalmLines {
 
   const Program& program_;
   const Structure& structure_;
+  const TrackedParameters& tracked_;
   const Evaluator& evaluator_;
   // `break` and `do` together leave flags (OW501, OW509), so a program's stretches have only one of the two.
   bool jumps_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <memory_resource>
 #include <string_view>
@@ -12,37 +13,23 @@
 
 namespace owlint::flow {
 
-Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, const Limits& limits, KnownValues& values,
-                     PersistentMap::Pool& pool)
+Evaluator::Evaluator(const Syntax& syntax, const Profile& profile, const TrackedParameters& tracked,
+                     RememberedConditions& remembered, KnownValues& values, PersistentMap::Pool& pool)
     : syntax_(syntax),
       profile_(profile),
-      limits_(limits),
+      tracked_(tracked),
+      remembered_(remembered),
       values_(values),
       pool_(pool),
-      relevant_number_(kLastNumber + 1),
-      relevant_name_(syntax.names.size()),
-      read_argument_(kFirstGlobalNumber),
-      kept_(syntax.names.size()),
-      asked_for_(syntax.names.size()),
       value_name_(syntax.names.find("_value")),
-      value_returned_name_(syntax.names.find("_value_returned")) {
-  kinds_.reserve(syntax.names.size());
-  for (NameId name = 0; name < syntax.names.size(); ++name)
-    kinds_.push_back(name_kind(syntax.names.text(name), profile));
-  find_relevant();
-  find_facts();
-  find_compared();
-  for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
-    if (relevant_number_[n] || read_argument_[n]) arguments_.push_back(n);
-  }
-}
+      value_returned_name_(syntax.names.find("_value_returned")) {}
 
-void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
+void Evaluator::set_number(Parameters& p, long number, ValueId value) {
   if (number < 1 || number > kLastNumber) return;
-  forget_facts(p, static_cast<uint32_t>(number) | (number >= kFirstGlobalNumber ? kGlobalKey : 0));
-  if (!relevant_number_[number]) {
+  remembered_.forget(p, static_cast<uint32_t>(number) | (number >= kFirstGlobalNumber ? kGlobalKey : 0));
+  if (!tracked_.number_matters(number)) {
     // Of an argument that only moves read, all that matters is whether it was passed.
-    if (number >= kFirstGlobalNumber || !read_argument_[number]) return;
+    if (number >= kFirstGlobalNumber || !tracked_.is_read(number)) return;
     if (value != kNotPassed) value = kUnknown;
   }
   if (coarse_ && value >= kFirstConstant) value = kUnknown;
@@ -50,25 +37,25 @@ void Evaluator::set_number(Parameters& p, long number, ValueId value) const {
   map.set(pool_, static_cast<uint32_t>(number), value);
 }
 
-void Evaluator::set_name(Parameters& p, NameId name, ValueId value) const {
-  const bool global = global_name(name);
-  forget_facts(p, key_of_name(name));
+void Evaluator::set_name(Parameters& p, NameId name, ValueId value) {
+  const bool global = tracked_.is_global(name);
+  remembered_.forget(p, tracked_.key_of_name(name));
   // A constant that decides nothing is only "assigned".
-  if (value >= kFirstConstant && (coarse_ || !relevant_name_[name])) value = kUnknown;
+  if (value >= kFirstConstant && (coarse_ || !tracked_.name_matters(name))) value = kUnknown;
   (global ? p.globals : p.locals).set(pool_, (global ? kGlobalNames : kLocalNames) + name, value);
 }
 
-void Evaluator::pass(Parameters& p, std::span<const ValueId> arguments) const {
+void Evaluator::pass(Parameters& p, std::span<const ValueId> arguments) {
   const PersistentMap::Pool::Batch batch(pool_);
-  for (const uint32_t n : arguments_) set_number(p, n, n <= arguments.size() ? arguments[n - 1] : kNotPassed);
+  for (const uint32_t n : tracked_.arguments()) set_number(p, n, n <= arguments.size() ? arguments[n - 1] : kNotPassed);
 }
 
-PersistentMap Evaluator::share_numbers(PersistentMap names, const PersistentMap& numbers) const {
+PersistentMap Evaluator::share_numbers(PersistentMap names, const PersistentMap& numbers) {
   for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) names.set(pool_, n, numbers.get(n));
   return names;
 }
 
-void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) const {
+void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) {
   for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
   // A remap passes named parameters: those that the file reads before any of its lines assigns them. Expressions
   // are in the order of the lines, so the ones before an assignment's own value come earlier.
@@ -80,16 +67,18 @@ void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) const {
     const Expr& expr = syntax_.exprs[id];
     if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
     // Without an INI, a name that some line assigns may be one that Python gives the sub.
-    const bool may_be_python = profile_.setup == nullptr && kept_[expr.name()];
-    if (global_name(expr.name()) || may_be_python || remap_gives(syntax_.names.text(expr.name()), sub, profile_)) {
+    const bool may_be_python = profile_.setup == nullptr && tracked_.is_assigned(expr.name());
+    if (tracked_.is_global(expr.name()) || may_be_python ||
+        remap_gives(syntax_.names.text(expr.name()), sub, profile_)) {
       // A word that the author asks for may be left out where the code is used.
-      set_name(p, expr.name(), asked_for_[expr.name()] && !global_name(expr.name()) ? kMaybeUnassigned : kUnknown);
+      set_name(p, expr.name(),
+               tracked_.is_asked_for(expr.name()) && !tracked_.is_global(expr.name()) ? kMaybeUnassigned : kUnknown);
     }
   }
 }
 
-void Evaluator::forget_numbers(Parameters& p) const {
-  for (const uint32_t number : tracked_numbers_) set_number(p, number, kUnknown);
+void Evaluator::forget_numbers(Parameters& p) {
+  for (const uint32_t number : tracked_.numbers()) set_number(p, number, kUnknown);
   p.local_facts = {};
   p.global_facts = {};
 }
@@ -97,9 +86,9 @@ void Evaluator::forget_numbers(Parameters& p) const {
 ValueId Evaluator::read_number(long number, const Parameters& in) const {
   if (number >= kFirstVolatileNumber) return kUnknown;
   // What does not matter has not been kept; but where numbers are read by computed ones, all that are assigned matter.
-  const bool never_assigned = computed_reads_ && !computed_targets_;
+  const bool never_assigned = tracked_.computes_reads() && !tracked_.computes_targets();
   const bool local = number < kFirstGlobalNumber;
-  if (!relevant_number_[number] && !(local && read_argument_[number]) && !never_assigned) return kUnknown;
+  if (!tracked_.number_matters(number) && !(local && tracked_.is_read(number)) && !never_assigned) return kUnknown;
   if (local) return in.locals.get(static_cast<uint32_t>(number));
   const ValueId value = in.globals.get(static_cast<uint32_t>(number));
   if (distrusts_globals_) return kUnknown;
@@ -107,7 +96,8 @@ ValueId Evaluator::read_number(long number, const Parameters& in) const {
 }
 
 bool Evaluator::always_there(NameId global) const {
-  return kinds_[global] >= NameKind::kOfMachine || (coarse_ && (kept_[global] || asked_for_[global]));
+  return tracked_.kind(global) >= NameKind::kOfMachine ||
+      (coarse_ && (tracked_.is_assigned(global) || tracked_.is_asked_for(global)));
 }
 
 bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
@@ -117,33 +107,32 @@ bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
     value = (local ? in.locals : in.globals).get(p.id);
     return value != kNotPassed && value < kFirstConstant;
   }
-  const bool global = global_name(p.id);
+  const bool global = tracked_.is_global(p.id);
   value = global ? in.globals.get(kGlobalNames + p.id) : in.locals.get(kLocalNames + p.id);
   return global ? value < kFirstConstant : value == kUnknown;
 }
 
-void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& parameters) const {
+void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& parameters) {
   const auto value = [&](uint32_t key, bool global) {
     return certain ? kUnknown : values_.join((global ? parameters.globals : parameters.locals).get(key), kUnknown);
   };
   if (!p.named) return set_number(parameters, p.id, value(p.id, p.id >= kFirstGlobalNumber));
-  const bool global = global_name(p.id);
+  const bool global = tracked_.is_global(p.id);
   set_name(parameters, p.id, value((global ? kGlobalNames : kLocalNames) + p.id, global));
 }
 
-Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_when_unassigned, bool defining,
-                                ReadLog* log) const {
+Evaluation Evaluator::read_name(NameId name, const Parameters& in, const Reading& how) {
   Evaluation out;
-  if (global_name(name)) {
+  if (tracked_.is_global(name)) {
     const ValueId known = in.globals.get(kGlobalNames + name);
     const bool result = name == value_name_ || name == value_returned_name_;
     if (result && coarse_) return out;
     if (name == value_name_ && known >= kNotReturned && known <= kMaybeNotReturned) {
-      if (log != nullptr) log->no_value = known;
+      if (how.log != nullptr) how.log->no_value = known;
       if (known != kMaybeNotReturned) out.value = values_.intern(0);
       return out;
     }
-    const bool predefined = kinds_[name] == NameKind::kPredefined && !result;
+    const bool predefined = tracked_.kind(name) == NameKind::kPredefined && !result;
     if (const auto number = predefined ? ini_number(syntax_.names.text(name), profile_) : std::nullopt) {
       out.value = values_.intern(*number);
       return out;
@@ -158,26 +147,26 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, bool zero_whe
     out.value = in.locals.get(kLocalNames + name);
   }
   if (out.value >= kFirstConstant || out.value == kUnknown || out.value == kNotPassed) return out;
-  if (defining) {
+  if (how.undefined == Undefined::kPasses) {
     // It does not stop: the value is whatever is in memory, mostly 0 or near 0 (measured).
-    out.value = zero_when_unassigned ? values_.intern(0) : kUnknown;
+    out.value = how.unset == Unset::kZero ? values_.intern(0) : kUnknown;
     return out;
   }
   // A global that the program assigns elsewhere is there from the second run on.
-  const bool from_before =
-      kinds_[name] == NameKind::kSomeReleases || (global_name(name) && (kept_[name] || asked_for_[name]));
+  const bool from_before = tracked_.kind(name) == NameKind::kSomeReleases ||
+      (tracked_.is_global(name) && (tracked_.is_assigned(name) || tracked_.is_asked_for(name)));
   (out.value == kUnassigned && !from_before ? out.fails : out.may_fail) = StopKind::kNameUndefined;
   out.name = name;
   out.value = kUnknown;
   return out;
 }
 
-Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
+Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) {
   Evaluation out;
   if (expr.op == Operator::kExistsNumbered) return out;
-  if (global_name(expr.name())) {
+  if (tracked_.is_global(expr.name())) {
     const ValueId value =
-        kinds_[expr.name()] == NameKind::kPredefined ? kUnknown : in.globals.get(kGlobalNames + expr.name());
+        tracked_.kind(expr.name()) == NameKind::kPredefined ? kUnknown : in.globals.get(kGlobalNames + expr.name());
     if (value == kUnknown || value >= kFirstConstant) out.value = values_.intern(1);
     return out;
   }
@@ -188,18 +177,17 @@ Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) const {
 }
 
 // Recursion is bounded by the length of one line.
-Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_unassigned, bool defining,
-                               ReadLog* log) const {
+Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, const Reading& how) {
   const Expr& expr = syntax_.exprs[id];
   Evaluation out;
   switch (expr.op) {
     case Operator::kNumber: out.value = values_.intern(expr.value()); return out;
-    case Operator::kNamed: return read_name(expr.name(), in, zero_when_unassigned, defining, log);
+    case Operator::kNamed: return read_name(expr.name(), in, how);
     case Operator::kExistsNamed:
     case Operator::kExistsNumbered: return exists(expr, in);
     default: break;
   }
-  const Evaluation left = evaluate(expr.left(), in, zero_when_unassigned, defining, log);
+  const Evaluation left = evaluate(expr.left(), in, how);
   if (left.fails != StopKind::kNone) return left;
   out.may_fail = left.may_fail;
   out.name = left.name;
@@ -216,17 +204,17 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
     } else {
       out.value = read_number(number, in);
       if (out.value == kNotPassed) {
-        if (log != nullptr) log->not_passed |= 1U << number;
+        if (how.log != nullptr) how.log->not_passed |= 1U << number;
         out.value = values_.intern(0);
       }
-      if (out.value == kUnassigned && zero_when_unassigned) out.value = values_.intern(0);
+      if (out.value == kUnassigned && how.unset == Unset::kZero) out.value = values_.intern(0);
       if (out.value < kFirstConstant) out.value = kUnknown;
     }
     return out;
   }
   ValueId right_value = left.value;
   if (expr.right() != kNoExpr) {
-    const Evaluation right = evaluate(expr.right(), in, zero_when_unassigned, defining, log);
+    const Evaluation right = evaluate(expr.right(), in, how);
     if (right.fails != StopKind::kNone) return out.may_fail == StopKind::kNone ? right : out;
     if (out.may_fail == StopKind::kNone) {
       out.may_fail = right.may_fail;
@@ -259,8 +247,8 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, bool zero_when_u
 
 /// A name exists as soon as it was read before `=`, for its own value and for the rest of the line: new ones are 0 there, others
 /// what they were before the line (measured).
-void Evaluator::begin_name(NameId name, Parameters& p) const {
-  const bool global = global_name(name);
+void Evaluator::begin_name(NameId name, Parameters& p) {
+  const bool global = tracked_.is_global(name);
   PersistentMap& map = global ? p.globals : p.locals;
   const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
   const ValueId before = map.get(key);
@@ -283,7 +271,8 @@ Evaluation Evaluator::target(double value, long* number) const {
   return out;
 }
 
-Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) const {
+Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) {
+  const Reading how{Unset::kAny, Undefined::kStops, log};
   Evaluation may;  // the first thing that stops on some of the merged paths
   struct Assigned {
     long number;  // 0: unknown number; -1: a name
@@ -300,7 +289,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     if (item.target_name != kNoName) begin_name(item.target_name, reading);
     Assigned write{-1, item.target_name, kUnknown};
     if (item.target != kNoExpr) {
-      const Evaluation index = evaluate(item.target, reading, false, false, log);
+      const Evaluation index = evaluate(item.target, reading, how);
       if (index.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? index : may;
       write.number = 0;
       if (values_.is_constant(index.value)) {
@@ -308,7 +297,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
         if (out.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? out : may;
       }
     }
-    const Evaluation value = evaluate(item.value, reading, false, false, log);
+    const Evaluation value = evaluate(item.value, reading, how);
     if (value.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? value : may;
     if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) {
       may.may_fail = value.may_fail;
@@ -318,7 +307,8 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     write.value = value.value;
     const bool assigns = item.target != kNoExpr || item.target_name != kNoName;
     if (!assigns) continue;
-    if (item.target_name != kNoName && kinds_[item.target_name] == NameKind::kPredefined && may.read_only == kNoName)
+    if (item.target_name != kNoName && tracked_.kind(item.target_name) == NameKind::kPredefined &&
+        may.read_only == kNoName)
       may.read_only = item.target_name;
     writes.push_back(write);
   }
@@ -333,6 +323,69 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     }
   }
   return may;
+}
+
+void Evaluator::assume_assigned(NameId name, Parameters& p) {
+  const bool global = tracked_.is_global(name);
+  PersistentMap& map = global ? p.globals : p.locals;
+  const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
+  if (const ValueId before = map.get(key); before == kUnassigned || before == kMaybeUnassigned)
+    map.set(pool_, key, kUnknown);
+}
+
+void Evaluator::assume_there(NameId name, Parameters& p) {
+  const bool from_before = tracked_.is_global(name) && p.globals.get(kGlobalNames + name) == kUnassigned;
+  assume_assigned(name, p);
+  if (!from_before) return;
+  for (const NameId other : tracked_.assigned_globals()) assume_assigned(other, p);
+}
+
+std::vector<uint32_t> Evaluator::result_keys() const {
+  std::vector<uint32_t> keys;
+  for (const NameId name : {value_name_, value_returned_name_}) {
+    if (name != kNoName) keys.push_back(kGlobalNames + name);
+  }
+  return keys;
+}
+
+void Evaluator::come_back(Parameters& p, const ValueId* value, bool never) {
+  if (coarse_) return;  // calls are skipped there
+  if (value_returned_name_ != kNoName)
+    p.globals.set(pool_, kGlobalNames + value_returned_name_, values_.intern(value != nullptr ? 1 : 0));
+  if (value_name_ == kNoName) return;
+  const uint32_t key = kGlobalNames + value_name_;
+  ValueId after = kNotReturned;
+  if (value != nullptr) {
+    const bool tracked = *value >= kFirstConstant && tracked_.name_matters(value_name_);
+    after = tracked ? *value : kUnknown;
+  } else if (const ValueId before = p.globals.get(key); never && before != kUnassigned && before != kNotReturned) {
+    after = kCleared;
+  }
+  p.globals.set(pool_, key, after);
+}
+
+uint64_t Evaluator::machine_values() const {
+  uint64_t out = 0;
+  for (NameId name = 0; name < tracked_.names(); ++name) {
+    const std::string_view text = syntax_.names.text(name);
+    if (!may_be_predefined(text)) continue;
+    out = mix(out, static_cast<uint64_t>(tracked_.kind(name)));
+    if (const auto number = ini_number(text, profile_)) out = mix(out, std::bit_cast<uint64_t>(*number));
+  }
+  return out;
+}
+
+bool Evaluator::will_fail(std::span<const ExprId> operations, const Parameters& p) {
+  return std::ranges::any_of(operations, [&](ExprId id) {
+    const StopKind stop = evaluate(id, p).fails;
+    return stop == StopKind::kValueFails || stop == StopKind::kParameterRange;
+  });
+}
+
+void Evaluator::call_outside(Parameters& p) {
+  p.outside = true;
+  p.globals = {};
+  p.global_facts = {};
 }
 
 }  // namespace owlint::flow

@@ -13,7 +13,10 @@ Machine::Machine(const Linked& linked, const Profile& profile, const Limits& lim
       profile_(profile),
       limits_(limits),
       pool_(pool),
-      evaluator_(program_.syntax, profile_, limits, values_, pool),
+      tracked_(program_.syntax, profile, limits),
+      remembered_(program_.syntax, limits, pool),
+      evaluator_(program_.syntax, profile_, tracked_, remembered_, values_, pool),
+      refinement_(program_.syntax, tracked_, limits, evaluator_, pool),
       states_(values_, definers_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
@@ -62,7 +65,9 @@ void Machine::index() {
 
 void Machine::set_coarse(bool passes_over) {
   evaluator_.set_coarse();
-  if (passes_over && !calm_) calm_.emplace(program_, structure_, evaluator_, limits_, profile_.warn_only());
+  remembered_.set_coarse();
+  refinement_.set_coarse();
+  if (passes_over && !calm_) calm_.emplace(program_, structure_, tracked_, evaluator_, limits_, profile_.warn_only());
 }
 
 const CalmStretch* Machine::pass_over(State& state, const Context& context) {

@@ -17,7 +17,9 @@
 #include "analyzer/flow/facts/structured.h"
 #include "analyzer/flow/flow.h"
 #include "analyzer/flow/interpreter/calm.h"
+#include "analyzer/flow/interpreter/dependence.h"
 #include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/interpreter/refinement.h"
 #include "analyzer/flow/limits.h"
 #include "analyzer/flow/summaries/effects.h"
 #include "analyzer/program/linker.h"
@@ -146,6 +148,9 @@ class Machine {
   Version version() const { return profile_.version; }
   Evaluator& evaluator() { return evaluator_; }
   const Evaluator& evaluator() const { return evaluator_; }
+  const TrackedParameters& tracked() const { return tracked_; }
+  const Refinement& refinement() const { return refinement_; }
+  Dependences dependences() const { return {program_.syntax, tracked_, remembered_, refinement_}; }
   const Structure& structure() const { return structure_; }
   NameId scope_of(FullLabel label) const { return labels_[label].first; }
   /// Everything else that a call depends on, besides lines and parameters, as a number.
@@ -170,7 +175,10 @@ class Machine {
   const Limits& limits_;
   PersistentMap::Pool& pool_;
   KnownValues values_;
+  TrackedParameters tracked_;
+  RememberedConditions remembered_;
   Evaluator evaluator_;
+  Refinement refinement_;
   Definers definers_;
   StateDomain states_;
   bool no_fanuc_;     // DISABLE_FANUC_STYLE_SUB

@@ -1,44 +1,35 @@
-// What the outcome of a condition says about the parameters in it: after `if [#1 GT 5]` #1 is greater than 5. Only where it
-// can matter: it tells states apart that a parameter compared once would not.
-#include <algorithm>
+#include "analyzer/flow/interpreter/refinement.h"
+
 #include <span>
-#include <utility>
 
 #include "analyzer/flow/facts/conditions.h"
-#include "analyzer/flow/interpreter/evaluator.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
 
-/// The key of a parameter that is alone on one side of a comparison; kComputedKey for anything else.
-ParameterKey Evaluator::key_of(ExprId side) const {
-  const Expr& expr = syntax_.exprs[side];
-  if (expr.op == Operator::kNamed) return key_of_name(expr.name());
-  if (expr.op != Operator::kParameter) return kComputedKey;
-  const ParameterKey key = key_of_number(syntax_, expr.left());
-  const ParameterKey number = key & ~kGlobalKey;
-  return number >= 1 && number < kFirstVolatileNumber ? key : kComputedKey;
+Refinement::Refinement(const Syntax& syntax, const TrackedParameters& tracked, const Limits& limits,
+                       Evaluator& evaluator, PersistentMap::Pool& pool)
+    : syntax_(syntax), tracked_(tracked), evaluator_(evaluator), pool_(pool) {
+  for (const ParameterKey key : tracked.operands()) compared_.emplace_back(key, kCanFail);
+  find_compared(limits);
 }
 
-/// The same, if it keeps its value until it is set again.
-ParameterKey Evaluator::key_if_kept(ExprId side) const {
-  const ParameterKey key = key_of(side);
-  if (key == kComputedKey || (is_global(key) && distrusts_globals_)) return kComputedKey;
-  const Expr& expr = syntax_.exprs[side];
-  return expr.op == Operator::kNamed && kind(expr.name()) > NameKind::kGlobal ? kComputedKey : key;
+ParameterKey Refinement::trusted_key_of(ExprId side) const {
+  const ParameterKey key = tracked_.lasting_key_of(side);
+  return key != kComputedKey && is_global(key) && evaluator_.distrusts_globals() ? kComputedKey : key;
 }
 
-uint8_t* Evaluator::compared(ParameterKey key) {
+uint8_t* Refinement::compared(ParameterKey key) {
   const auto found = std::ranges::lower_bound(compared_, key, {}, &std::pair<ParameterKey, uint8_t>::first);
   return found != compared_.end() && found->first == key ? &found->second : nullptr;
 }
 
 // Depth is bounded by the length of a line.
-void Evaluator::count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds) {
+void Refinement::count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds) {
   const Expr& expr = syntax_.exprs[id];
   const auto count = [&](ExprId side, ExprId other) {
-    const ParameterKey key = key_if_kept(side);
+    const ParameterKey key = tracked_.lasting_key_of(side);
     if (key == kComputedKey) return;
     compared_.emplace_back(key, of_while ? kOnce | kByLoop : kOnce);
     double number = 0;
@@ -56,10 +47,10 @@ void Evaluator::count_comparisons(ExprId id, bool of_while, std::vector<double>&
   }
 }
 
-void Evaluator::find_compared() {
+void Refinement::find_compared(const Limits& limits) {
   std::vector<double> thresholds;
   const std::span all(syntax_.statements);
-  const auto first = all.first(std::min(all.size(), limits_.remembered_statements));
+  const auto first = all.first(std::min(all.size(), limits.remembered_statements));
   for (const Statement& s : first) {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
     if (is_test && s.value_count > 0) count_comparisons(syntax_.values[s.first], s.is(Keyword::kWhile), thresholds);
@@ -90,28 +81,28 @@ void Evaluator::find_compared() {
   if (compared_.empty()) return;
   std::ranges::sort(thresholds);
   thresholds.erase(std::unique(thresholds.begin(), thresholds.end()), thresholds.end());
-  if (thresholds.size() > limits_.thresholds) {  // ranges between so many numbers would only tell states apart
+  if (thresholds.size() > limits.thresholds) {  // ranges between so many numbers would only tell states apart
     compared_.clear();
     return;
   }
-  values_.set_thresholds(Thresholds(std::move(thresholds), limits_.thresholds));
+  evaluator_.values().set_thresholds(Thresholds(std::move(thresholds), limits.thresholds));
 }
 
-void Evaluator::narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) const {
-  const ParameterKey key = key_of(side);
+void Refinement::narrow(Parameters& p, ExprId side, Operator op, ExprId other, bool truth) {
+  const ParameterKey key = tracked_.key_of(side);
   // What may not be narrowed has not been counted.
-  if (key == kComputedKey || !is_compared(key) || (is_global(key) && distrusts_globals_)) return;
+  if (key == kComputedKey || !is_compared(key) || (is_global(key) && evaluator_.distrusts_globals())) return;
   PersistentMap& map = is_global(key) ? p.globals : p.locals;
   const ValueId before = map.get(static_cast<uint32_t>(key));
   if (KnownValues::is_constant(before) || before == kMaybeUnassigned || before == kNotPassed) return;
   Range right = Range::of(0);
-  if (other != kNoExpr) right = values_.range(evaluate(other, p, false, false, nullptr).value);
-  const ValueId after = values_.intern(narrowed(values_.range(before), op, right, truth));
+  if (other != kNoExpr) right = evaluator_.values().range(evaluator_.evaluate(other, p).value);
+  const ValueId after = evaluator_.values().intern(narrowed(evaluator_.values().range(before), op, right, truth));
   if (after != kUnknown) map.set(pool_, static_cast<uint32_t>(key), after);
 }
 
 /// Whether `EXISTS[#<name>] OP number` comes out as `truth` only where the name exists.
-bool Evaluator::tells_existence(const Expr& comparison, bool truth, NameId* name) const {
+bool Refinement::tells_existence(const Expr& comparison, bool truth, NameId* name) const {
   double number = 0;
   const bool left = syntax_.exprs[comparison.left()].op == Operator::kExistsNamed;
   const Expr& asked = syntax_.exprs[left ? comparison.left() : comparison.right()];
@@ -124,39 +115,24 @@ bool Evaluator::tells_existence(const Expr& comparison, bool truth, NameId* name
     owlint::apply(comparison.op, left ? exists : number, left ? number : exists, &result);
     return result != 0;
   };
-  return outcome(1) == truth && outcome(0) != truth && kind(*name) != NameKind::kPredefined;
-}
-
-void Evaluator::assume_assigned(NameId name, Parameters& p) const {
-  const bool global = global_name(name);
-  PersistentMap& map = global ? p.globals : p.locals;
-  const uint32_t key = (global ? kGlobalNames : kLocalNames) + name;
-  if (const ValueId before = map.get(key); before == kUnassigned || before == kMaybeUnassigned)
-    map.set(pool_, key, kUnknown);
-}
-
-void Evaluator::assume_there(NameId name, Parameters& p) const {
-  const bool from_before = global_name(name) && p.globals.get(kGlobalNames + name) == kUnassigned;
-  assume_assigned(name, p);
-  if (!from_before) return;
-  for (const NameId other : globals_) assume_assigned(other, p);
+  return outcome(1) == truth && outcome(0) != truth && tracked_.kind(*name) != NameKind::kPredefined;
 }
 
 // Depth is bounded by the length of a line.
-bool Evaluator::followed(ExprId condition, std::vector<ParameterKey>& reads) const {
+bool Refinement::followed(ExprId condition, std::vector<ParameterKey>& reads) const {
   const Expr& expr = syntax_.exprs[condition];
   double number = 0;
   if (expr.op == Operator::kNumber) return true;
   if (expr.op == Operator::kExistsNumbered) return false;
   if (expr.op == Operator::kNamed || expr.op == Operator::kParameter) {
-    const ParameterKey kept = key_if_kept(condition);
+    const ParameterKey kept = trusted_key_of(condition);
     reads.push_back(kept != kComputedKey              ? kept
-                        : expr.op == Operator::kNamed ? key_of_name(expr.name())
+                        : expr.op == Operator::kNamed ? tracked_.key_of_name(expr.name())
                                                       : key_of_number(syntax_, expr.left()));
     return kept != kComputedKey;
   }
   if (expr.op == Operator::kExistsNamed) {
-    reads.push_back(key_of_name(expr.name()));
+    reads.push_back(tracked_.key_of_name(expr.name()));
     return true;
   }
   const bool left = followed(expr.left(), reads);
@@ -166,10 +142,10 @@ bool Evaluator::followed(ExprId condition, std::vector<ParameterKey>& reads) con
   if (!is_comparison(expr.op)) return false;
   const bool with_number =
       literal_value(syntax_.exprs, expr.left(), &number) || literal_value(syntax_.exprs, expr.right(), &number);
-  return with_number && (key_if_kept(expr.left()) != kComputedKey || key_if_kept(expr.right()) != kComputedKey);
+  return with_number && (trusted_key_of(expr.left()) != kComputedKey || trusted_key_of(expr.right()) != kComputedKey);
 }
 
-void Evaluator::refine(Parameters& p, ExprId condition, bool truth) const {
+void Refinement::refine(Parameters& p, ExprId condition, bool truth) {
   if (coarse_) return;
   find_existing(p, condition, truth);
   for_known_comparisons(syntax_.exprs, condition, truth, [&](ExprId side, Operator op, ExprId other, bool outcome) {
@@ -178,7 +154,7 @@ void Evaluator::refine(Parameters& p, ExprId condition, bool truth) const {
 }
 
 // Depth is bounded by the length of a line.
-void Evaluator::find_existing(Parameters& p, ExprId condition, bool truth) const {
+void Refinement::find_existing(Parameters& p, ExprId condition, bool truth) {
   const Expr& expr = syntax_.exprs[condition];
   NameId name = kNoName;
   if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
@@ -186,34 +162,10 @@ void Evaluator::find_existing(Parameters& p, ExprId condition, bool truth) const
     find_existing(p, expr.left(), truth);
     find_existing(p, expr.right(), truth);
   } else if (expr.op == Operator::kExistsNamed) {
-    if (truth && kind(expr.name()) != NameKind::kPredefined) assume_there(expr.name(), p);
+    if (truth && tracked_.kind(expr.name()) != NameKind::kPredefined) evaluator_.assume_there(expr.name(), p);
   } else if (is_comparison(expr.op) && tells_existence(expr, truth, &name)) {
-    assume_there(name, p);
+    evaluator_.assume_there(name, p);
   }
-}
-
-std::vector<uint32_t> Evaluator::result_keys() const {
-  std::vector<uint32_t> keys;
-  for (const NameId name : {value_name_, value_returned_name_}) {
-    if (name != kNoName) keys.push_back(kGlobalNames + name);
-  }
-  return keys;
-}
-
-void Evaluator::come_back(Parameters& p, const ValueId* value, bool never) const {
-  if (coarse_) return;  // calls are skipped there
-  if (value_returned_name_ != kNoName)
-    p.globals.set(pool_, kGlobalNames + value_returned_name_, values_.intern(value != nullptr ? 1 : 0));
-  if (value_name_ == kNoName) return;
-  const uint32_t key = kGlobalNames + value_name_;
-  ValueId after = kNotReturned;
-  if (value != nullptr) {
-    const bool tracked = *value >= kFirstConstant && relevant_name_[value_name_];
-    after = tracked ? *value : kUnknown;
-  } else if (const ValueId before = p.globals.get(key); never && before != kUnassigned && before != kNotReturned) {
-    after = kCleared;
-  }
-  p.globals.set(pool_, key, after);
 }
 
 }  // namespace owlint::flow

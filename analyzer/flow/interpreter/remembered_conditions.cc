@@ -1,11 +1,9 @@
-// Conditions that must come out the same: see Fact in values.h. Structurally equal conditions share an id; assigning
-// any parameter that a condition reads forgets its outcome.
+#include "analyzer/flow/interpreter/remembered_conditions.h"
+
 #include <algorithm>
 #include <span>
 
-#include "analyzer/flow/interpreter/evaluator.h"
-#include "analyzer/syntax/arithmetic.h"
-#include "analyzer/syntax/line_parser.h"
+#include "analyzer/machine/predefined.h"
 
 namespace owlint::flow {
 namespace {
@@ -52,17 +50,18 @@ uint64_t describe(const Syntax& syntax, ExprId id, Reads& reads) {
 
 }  // namespace
 
-void Evaluator::find_facts() {
+RememberedConditions::RememberedConditions(const Syntax& syntax, const Limits& limits, PersistentMap::Pool& pool)
+    : pool_(pool) {
   std::vector<std::pair<uint64_t, ExprId>> tests;  // structure, condition
   Reads reads;
   for (const Statement& s :
-       std::span(syntax_.statements).first(std::min(syntax_.statements.size(), limits_.remembered_statements))) {
+       std::span(syntax.statements).first(std::min(syntax.statements.size(), limits.remembered_statements))) {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
     if (!is_test || s.value_count == 0) continue;
-    const ExprId condition = syntax_.values[s.first];
+    const ExprId condition = syntax.values[s.first];
     reads = {std::move(reads.keys)};
     reads.keys.clear();
-    const uint64_t hash = describe(syntax_, condition, reads);
+    const uint64_t hash = describe(syntax, condition, reads);
     if (reads.trackable && reads.local != reads.global) tests.emplace_back(hash, condition);
   }
   std::ranges::sort(tests);
@@ -71,12 +70,12 @@ void Evaluator::find_facts() {
     while (end < tests.size() && tests[end].first == tests[first].first) ++end;
     reads = {std::move(reads.keys)};
     reads.keys.clear();
-    describe(syntax_, tests[first].second, reads);
+    describe(syntax, tests[first].second, reads);
     // Tested in one place only, an outcome decides nothing later, but for what is the same in the next pass and call; to
     // remember it would only tell states apart.
     if (end - first < 2 && reads.changes) continue;
     const bool crowded = std::ranges::any_of(
-        reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= limits_.conditions_of_one; });
+        reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= limits.conditions_of_one; });
     if (crowded) continue;
     const Fact fact{next++, is_global(reads.keys.front())};
     for (const ParameterKey key : reads.keys) facts_of_[key].push_back(fact.id);
@@ -88,27 +87,22 @@ void Evaluator::find_facts() {
   }
 }
 
-Fact Evaluator::fact(ExprId condition) const { return condition < facts_.size() ? facts_[condition] : Fact{}; }
-
-int Evaluator::known(const Parameters& p, Fact fact) {
-  return fact.id == 0 ? 0 : static_cast<int>((fact.global ? p.global_facts : p.local_facts).get(fact.id));
+Outcome RememberedConditions::known(const Parameters& p, Fact fact) {
+  return fact.id == 0 ? Outcome::kNotKnown
+                      : static_cast<Outcome>((fact.global ? p.global_facts : p.local_facts).get(fact.id));
 }
 
-void Evaluator::learn(Parameters& p, Fact fact, bool truth) const {
-  if (fact.id != 0 && !coarse_) (fact.global ? p.global_facts : p.local_facts).set(pool_, fact.id, truth ? 1 : 2);
+void RememberedConditions::learn(Parameters& p, Fact fact, bool truth) {
+  if (fact.id == 0 || coarse_) return;
+  const Outcome outcome = truth ? Outcome::kTrue : Outcome::kFalse;
+  (fact.global ? p.global_facts : p.local_facts).set(pool_, fact.id, static_cast<uint32_t>(outcome));
 }
 
-void Evaluator::forget_facts(Parameters& p, ParameterKey key) const {
+void RememberedConditions::forget(Parameters& p, ParameterKey key) {
   if (facts_of_.empty()) return;
   const auto found = facts_of_.find(key);
   if (found == facts_of_.end()) return;
   for (const uint32_t id : found->second) (is_global(key) ? p.global_facts : p.local_facts).set(pool_, id, 0);
-}
-
-void Evaluator::call_outside(Parameters& p) {
-  p.outside = true;
-  p.globals = {};
-  p.global_facts = {};
 }
 
 }  // namespace owlint::flow

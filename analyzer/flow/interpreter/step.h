@@ -47,8 +47,8 @@ struct Machine::Step {
   /// `branch`: the outcome of the condition that this needs.
   void go(State next, StatementId position, Branch branch = Branch::kNone) {
     if (branch != Branch::kNone && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
-      m.evaluator_.learn(next.parameters, tested, branch == Branch::kTrue);
-      m.evaluator_.refine(next.parameters, value(0), branch == Branch::kTrue);
+      m.remembered_.learn(next.parameters, tested, branch == Branch::kTrue);
+      m.refinement_.refine(next.parameters, value(0), branch == Branch::kTrue);
     }
     next.position = position;
     next.branch = decided ? Branch::kNone : branch;
@@ -117,9 +117,10 @@ struct Machine::Step {
     return e.fails == StopKind::kNone;
   }
 
-  Evaluation evaluate(ExprId id, bool zero_when_unassigned = false) {
+  Evaluation evaluate(ExprId id, Unset unset = Unset::kAny) {
+    const Reading how{unset, defining() ? Undefined::kPasses : Undefined::kStops, &reads};
     for (;;) {
-      const Evaluation e = m.evaluator_.evaluate(id, state.parameters, zero_when_unassigned, defining(), &reads);
+      const Evaluation e = m.evaluator_.evaluate(id, state.parameters, how);
       if (e.may_fail != StopKind::kNameUndefined) return e;
       settle(e);  // and on the other paths the name is there
     }
@@ -128,7 +129,7 @@ struct Machine::Step {
   /// A parameter that the program never set reads 0 in a freshly started interpreter: then it may fail.
   Evaluation or_fresh(Evaluation e, ExprId id) {
     if (e.fails != StopKind::kNone || e.may_fail != StopKind::kNone) return e;
-    const Evaluation fresh = evaluate(id, true);
+    const Evaluation fresh = evaluate(id, Unset::kZero);
     e.may_fail = fresh.fails;
     e.message = fresh.message;
     return e;
@@ -168,9 +169,9 @@ struct Machine::Step {
     const bool known = constant || !range.has(0);
     *truth = !known ? Truth::kOpen : range.has(0) ? Truth::kFalse : Truth::kTrue;
     if (!known && !s.is(Keyword::kRepeat)) {
-      tested = m.evaluator_.fact(value(0));
-      const int before = Evaluator::known(state.parameters, tested);
-      if (before != 0) *truth = before == 1 ? Truth::kTrue : Truth::kFalse;
+      tested = m.remembered_.fact(value(0));
+      const Outcome before = RememberedConditions::known(state.parameters, tested);
+      if (before != Outcome::kNotKnown) *truth = before == Outcome::kTrue ? Truth::kTrue : Truth::kFalse;
     }
     decided = *truth != Truth::kOpen;
     if (number != nullptr && constant) *number = m.values_.value(e.value);

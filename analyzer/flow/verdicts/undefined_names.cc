@@ -34,14 +34,14 @@ bool assigned_in_most_cases(const Program& program, const FlowStop& stop) {
   });
 }
 
-bool followed(const Program& program, const Evaluator& evaluator, const std::vector<Decision>& path) {
+bool followed(const Program& program, const Refinement& refinement, const std::vector<Decision>& path) {
   std::vector<std::vector<ParameterKey>> exact;
   std::vector<std::vector<ParameterKey>> others;
   for (const Decision& decision : path) {
     const Statement& s = program.at(decision.statement);
     if (s.value_count == 0 || s.is(Keyword::kRepeat)) continue;
     std::vector<ParameterKey> reads;
-    const bool is_exact = evaluator.followed(program.syntax.values[s.first], reads);
+    const bool is_exact = refinement.followed(program.syntax.values[s.first], reads);
     for (const ParameterKey key : reads) {
       const auto shares = [&](const std::vector<ParameterKey>& other) {
         return key == kComputedKey || std::ranges::count(other, key) + std::ranges::count(other, kComputedKey) > 0;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analyzer/flow/flow.h"
-#include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/interpreter/refinement.h"
 #include "analyzer/program/program.h"
 
 namespace owlint::flow {
@@ -14,6 +14,6 @@ namespace owlint::flow {
 bool assigned_in_most_cases(const Program& program, const FlowStop& stop);
 
 /// Whether the branches on a path go as they do independently of each other, or are known not to.
-bool followed(const Program& program, const Evaluator& evaluator, const std::vector<Decision>& path);
+bool followed(const Program& program, const Refinement& refinement, const std::vector<Decision>& path);
 
 }  // namespace owlint::flow

@@ -169,14 +169,14 @@ void Verdicts::find_endless_recursions() {
 
 /// A global name may come from another program; a branch that is not followed exactly may go as one before it.
 void Verdicts::doubt_undefined_name(FlowStop& stop) {
-  const Evaluator& evaluator = analysis_.machine().evaluator();
+  const TrackedParameters& tracked = analysis_.machine().tracked();
   const bool proven = stop.reach == Reach::kAlways ||
-      (!analysis_.precision().coarse() && !stop.path.empty() && followed(program_, evaluator, stop.path) &&
-       !assigned_in_most_cases(program_, stop));
+      (!analysis_.precision().coarse() && !stop.path.empty() &&
+       followed(program_, analysis_.machine().refinement(), stop.path) && !assigned_in_most_cases(program_, stop));
   // But nobody assigns what looks like an entry of the INI or is LinuxCNC's own in another version.
   const NameId name = program_.syntax.names.find(stop.detail);
-  const bool never = name != kNoName && may_be_predefined(stop.detail) && evaluator.kind(name) == NameKind::kGlobal &&
-      !evaluator.assigned(name);
+  const bool never = name != kNoName && may_be_predefined(stop.detail) && tracked.kind(name) == NameKind::kGlobal &&
+      !tracked.is_assigned(name);
   const bool from_elsewhere = is_global_name(stop.detail) && !never;
   if (!proven || from_elsewhere) stop.unproven = true;
 }

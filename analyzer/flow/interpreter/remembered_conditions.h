@@ -1,0 +1,38 @@
+// Conditions that must come out the same (see Fact): structurally equal conditions share an id, and assigning any parameter that a
+// condition reads forgets its outcome.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "analyzer/flow/domain/known_parameters.h"
+#include "analyzer/flow/facts/accesses.h"
+#include "analyzer/flow/limits.h"
+#include "analyzer/syntax/statement.h"
+
+namespace owlint::flow {
+
+/// What a state knows of a condition; the values are those of the maps in Parameters.
+enum class Outcome : uint8_t { kNotKnown = 0, kTrue = 1, kFalse = 2 };
+
+class RememberedConditions {
+ public:
+  RememberedConditions(const Syntax& syntax, const Limits& limits, PersistentMap::Pool& pool);
+
+  /// From now on outcomes are not remembered: for very large programs.
+  void set_coarse() { coarse_ = true; }
+  Fact fact(ExprId condition) const { return condition < facts_.size() ? facts_[condition] : Fact{}; }
+  static Outcome known(const Parameters& p, Fact fact);
+  void learn(Parameters& p, Fact fact, bool truth);
+  /// A parameter is assigned.
+  void forget(Parameters& p, ParameterKey key);
+
+ private:
+  PersistentMap::Pool& pool_;
+  std::vector<Fact> facts_;  // by condition, as far as there are any
+  std::unordered_map<ParameterKey, std::vector<uint32_t>> facts_of_;
+  bool coarse_ = false;
+};
+
+}  // namespace owlint::flow
