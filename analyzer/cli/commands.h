@@ -11,6 +11,8 @@ enum ExitStatus : int { kClean = 0, kFindings = 1, kUsage = 2, kInternal = 3 };
 
 int check_command(const CommandLine& line);
 int graph_command(const CommandLine& line, const std::string& format);
+/// Prints what the flow analysis does. `states`: kept apart at a line; 0: as usual.
+int debug_flow_command(const CommandLine& line, size_t states);
 int lsp_command();
 /// `check`: change nothing, exit with 1 if something would change; `diff`: print the changes instead of making them.
 int format_command(const CommandLine& line, bool check, bool diff);

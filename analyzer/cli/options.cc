@@ -225,6 +225,18 @@ void add_graph(CLI::App& app, Said& said) {
   add_configuration_options(graph, said.graph, "Options");
 }
 
+/// For those who work on the analysis: not shown.
+void add_debug_flow(CLI::App& app, Said& said) {
+  CLI::App& debug = *app.add_subcommand(
+      "debug-flow", "print the states that the flow analysis has at each line, and why they are joined");
+  debug.group("");
+  said.debugged.paths.resize(1);
+  debug.add_option("FILE", said.debugged.paths[0], "the program")->required();
+  debug.add_option("--states", said.debugged_states, "keep at most N states apart at a line, and N calls of a sub")
+      ->type_name("N");
+  add_machine_options(debug, said.debugged, "Options");
+}
+
 void add_fmt(CLI::App& app, Said& said) {
   CLI::App& format = *app.add_subcommand("fmt", "indent programs by their subs and blocks, and change nothing else");
   format
@@ -277,6 +289,7 @@ void add_commands(CLI::App& app, Said& said) {
   // For the installation: not shown.
   CLI::App& generate = *app.add_subcommand("generate", "manual pages and shell completions")->group("");
   generate.add_option("DIR", said.generated, "the folder for the files")->required();
+  add_debug_flow(app, said);
 
   const auto flags_take_no_value = [](CLI::App& command) {
     for (CLI::Option* option : command.get_options()) {

@@ -12,12 +12,13 @@ namespace owlint::cli {
 
 /// What the command line said, by command.
 struct Said {
-  CommandLine check, graph, format, config;
+  CommandLine check, graph, format, config, debugged;
   AuditLine audit;
   std::string graph_format = "dot", rules_format = "text";
-  std::string code;       ///< to explain
-  std::string pages;      ///< folder for the rules' pages
-  std::string generated;  ///< folder for manual pages and completions
+  std::string code;            ///< to explain
+  std::string pages;           ///< folder for the rules' pages
+  std::string generated;       ///< folder for manual pages and completions
+  size_t debugged_states = 0;  ///< kept apart at a line; 0: as usual
   bool format_check = false, format_diff = false;
   bool config_show = false, config_check = false;
 };

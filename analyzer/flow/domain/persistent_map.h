@@ -79,6 +79,12 @@ class PersistentMap {
     rehash(key, old, value);
   }
 
+  /// Calls `visit(key, value)` for all pairs, in the order of their keys.
+  template <typename Visit>
+  void for_each(const Visit& visit) const {
+    visit_node(root_, height_, 0, visit);
+  }
+
   /// Equal content has equal hashes, in whatever order it was written.
   uint64_t hash() const { return hash_; }
 
@@ -95,6 +101,19 @@ class PersistentMap {
  private:
   static uint32_t digit(uint32_t key, int level) { return (key >> (4 * level)) & 15; }
   bool fits(uint32_t key) const { return (static_cast<uint64_t>(key) >> (4 * (height_ + 1))) == 0; }
+
+  template <typename Visit>
+  static void visit_node(const Node* node, int level, uint32_t prefix, const Visit& visit) {
+    if (node == nullptr) return;
+    for (uint32_t i = 0; i < 16; ++i) {
+      const uint32_t key = prefix * 16 + i;
+      if (level > 0) {
+        visit_node(node->children[i], level - 1, key, visit);
+      } else if (node->values[i] != 0) {
+        visit(key, node->values[i]);
+      }
+    }
+  }
 
   void grow(Pool& pool) {
     if (root_ != nullptr) {

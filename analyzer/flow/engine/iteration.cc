@@ -59,6 +59,7 @@ void Iteration::arrive(State state) {
   if (const RecordId known = partition.find(hash); known != kNoRecord) {
     if (state.record != kNoRecord) trace_->link(state.record, known, state.branch);
   } else if (partitions_.joins(state, partition)) {
+    events_->joined(state, partition);
     partitions_.join(std::move(state), partition);
   } else {
     execute(std::move(state), partition, hash);
@@ -95,6 +96,7 @@ void Iteration::execute(State state, Partition& partition, uint64_t hash) {
   precision_.count(1);
   follow_precision();
   if (memo_) memo_->count_step(state.context);
+  events_->executed(state);
   if (at_file_end) return events_->end_of_file(state);
   if (const CalmStretch* stretch = machine_.pass_over(state, context)) {
     mark_executed(*stretch);

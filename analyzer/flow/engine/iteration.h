@@ -27,6 +27,12 @@ class Events {
   virtual void end(const State& at) = 0;
   /// A file ends, and the program does not.
   virtual void end_of_file(const State& at) = 0;
+
+  // For those who watch the fixpoint.
+  /// A state is executed; its `record` is its own.
+  virtual void executed(const State&) {}
+  /// A state is joined with others of its partition and not kept apart.
+  virtual void joined(const State&, const Partition&) {}
 };
 
 class Iteration final : private Listener {

@@ -1,0 +1,36 @@
+// `owlint debug-flow`: the fixpoint of the flow analysis to watch, for those who work on it.
+#include <algorithm>
+#include <iostream>
+
+#include "analyzer/cli/commands.h"
+#include "analyzer/flow/engine/debug.h"
+
+namespace owlint::cli {
+
+int debug_flow_command(const CommandLine& line, size_t states) {
+  const std::string& path = line.paths.front();
+  std::string error;
+  Configuration configuration(line);
+  Settings settings;
+  if (!configuration.settings_for(path, &settings, &error)) {
+    complain(error);
+    return kUsage;
+  }
+  const auto source = Source::map(path, &error);
+  if (source == nullptr) {
+    complain("cannot read " + path + ": " + error);
+    return kUsage;
+  }
+  flow::Limits limits;
+  for (auto& level : limits.levels) {
+    if (states == 0) continue;
+    level.states = std::min(level.states, states);
+    level.contexts = std::min(level.contexts, states);
+  }
+  Library library;
+  const Linked linked(library.load(source), settings.profile, library);
+  flow::write_states(std::cout, linked, settings.profile, limits);
+  return kClean;
+}
+
+}  // namespace owlint::cli
