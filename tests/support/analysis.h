@@ -28,7 +28,7 @@ struct Engine {
   flow::Limits limits;
   LinkedText source;
   flow::PersistentMap::Pool pool;
-  flow::Machine machine;
+  flow::AbstractMachine machine;
   flow::Precision precision{limits, false};
   std::pmr::monotonic_buffer_resource memory;
   flow::Separation separation{*source.program, machine, precision, limits};

@@ -60,8 +60,8 @@ class States {
     for (uint32_t key = 1; key <= kKeys; ++key) {
       if (random_() % 2 == 0) out.locals.set(pool, key, values.any());
       if (random_() % 2 == 0) out.globals.set(pool, key + 31, values.any());
-      out.local_facts.set(pool, key, static_cast<uint32_t>(random_() % 3));
-      out.global_facts.set(pool, key, static_cast<uint32_t>(random_() % 3));
+      out.local_outcomes.set(pool, key, static_cast<uint32_t>(random_() % 3));
+      out.global_outcomes.set(pool, key, static_cast<uint32_t>(random_() % 3));
     }
     out.outside = random_() % 4 == 0;
     return out;
@@ -74,7 +74,8 @@ class States {
   static bool equal(const Parameters& a, const Parameters& b) {
     for (uint32_t key = 0; key <= kKeys + 31; ++key) {
       if (a.locals.get(key) != b.locals.get(key) || a.globals.get(key) != b.globals.get(key) ||
-          a.local_facts.get(key) != b.local_facts.get(key) || a.global_facts.get(key) != b.global_facts.get(key))
+          a.local_outcomes.get(key) != b.local_outcomes.get(key) ||
+          a.global_outcomes.get(key) != b.global_outcomes.get(key))
         return false;
     }
     return a.outside == b.outside;
@@ -188,8 +189,8 @@ TEST_CASE("what states know of parameters is a lattice", "[lattice]") {
     const Parameters joined = states.join(a, b);
     // Only what both know stays known.
     for (uint32_t fact = 1; fact <= 8; ++fact) {
-      const uint32_t known = joined.local_facts.get(fact);
-      REQUIRE((known == 0 || (a.local_facts.get(fact) == known && b.local_facts.get(fact) == known)));
+      const uint32_t known = joined.local_outcomes.get(fact);
+      REQUIRE((known == 0 || (a.local_outcomes.get(fact) == known && b.local_outcomes.get(fact) == known)));
     }
     REQUIRE(joined.outside == (a.outside || b.outside));
   }

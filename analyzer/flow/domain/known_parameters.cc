@@ -3,7 +3,7 @@
 namespace owlint::flow {
 
 uint64_t Parameters::hash(uint64_t seed) const {
-  for (const PersistentMap* map : {&locals, &globals, &local_facts, &global_facts}) seed = mix(seed, map->hash());
+  for (const PersistentMap* map : {&locals, &globals, &local_outcomes, &global_outcomes}) seed = mix(seed, map->hash());
   return mix(seed, outside ? 1 : 0);
 }
 
@@ -13,8 +13,8 @@ Parameters join(const Parameters& a, const Parameters& b, KnownValues& values, P
   Parameters out;
   out.locals = PersistentMap::merge(pool, a.locals, b.locals, joined);
   out.globals = PersistentMap::merge(pool, a.globals, b.globals, joined);
-  out.local_facts = PersistentMap::merge(pool, a.local_facts, b.local_facts, same);
-  out.global_facts = PersistentMap::merge(pool, a.global_facts, b.global_facts, same);
+  out.local_outcomes = PersistentMap::merge(pool, a.local_outcomes, b.local_outcomes, same);
+  out.global_outcomes = PersistentMap::merge(pool, a.global_outcomes, b.global_outcomes, same);
   out.outside = a.outside || b.outside;
   return out;
 }

@@ -54,7 +54,7 @@ std::optional<std::string> CallKeys::of(const Context& callee, const State& entr
   if (!sub.looked_at) look_at(region, sub);
   if (!sub.fits) return std::nullopt;
   const Parameters& p = entry.parameters;
-  if (sub.dependence.global_facts && p.global_facts.hash() != PersistentMap().hash()) return std::nullopt;
+  if (sub.dependence.global_outcomes && p.global_outcomes.hash() != PersistentMap().hash()) return std::nullopt;
   if (std::ranges::any_of(entry.counts.all(),
                           [&](const auto& count) { return machine_.scope_of(count.first) == callee.sub; }))
     return std::nullopt;

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/flow/interpreter/machine.h"
+#include "analyzer/flow/interpreter/abstract_machine.h"
 
 namespace owlint::flow {
 
 /// Makes the keys of calls in one analysis.
 class CallKeys {
  public:
-  CallKeys(const Linked& linked, const Machine& machine)
+  CallKeys(const Linked& linked, const AbstractMachine& machine)
       : linked_(linked),
         program_(linked.program()),
         machine_(machine),
@@ -36,7 +36,7 @@ class CallKeys {
 
   const Linked& linked_;
   const Program& program_;
-  const Machine& machine_;
+  const AbstractMachine& machine_;
   uint64_t circumstances_;
   std::vector<Sub> subs_;  // by region
 };

@@ -9,7 +9,7 @@ namespace {
 bool leaves_nothing(const State& entry, const State& exit) {
   const auto same = [](const PersistentMap& a, const PersistentMap& b) { return a.hash() == b.hash(); };
   return same(entry.table, exit.table) && same(entry.parameters.globals, exit.parameters.globals) &&
-      same(entry.parameters.global_facts, exit.parameters.global_facts) && entry.counts == exit.counts &&
+      same(entry.parameters.global_outcomes, exit.parameters.global_outcomes) && entry.counts == exit.counts &&
       entry.flags.breaking == exit.flags.breaking && entry.flags.continuing == exit.flags.continuing &&
       entry.parameters.outside == exit.parameters.outside;
 }

@@ -18,7 +18,7 @@ class Calls;
 class CallMemo {
  public:
   /// All must outlive it.
-  CallMemo(KnownCalls& known, const Linked& linked, const Machine& machine, const Precision& precision)
+  CallMemo(KnownCalls& known, const Linked& linked, const AbstractMachine& machine, const Precision& precision)
       : known_(known), keys_(linked, machine), program_(linked.program()), precision_(precision) {}
 
   /// The outcome of a call; null if it is not known. Then the call is recorded, if it is one that can be kept.

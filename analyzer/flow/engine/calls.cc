@@ -123,7 +123,7 @@ bool Calls::leave(const State& at) {
     exit = *frame.joined_exit;
     exit.record = at.record;
   }
-  if (!frame.info.fanuc) exit.parameters.locals = exit.parameters.local_facts = PersistentMap();
+  if (!frame.info.fanuc) exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
   exit.skip = kNoLabel;
   exit.seek = false;
   const uint64_t hash = exit.hash();
@@ -158,7 +158,7 @@ void Calls::recall(ContextId context, const State& at, const State& entry) {
   exit.flags.returned = outcome->returned;
   exit.joined = outcome->joined;
   exit.mixed = outcome->mixed;
-  exit.parameters.locals = exit.parameters.local_facts = PersistentMap();
+  exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
   exit.branch = Branch::kNone;
   exit.record = trace_.add({at.record, opener, Branch::kNone, true, false});
   frame.exit_hashes.push_back(exit.hash());

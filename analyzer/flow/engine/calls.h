@@ -40,8 +40,8 @@ struct Frame {
 class Calls {
  public:
   /// All must outlive it; `memo` may be null. Frames are many and small, and are freed with `memory`.
-  Calls(Machine& machine, const Limits& limits, Precision& precision, Separation& separation, Worklist& worklist,
-        Trace& trace, CallMemo* memo, std::pmr::memory_resource& memory)
+  Calls(AbstractMachine& machine, const Limits& limits, Precision& precision, Separation& separation,
+        Worklist& worklist, Trace& trace, CallMemo* memo, std::pmr::memory_resource& memory)
       : machine_(machine),
         limits_(limits),
         precision_(precision),
@@ -89,7 +89,7 @@ class Calls {
   void come_back();
   void resume(const Return& back);
 
-  Machine& machine_;
+  AbstractMachine& machine_;
   const Limits& limits_;
   Precision& precision_;
   Separation& separation_;

@@ -53,8 +53,8 @@ class Iteration final : private Listener {
   const Precision& precision() const { return precision_; }
   const Partitions& partitions() const { return partitions_; }
   const Calls& calls() const { return calls_; }
-  Machine& machine() { return machine_; }
-  const Machine& machine() const { return machine_; }
+  AbstractMachine& machine() { return machine_; }
+  const AbstractMachine& machine() const { return machine_; }
   const std::shared_ptr<Trace>& trace() const { return trace_; }
   /// Of the finished analysis, see CallMemo; none where calls are not kept.
   std::shared_ptr<std::vector<LearnedCall>> learned_calls(const std::vector<bool>& stuck);
@@ -84,7 +84,7 @@ class Iteration final : private Listener {
   bool passes_over_;     ///< stretches of harmless lines are one step, where it is coarse
   bool coarse_ = false;  ///< the machine is
   PersistentMap::Pool pool_;
-  Machine machine_;
+  AbstractMachine machine_;
   Precision precision_;
   std::pmr::monotonic_buffer_resource memory_;
   std::shared_ptr<Trace> trace_;

@@ -37,7 +37,7 @@ struct Partition {
 class Partitions {
  public:
   /// `machine`, `separation` and `memory` must outlive it. There are many small partitions; they are freed with `memory`.
-  Partitions(const Program& program, Machine& machine, Separation& separation, const Precision& precision,
+  Partitions(const Program& program, AbstractMachine& machine, Separation& separation, const Precision& precision,
              std::pmr::memory_resource& memory)
       : machine_(machine),
         separation_(separation),
@@ -64,7 +64,7 @@ class Partitions {
  private:
   static constexpr uint32_t kNone = UINT32_MAX;
 
-  Machine& machine_;
+  AbstractMachine& machine_;
   Separation& separation_;
   const Precision& precision_;
   std::pmr::memory_resource& memory_;

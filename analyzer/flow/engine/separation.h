@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "analyzer/flow/engine/precision.h"
-#include "analyzer/flow/interpreter/machine.h"
+#include "analyzer/flow/interpreter/abstract_machine.h"
 
 namespace owlint::flow {
 
 class Separation {
  public:
   /// All must outlive it.
-  Separation(const Program& program, Machine& machine, const Precision& precision, const Limits& limits)
+  Separation(const Program& program, AbstractMachine& machine, const Precision& precision, const Limits& limits)
       : program_(program), machine_(machine), precision_(precision), limits_(limits) {}
 
   /// Whether a state that enters the sub at `position`, or goes on in it, is joined with others where `there` are kept apart
@@ -24,7 +24,7 @@ class Separation {
   const std::vector<ExprId>& fallible_in(RegionId region);
 
   const Program& program_;
-  Machine& machine_;
+  AbstractMachine& machine_;
   const Precision& precision_;
   const Limits& limits_;
   std::unordered_map<RegionId, std::vector<ExprId>> fallible_;

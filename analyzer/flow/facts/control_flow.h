@@ -1,5 +1,5 @@
 // The control-flow graph of one sub, or of the main program: which line can be executed after which. Only if all its
-// blocks are complete, so that the text shows it; the O-word machine (machine.h) handles all others, and all calls.
+// blocks are complete, so that the text shows it; the abstract machine handles all others, and all calls.
 #pragma once
 
 #include <array>

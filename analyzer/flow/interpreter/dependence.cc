@@ -25,9 +25,9 @@ void Dependences::note_name(NameId name, Dependence& out) const {
 // Depth is bounded by the length of a line.
 void Dependences::note(ExprId id, Dependence& out) const {
   const Expr& expr = syntax_.exprs[id];
-  const Fact tested = remembered_.fact(id);
+  const ConditionId tested = remembered_.condition(id);
   out.circumstances.push_back(tested.id != 0 ? 'f' : '-');
-  if (tested.id != 0 && tested.global) out.global_facts = true;
+  if (tested.id != 0 && tested.global) out.global_outcomes = true;
   if (expr.op == Operator::kNumber) return;
   if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return note_name(expr.name(), out);
   if (expr.op == Operator::kParameter) {

@@ -15,7 +15,7 @@ namespace owlint::flow {
 struct Dependence {
   std::vector<uint32_t> locals, globals;  ///< parameters that they read or assign, by their keys in Parameters
   std::string circumstances;              ///< what is tracked about them because of other lines
-  bool global_facts = false;              ///< a condition on globals whose outcome is remembered
+  bool global_outcomes = false;           ///< a condition on globals whose outcome is remembered
   bool known = true;                      ///< false: there are more values, and they are not known
 };
 

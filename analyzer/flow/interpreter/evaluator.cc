@@ -79,8 +79,8 @@ void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) {
 
 void Evaluator::forget_numbers(Parameters& p) {
   for (const uint32_t number : tracked_.numbers()) set_number(p, number, kUnknown);
-  p.local_facts = {};
-  p.global_facts = {};
+  p.local_outcomes = {};
+  p.global_outcomes = {};
 }
 
 ValueId Evaluator::read_number(long number, const Parameters& in) const {
@@ -385,7 +385,7 @@ bool Evaluator::will_fail(std::span<const ExprId> operations, const Parameters& 
 void Evaluator::call_outside(Parameters& p) {
   p.outside = true;
   p.globals = {};
-  p.global_facts = {};
+  p.global_outcomes = {};
 }
 
 }  // namespace owlint::flow

@@ -75,34 +75,35 @@ RememberedConditions::RememberedConditions(const Syntax& syntax, const Limits& l
     // remember it would only tell states apart.
     if (end - first < 2 && reads.changes) continue;
     const bool crowded = std::ranges::any_of(
-        reads.keys, [&](ParameterKey key) { return facts_of_[key].size() >= limits.conditions_of_one; });
+        reads.keys, [&](ParameterKey key) { return conditions_of_[key].size() >= limits.conditions_of_one; });
     if (crowded) continue;
-    const Fact fact{next++, is_global(reads.keys.front())};
-    for (const ParameterKey key : reads.keys) facts_of_[key].push_back(fact.id);
+    const ConditionId id{next++, is_global(reads.keys.front())};
+    for (const ParameterKey key : reads.keys) conditions_of_[key].push_back(id.id);
     for (size_t i = first; i < end; ++i) {
       const ExprId condition = tests[i].second;
-      if (condition >= facts_.size()) facts_.resize(std::max<size_t>(condition + 1, facts_.size() * 2));
-      facts_[condition] = fact;
+      if (condition >= conditions_.size()) conditions_.resize(std::max<size_t>(condition + 1, conditions_.size() * 2));
+      conditions_[condition] = id;
     }
   }
 }
 
-Outcome RememberedConditions::known(const Parameters& p, Fact fact) {
-  return fact.id == 0 ? Outcome::kNotKnown
-                      : static_cast<Outcome>((fact.global ? p.global_facts : p.local_facts).get(fact.id));
+Outcome RememberedConditions::known(const Parameters& p, ConditionId condition) {
+  return condition.id == 0
+      ? Outcome::kNotKnown
+      : static_cast<Outcome>((condition.global ? p.global_outcomes : p.local_outcomes).get(condition.id));
 }
 
-void RememberedConditions::learn(Parameters& p, Fact fact, bool truth) {
-  if (fact.id == 0 || coarse_) return;
+void RememberedConditions::learn(Parameters& p, ConditionId condition, bool truth) {
+  if (condition.id == 0 || coarse_) return;
   const Outcome outcome = truth ? Outcome::kTrue : Outcome::kFalse;
-  (fact.global ? p.global_facts : p.local_facts).set(pool_, fact.id, static_cast<uint32_t>(outcome));
+  (condition.global ? p.global_outcomes : p.local_outcomes).set(pool_, condition.id, static_cast<uint32_t>(outcome));
 }
 
 void RememberedConditions::forget(Parameters& p, ParameterKey key) {
-  if (facts_of_.empty()) return;
-  const auto found = facts_of_.find(key);
-  if (found == facts_of_.end()) return;
-  for (const uint32_t id : found->second) (is_global(key) ? p.global_facts : p.local_facts).set(pool_, id, 0);
+  if (conditions_of_.empty()) return;
+  const auto found = conditions_of_.find(key);
+  if (found == conditions_of_.end()) return;
+  for (const uint32_t id : found->second) (is_global(key) ? p.global_outcomes : p.local_outcomes).set(pool_, id, 0);
 }
 
 }  // namespace owlint::flow

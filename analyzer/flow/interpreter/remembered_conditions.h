@@ -1,4 +1,4 @@
-// Conditions that must come out the same (see Fact): structurally equal conditions share an id, and assigning any parameter that a
+// Conditions that must come out the same (see ConditionId): structurally equal conditions share an id, and assigning any parameter that a
 // condition reads forgets its outcome.
 #pragma once
 
@@ -22,16 +22,18 @@ class RememberedConditions {
 
   /// From now on outcomes are not remembered: for very large programs.
   void set_coarse() { coarse_ = true; }
-  Fact fact(ExprId condition) const { return condition < facts_.size() ? facts_[condition] : Fact{}; }
-  static Outcome known(const Parameters& p, Fact fact);
-  void learn(Parameters& p, Fact fact, bool truth);
+  ConditionId condition(ExprId expression) const {
+    return expression < conditions_.size() ? conditions_[expression] : ConditionId{};
+  }
+  static Outcome known(const Parameters& p, ConditionId condition);
+  void learn(Parameters& p, ConditionId condition, bool truth);
   /// A parameter is assigned.
   void forget(Parameters& p, ParameterKey key);
 
  private:
   PersistentMap::Pool& pool_;
-  std::vector<Fact> facts_;  // by condition, as far as there are any
-  std::unordered_map<ParameterKey, std::vector<uint32_t>> facts_of_;
+  std::vector<ConditionId> conditions_;  // by condition, as far as there are any
+  std::unordered_map<ParameterKey, std::vector<uint32_t>> conditions_of_;
   bool coarse_ = false;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "analyzer/flow/interpreter/machine.h"
+#include "analyzer/flow/interpreter/abstract_machine.h"
 
 namespace owlint::flow {
 
@@ -13,8 +13,8 @@ enum class Truth : uint8_t { kFalse, kTrue, kOpen };  // open: both outcomes are
 
 inline constexpr int kUnknownRepeats = -1;  // M98 with an L that is not known
 
-struct Machine::Step {
-  Machine& m;
+struct AbstractMachine::Step {
+  AbstractMachine& m;
   State state;
   const Context& context;
   Listener& out;
@@ -23,12 +23,12 @@ struct Machine::Step {
   bool skipping;
   FullLabel label = kNoLabel;
   Range label_range;                      ///< of a computed label that is not known
-  Fact tested;                            ///< the condition of this line, if its outcome can be remembered
+  ConditionId tested;                     ///< the condition of this line, if its outcome can be remembered
   std::optional<ValueId> returned_value;  ///< the value on this `return` or `endsub`
   bool decided = false;                   ///< the condition has only one outcome here, so going on is not a branch
   ReadLog reads;
 
-  Step(Machine& machine, State start, const Context& ctx, Listener& listener)
+  Step(AbstractMachine& machine, State start, const Context& ctx, Listener& listener)
       : m(machine),
         state(std::move(start)),
         context(ctx),
@@ -169,7 +169,7 @@ struct Machine::Step {
     const bool known = constant || !range.has(0);
     *truth = !known ? Truth::kOpen : range.has(0) ? Truth::kFalse : Truth::kTrue;
     if (!known && !s.is(Keyword::kRepeat)) {
-      tested = m.remembered_.fact(value(0));
+      tested = m.remembered_.condition(value(0));
       const Outcome before = RememberedConditions::known(state.parameters, tested);
       if (before != Outcome::kNotKnown) *truth = before == Outcome::kTrue ? Truth::kTrue : Truth::kFalse;
     }

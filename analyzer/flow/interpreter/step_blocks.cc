@@ -11,7 +11,7 @@ namespace owlint::flow {
 
 // --- loops ---
 
-void Machine::Step::repeat(Truth truth, double number) {
+void AbstractMachine::Step::repeat(Truth truth, double number) {
   const Definers::Set set = m.definers_.get(entry());
   take_apart(set, here);
   const State before = state;
@@ -43,7 +43,7 @@ void Machine::Step::repeat(Truth truth, double number) {
 }
 
 /// Decides on the next pass of a `repeat` whose entry is in the table.
-void Machine::Step::count_passes(Truth truth, double number) {
+void AbstractMachine::Step::count_passes(Truth truth, double number) {
   const int left = state.counts.of(label);
   if (left >= 0 && !state.looped) hazard(HazardKind::kStaleRepeatCount);
   const auto enter = [&](int remaining) {
@@ -93,7 +93,7 @@ void Machine::Step::count_passes(Truth truth, double number) {
   }
 }
 
-void Machine::Step::while_(Truth truth) {
+void AbstractMachine::Step::while_(Truth truth) {
   const Definers::Set set = m.definers_.get(entry());
   take_apart(set, here);
   const State before = state;
@@ -143,7 +143,7 @@ void Machine::Step::while_(Truth truth) {
 }
 
 /// `endwhile`, `endrepeat`.
-void Machine::Step::end_loop() {
+void AbstractMachine::Step::end_loop() {
   const Keyword opener = opener_of(s.keyword);
   if (!require_defined(StopKind::kWrongEnd)) return;
   const State before = state;
@@ -162,7 +162,7 @@ void Machine::Step::end_loop() {
   }
 }
 
-void Machine::Step::end_loop_at(StatementId opener) {
+void AbstractMachine::Step::end_loop_at(StatementId opener) {
   if (!skipping) return go(std::move(state), opener);
   state.skip = kNoLabel;
   const uint8_t continuing = state.flags.continuing;
@@ -181,7 +181,7 @@ void Machine::Step::end_loop_at(StatementId opener) {
 }
 
 /// `break`, `continue`.
-void Machine::Step::jump() {
+void AbstractMachine::Step::jump() {
   if (!require_defined(StopKind::kNotALoop)) return;
   const State before = state;
   const bool is_break = s.keyword == Keyword::kBreak;
@@ -212,7 +212,7 @@ void Machine::Step::jump() {
 
 // --- if ---
 
-void Machine::Step::if_(Truth truth) {
+void AbstractMachine::Step::if_(Truth truth) {
   const Definers::Set set = m.definers_.get(entry());
   take_apart(set, here);
   const State before = state;
@@ -249,7 +249,7 @@ void Machine::Step::if_(Truth truth) {
   }
 }
 
-void Machine::Step::else_(Truth truth) {
+void AbstractMachine::Step::else_(Truth truth) {
   if (!require_defined(StopKind::kNotAnIf)) return;
   const State before = state;
   for (const StatementId line : m.definers_.get(entry()).lines) {
@@ -289,7 +289,7 @@ void Machine::Step::else_(Truth truth) {
   }
 }
 
-void Machine::Step::endif() {
+void AbstractMachine::Step::endif() {
   if (!require_defined(StopKind::kNotAnIf)) return;
   const State before = state;
   for (const StatementId line : m.definers_.get(entry()).lines) {
@@ -309,7 +309,7 @@ void Machine::Step::endif() {
   }
 }
 
-bool Machine::Step::require_defined(StopKind) {
+bool AbstractMachine::Step::require_defined(StopKind) {
   const Definers::Set set = m.definers_.get(entry());
   take_apart(set);
   if (set.undefined) {
@@ -322,7 +322,7 @@ bool Machine::Step::require_defined(StopKind) {
 }
 
 /// Under FEATURE 0x20 the interpreter goes on with a label that it does not have, and crashes.
-void Machine::Step::crash(StopKind kind, std::string message) {
+void AbstractMachine::Step::crash(StopKind kind, std::string message) {
   out.hazard(state, HazardReport::of_error(HazardKind::kCrash, kind, std::move(message)));
 }
 

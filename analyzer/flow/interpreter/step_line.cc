@@ -8,12 +8,12 @@
 
 namespace owlint::flow {
 
-void Machine::step(State state, const Context& context, Listener& out) {
+void AbstractMachine::step(State state, const Context& context, Listener& out) {
   Step step(*this, std::move(state), context, out);
   step.run();
 }
 
-void Machine::Step::run() {
+void AbstractMachine::Step::run() {
   const LineError* e = error();
   const bool anywhere = e != nullptr &&
       ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
@@ -29,7 +29,7 @@ void Machine::Step::run() {
   plain();
 }
 
-void Machine::Step::plain() {
+void AbstractMachine::Step::plain() {
   if (s.kind == LineKind::kPercent && m.program_.syntax.percent) {
     if (here == 0) return next_line();
     if (skipping) return stop(StopKind::kFileEnd, "Failed to find sub 'O" + m.full_text(state.skip) + "' before EOF");
@@ -73,7 +73,7 @@ void Machine::Step::plain() {
 
 /// Measured: M98 is read with all its values wherever it stands, and stops there; where lines are skipped it only does
 /// not call.
-void Machine::Step::m98() {
+void AbstractMachine::Step::m98() {
   const auto computable = [&](const Evaluation& found, ExprId id) {
     report_reads();
     return settle(skipping ? or_fresh(found, id) : found);
@@ -91,7 +91,7 @@ void Machine::Step::m98() {
 }
 
 /// How often the L of M98 calls. False where no call can be made of it.
-bool Machine::Step::times_called(const Evaluation& of_l, int* times) {
+bool AbstractMachine::Step::times_called(const Evaluation& of_l, int* times) {
   *times = kUnknownRepeats;
   if (!m.values_.is_constant(of_l.value)) return true;
   long whole = 0;
@@ -105,7 +105,7 @@ bool Machine::Step::times_called(const Evaluation& of_l, int* times) {
 }
 
 /// M99 as the first word, in a sub.
-void Machine::Step::m99() {
+void AbstractMachine::Step::m99() {
   if (s.rest_to > s.rest_from) return stop(StopKind::kM99Rest, "Unexpected character after O-word");
   if (!context.fanuc) {
     return stop(StopKind::kStyleNeedsEndsub,
@@ -116,7 +116,7 @@ void Machine::Step::m99() {
 }
 
 /// Finds the full label. False when evaluating it stops; `label` stays none when it cannot be known.
-bool Machine::Step::resolve_label() {
+bool AbstractMachine::Step::resolve_label() {
   NameId name = s.label;
   if (s.label_expr != kNoExpr) {
     const Evaluation e = evaluate(s.label_expr);
@@ -140,7 +140,7 @@ bool Machine::Step::resolve_label() {
   return true;
 }
 
-void Machine::Step::o_word() {
+void AbstractMachine::Step::o_word() {
   if (s.refused) {  // only read as an O-word by us, to understand the rest
     if (skipping) return next_line();
     return stop_error();
@@ -191,7 +191,7 @@ void Machine::Step::o_word() {
 
 /// A call whose label is computed from something that is not known: any sub with a number in question may run, and what it does
 /// with the arguments is not proven; or another one, of which nothing is known. False where the arguments stop every run.
-bool Machine::Step::call_any() {
+bool AbstractMachine::Step::call_any() {
   std::vector<ValueId> passed;
   if (!arguments(&passed)) return false;
   const auto first =
@@ -212,7 +212,7 @@ bool Machine::Step::call_any() {
   return true;
 }
 
-void Machine::Step::act(Truth truth, double number) {
+void AbstractMachine::Step::act(Truth truth, double number) {
   switch (s.keyword) {
     case Keyword::kSub: return sub();
     case Keyword::kBare: return bare();

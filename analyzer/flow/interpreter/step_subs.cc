@@ -4,7 +4,7 @@
 namespace owlint::flow {
 
 /// Enters the sub's label in the table; false when it is there on every path.
-bool Machine::Step::enter_sub() {
+bool AbstractMachine::Step::enter_sub() {
   const Definers::Set set = m.definers_.get(entry());
   take_apart(set);
   const std::string where = "File:" + m.linked_.source_of(here).path() + " line:" + std::to_string(s.line);
@@ -24,12 +24,12 @@ bool Machine::Step::enter_sub() {
 }
 
 /// Whether the line's label is that of the sub that is being called.
-bool Machine::Step::is_called_sub() const {
+bool AbstractMachine::Step::is_called_sub() const {
   return m.name(m.label_of(label)) == called_label(m.name(context.sub), m.profile_.version);
 }
 
 /// Whether the file of this line defines a sub itself.
-bool Machine::Step::own_file_has(NameId sub) const {
+bool AbstractMachine::Step::own_file_has(NameId sub) const {
   if (sub >= m.program_.by_label.size()) return false;
   const uint32_t file = m.linked_.file_of(here);
   return std::ranges::any_of(m.program_.by_label[sub], [&](StatementId id) {
@@ -37,7 +37,7 @@ bool Machine::Step::own_file_has(NameId sub) const {
   });
 }
 
-void Machine::Step::sub() {
+void AbstractMachine::Step::sub() {
   if (called() && context.fanuc) {
     return stop(StopKind::kStyleNeedsCall, "'O.... sub' subroutine must be called with 'O.... call'");
   }
@@ -61,7 +61,7 @@ void Machine::Step::sub() {
   next_line();
 }
 
-void Machine::Step::bare() {
+void AbstractMachine::Step::bare() {
   if (called() && !context.fanuc)
     return stop(StopKind::kStyleNeedsM98, "Fanuc 'O....' subroutine must be called with 'M98'");
   if (skipping) {
@@ -72,12 +72,12 @@ void Machine::Step::bare() {
   next_line();
 }
 
-void Machine::Step::come_back() {
+void AbstractMachine::Step::come_back() {
   const bool never = s.label >= m.returns_value_.size() || !m.returns_value_[s.label];
   m.evaluator_.come_back(state.parameters, returned_value ? &*returned_value : nullptr, never);
 }
 
-void Machine::Step::leave_sub() {
+void AbstractMachine::Step::leave_sub() {
   const bool endsub = s.keyword == Keyword::kEndsub;
   if (called()) {
     if (context.fanuc) return stop(StopKind::kStyleNeedsM99, "Fanuc 'O....' subroutine definition must end with 'M99'");
@@ -117,7 +117,7 @@ void Machine::Step::leave_sub() {
 }
 
 /// Evaluates the arguments of a call. False where that stops every run.
-bool Machine::Step::arguments(std::vector<ValueId>* values) {
+bool AbstractMachine::Step::arguments(std::vector<ValueId>* values) {
   values->reserve(s.value_count);
   for (uint32_t i = 0; i < s.value_count; ++i) {  // none on a line of words
     const Evaluation e = evaluate(value(i));
@@ -130,7 +130,7 @@ bool Machine::Step::arguments(std::vector<ValueId>* values) {
 }
 
 /// A sub that owlint does not know runs and comes back. Where files have a sub of that label, too, all later calls run the unknown one.
-void Machine::Step::call_elsewhere(FullLabel sub) {
+void AbstractMachine::Step::call_elsewhere(FullLabel sub) {
   State back = state;
   if (m.opens_somewhere(m.label_of(sub))) back.table.set(m.pool_, sub, Definers::kElsewhere);
   Evaluator::call_outside(back.parameters);
@@ -138,7 +138,7 @@ void Machine::Step::call_elsewhere(FullLabel sub) {
   go(std::move(back), here + 1);
 }
 
-void Machine::Step::call(int repeats, bool fanuc) {
+void AbstractMachine::Step::call(int repeats, bool fanuc) {
   std::vector<ValueId> passed;
   if (!fanuc && !arguments(&passed)) return;
   if (context.depth >= kMaxCallDepth) return stop(StopKind::kCallTooDeep, "Too many subroutine levels");
@@ -150,7 +150,7 @@ void Machine::Step::call(int repeats, bool fanuc) {
   State enter = state;
   enter.looped = false;
   enter.branch = Branch::kNone;
-  enter.parameters.local_facts = {};
+  enter.parameters.local_outcomes = {};
   if (fanuc) {
     enter.parameters.locals = m.evaluator_.share_numbers({}, state.parameters.locals);
   } else {

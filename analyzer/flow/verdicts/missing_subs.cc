@@ -13,7 +13,7 @@ void add_if_missing(const Iteration& analysis, ContextId context, const Caller& 
                     Stops& stops) {
   const Linked& linked = analysis.linked();
   const Program& program = analysis.program();
-  const Machine& machine = analysis.machine();
+  const AbstractMachine& machine = analysis.machine();
   const NameId sub = analysis.calls()[context].info.sub;
   const StatementId call = caller.state.position;
   const CallTarget target = machine.target(sub);

@@ -19,7 +19,7 @@ void Verdicts::end(const State& at) {
 
 void Verdicts::end_of_file(const State& at) {
   if (at.seek) return;  // reported for each call when all are known: see find_missing_subs()
-  Machine& machine = analysis_.machine();
+  AbstractMachine& machine = analysis_.machine();
   const Context& context = analysis_.calls()[at.context].info;
   FlowStop stop;
   stop.kind = StopKind::kFileEnd;
@@ -50,7 +50,7 @@ void Verdicts::end_of_file(const State& at) {
 }
 
 void Verdicts::stop(const State& at, StopReport report) {
-  Machine& machine = analysis_.machine();
+  AbstractMachine& machine = analysis_.machine();
   FlowStop stop;
   stop.statement = at.position;
   stop.kind = report.kind;

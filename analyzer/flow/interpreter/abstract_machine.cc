@@ -1,4 +1,4 @@
-#include "analyzer/flow/interpreter/machine.h"
+#include "analyzer/flow/interpreter/abstract_machine.h"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,8 @@
 
 namespace owlint::flow {
 
-Machine::Machine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool)
+AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, const Limits& limits,
+                                 PersistentMap::Pool& pool)
     : linked_(linked),
       program_(linked.program()),
       profile_(profile),
@@ -28,7 +29,7 @@ Machine::Machine(const Linked& linked, const Profile& profile, const Limits& lim
   index();
 }
 
-void Machine::index() {
+void AbstractMachine::index() {
   const Syntax& syntax = program_.syntax;
   for (StatementId id = 0; id < syntax.statements.size(); ++id) {
     const Statement& s = syntax.statements[id];
@@ -63,14 +64,14 @@ void Machine::index() {
   numbered_subs_.erase(std::unique(numbered_subs_.begin(), numbered_subs_.end()), numbered_subs_.end());
 }
 
-void Machine::set_coarse(bool passes_over) {
+void AbstractMachine::set_coarse(bool passes_over) {
   evaluator_.set_coarse();
   remembered_.set_coarse();
   refinement_.set_coarse();
   if (passes_over && !calm_) calm_.emplace(program_, structure_, tracked_, evaluator_, limits_, profile_.warn_only());
 }
 
-const CalmStretch* Machine::pass_over(State& state, const Context& context) {
+const CalmStretch* AbstractMachine::pass_over(State& state, const Context& context) {
   if (!calm_ || state.skip != kNoLabel || state.defining != kNoName || state.looped) return nullptr;
   const CalmStretch* stretch = calm_->at(state.position);
   if (stretch == nullptr) return nullptr;
@@ -101,7 +102,7 @@ const CalmStretch* Machine::pass_over(State& state, const Context& context) {
   return stretch;
 }
 
-uint32_t Machine::entry(const State& state, FullLabel label) const {
+uint32_t AbstractMachine::entry(const State& state, FullLabel label) const {
   const uint32_t packed = state.table.get(label);
   if (packed != 0) return packed;
   const auto& [scope, name] = labels_[label];
@@ -116,12 +117,12 @@ uint32_t Machine::entry(const State& state, FullLabel label) const {
   return 0;
 }
 
-State Machine::skip_ahead(State state) const {
+State AbstractMachine::skip_ahead(State state) const {
   if (state.skip != kNoLabel) state.position = next_stop(state, state.position);
   return state;
 }
 
-StatementId Machine::next_stop(const State& state, StatementId from) const {
+StatementId AbstractMachine::next_stop(const State& state, StatementId from) const {
   auto next = static_cast<StatementId>(program_.size());
   const auto look = [&](std::span<const StatementId> list) {
     const auto found = std::ranges::lower_bound(list, from);
@@ -141,13 +142,13 @@ StatementId Machine::next_stop(const State& state, StatementId from) const {
   return next;
 }
 
-std::string Machine::full_text(FullLabel label) const {
+std::string AbstractMachine::full_text(FullLabel label) const {
   const auto& [scope, name] = labels_[label];
   if (scope == kGlobalScope) return this->name(name);
   return (scope == kNoName ? std::string() : this->name(scope)) + "#" + this->name(name);
 }
 
-bool Machine::is_target(const State& state, const Context& context) const {
+bool AbstractMachine::is_target(const State& state, const Context& context) const {
   const Statement& s = program_.at(state.position);
   const auto& [scope, label] = labels_[state.skip];
   if (s.kind != LineKind::kOWord || s.label != label) return s.kind == LineKind::kOWord && s.label_expr != kNoExpr;
@@ -155,12 +156,12 @@ bool Machine::is_target(const State& state, const Context& context) const {
   return scope == (context.depth > 0 ? context.sub : state.defining);
 }
 
-bool Machine::opens_somewhere(NameId sub) const {
+bool AbstractMachine::opens_somewhere(NameId sub) const {
   return sub < program_.by_label.size() &&
       std::ranges::any_of(program_.by_label[sub], [&](StatementId id) { return program_.at(id).opens_sub(); });
 }
 
-bool Machine::may_be_elsewhere(NameId sub) const {
+bool AbstractMachine::may_be_elsewhere(NameId sub) const {
   const std::string& text = name(sub);
   if (profile_.may_be_python() || target(sub).opaque || program_.sub_file) return true;
   if (opens_somewhere(sub)) return false;
@@ -168,18 +169,18 @@ bool Machine::may_be_elsewhere(NameId sub) const {
   return text.find_first_not_of("-0123456789") != std::string::npos;
 }
 
-NameId Machine::intern(const std::string& text) {
+NameId AbstractMachine::intern(const std::string& text) {
   const NameId known = program_.syntax.names.find(text);
   if (known != kNoName) return known;
   return static_cast<NameId>(program_.syntax.names.size() + computed_names_.intern(text));
 }
 
-const std::string& Machine::name(NameId id) const {
+const std::string& AbstractMachine::name(NameId id) const {
   const size_t own = program_.syntax.names.size();
   return id < own ? program_.name(id) : computed_names_.text(static_cast<NameId>(id - own));
 }
 
-FullLabel Machine::full_label(NameId scope, NameId label) {
+FullLabel AbstractMachine::full_label(NameId scope, NameId label) {
   // Labels of subs are asked for at every call and definition.
   if (scope == kGlobalScope && label != kNoName) {
     if (label >= sub_labels_.size())
@@ -197,7 +198,7 @@ FullLabel Machine::full_label(NameId scope, NameId label) {
   return entry->second;
 }
 
-State Machine::resume(const State& caller, const State& exit, const Context& callee, bool merged) {
+State AbstractMachine::resume(const State& caller, const State& exit, const Context& callee, bool merged) {
   State out = exit;
   const bool fanuc = callee.fanuc;
   const Effects& effects = effects_.of(callee.sub);
@@ -235,7 +236,7 @@ State Machine::resume(const State& caller, const State& exit, const Context& cal
   // M98 does not save #1 to #30; an O-word call gives the caller's own values back.
   out.parameters.locals =
       fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;
-  out.parameters.local_facts = fanuc ? PersistentMap() : caller.parameters.local_facts;
+  out.parameters.local_outcomes = fanuc ? PersistentMap() : caller.parameters.local_outcomes;
   return out;
 }
 

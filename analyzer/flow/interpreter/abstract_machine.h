@@ -1,4 +1,4 @@
-// The abstract O-word state machine: `Machine::step` executes one line in a state, which after paths were joined holds sets
+// The abstract O-word state machine: `AbstractMachine::step` executes one line in a state, which after paths were joined holds sets
 // of values. The transitions follow the measured table in
 // docs/interpreter.md; if a set has several members, a step has several successors.
 #pragma once
@@ -91,9 +91,9 @@ class Listener {
   virtual void leave(const State& at) = 0;  ///< `return`, `endsub`, M99 in a call
 };
 
-class Machine {
+class AbstractMachine {
  public:
-  Machine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool);
+  AbstractMachine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool);
 
   /// Executes or skips the line at `state.position`.
   void step(State state, const Context& context, Listener& out);
