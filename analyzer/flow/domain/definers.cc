@@ -21,9 +21,15 @@ uint32_t Definers::pack(Set set) {
   if (set.lines.size() == 1) return one(*set.lines.begin()) | (set.undefined ? 1 : 0);
   uint64_t hash = set.undefined ? 1 : 0;
   for (const StatementId line : set.lines) hash = mix(hash, line);
-  const auto [entry, added] = ids_.try_emplace(hash, static_cast<uint32_t>(sets_.size()) | kSetMark);
-  if (added) sets_.push_back(std::move(set));
-  return entry->second;
+  for (;; ++hash) {  // a set with the same hash by accident takes the next one
+    const auto [entry, added] = ids_.try_emplace(hash, static_cast<uint32_t>(sets_.size()) | kSetMark);
+    if (added) {
+      sets_.push_back(std::move(set));
+      return entry->second;
+    }
+    const Set& known = sets_[entry->second & ~kSetMark];
+    if (known.undefined == set.undefined && std::ranges::equal(known.lines, set.lines)) return entry->second;
+  }
 }
 
 uint32_t Definers::join(uint32_t a, uint32_t b) {

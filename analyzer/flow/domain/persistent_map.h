@@ -85,7 +85,8 @@ class PersistentMap {
     visit_node(root_, height_, 0, visit);
   }
 
-  /// Equal content has equal hashes, in whatever order it was written.
+  /// Equal content has equal hashes, in whatever order it was written. merge() takes maps with equal hashes for equal; different
+  /// ones are by accident with odds of 2^-64 for each pair (see State::hash()).
   uint64_t hash() const { return hash_; }
 
   /// The pointwise join of two maps; `join(key, a, b)` is called where they differ. Shared parts cost nothing.

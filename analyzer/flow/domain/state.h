@@ -39,8 +39,14 @@ struct State {
   RecordId record = kNoRecord;  ///< the trace record before this state
   Branch branch = Branch::kNone;
 
-  /// A fingerprint of everything but the context and how the run got here. Equal states have equal ones; that different
-  /// ones have different ones is a bet, see StateDomain.
+  /// A fingerprint of everything but the context and how the run got here. Equal states have equal ones.
+  ///
+  /// That different states have different fingerprints is a bet, and states are known again by theirs alone: keeping and
+  /// comparing the states themselves would cost more memory than all else. A state that arrives is compared with the some
+  /// hundreds at most of its partition, or of its sub's contexts (see Limits::Level). Fingerprints are well mixed, so each
+  /// pair is equal by accident with odds of 2^-64: in ten million arrivals one state is lost with odds below 1 in a billion.
+  /// Then its successors are not followed, and a finding may be missing. Nobody is protected from a program that was made
+  /// for that.
   uint64_t hash() const;
 };
 
