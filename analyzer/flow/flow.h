@@ -1,6 +1,6 @@
 // The flow room: a model of LinuxCNC's O-word state machine that follows every branch. It finds the lines at which the
 // interpreter stops, on some run or on every run, the lines that no run reaches, and the branches that lead to a line.
-// The machine itself is described in machine.h; this header is what rules see.
+// How it works is described in README.md; this header is what rules see.
 #pragma once
 
 #include <cstdint>
