@@ -5,8 +5,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/checking/replace.h"
 #include "analyzer/findings/fixing.h"
+#include "analyzer/text/replace.h"
 #include "support/damage.h"
 #include "support/files.h"
 #include "support/process.h"
@@ -119,10 +119,10 @@ TEST_CASE("a file that has changed meanwhile is left alone", "[cli][fix]") {
   const Scratch s;
   const std::string path = s.write("a.ngc", "new\n");
   std::string error;
-  CHECK(!owlint::checking::replace_unchanged(path, "old\n", "fixed\n", &error));
+  CHECK(!owlint::replace_unchanged(path, "old\n", "fixed\n", &error));
   CHECK(error == "it has changed in the meantime, so it is not replaced");
   CHECK(read_file(path) == "new\n");
-  CHECK(owlint::checking::replace_unchanged(path, "new\n", "fixed\n", &error));
+  CHECK(owlint::replace_unchanged(path, "new\n", "fixed\n", &error));
   CHECK(read_file(path) == "fixed\n");
 }
 

@@ -16,6 +16,7 @@
 #include "analyzer/audit/options.h"
 #include "analyzer/audit/record.h"
 #include "analyzer/text/parallel.h"
+#include "analyzer/text/paths.h"
 #include "analyzer/text/printable.h"
 
 namespace owlint::audit {

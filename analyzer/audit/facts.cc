@@ -8,6 +8,7 @@
 
 #include "analyzer/audit/hashes.h"
 #include "analyzer/checking/walk.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::audit {
 namespace {

@@ -6,6 +6,7 @@
 #include <xxhash.h>
 
 #include "analyzer/report/report.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::audit {
 namespace {

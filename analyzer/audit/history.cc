@@ -6,6 +6,7 @@
 
 #include "analyzer/audit/record.h"
 #include "analyzer/findings/identity.h"
+#include "analyzer/text/paths.h"
 #include "analyzer/text/printable.h"
 
 namespace owlint::audit {

@@ -27,6 +27,7 @@
 #include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
 #include "analyzer/text/parallel.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::audit {
 namespace {

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/report/terminal.h"
+#include "analyzer/text/terminal.h"
 
 extern char** environ;
 

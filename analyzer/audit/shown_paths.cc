@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 
+#include "analyzer/text/paths.h"
 #include "analyzer/text/source.h"
 
 namespace owlint::audit {

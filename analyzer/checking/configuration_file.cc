@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include "analyzer/machine/profile.h"
+#include "analyzer/text/paths.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::checking {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "analyzer/findings/fixing.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::checking {
 namespace {

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/text/paths.h"
+
 namespace owlint::checking {
 namespace {
 

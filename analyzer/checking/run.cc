@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "analyzer/text/parallel.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::checking {
 namespace {

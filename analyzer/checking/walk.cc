@@ -20,6 +20,7 @@
 #include <xxhash.h>
 
 #include "analyzer/text/parallel.h"
+#include "analyzer/text/paths.h"
 #include "analyzer/text/source.h"
 
 namespace owlint::checking {

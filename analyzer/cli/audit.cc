@@ -22,8 +22,8 @@
 #include "analyzer/audit/watch.h"
 #include "analyzer/cli/commands.h"
 #include "analyzer/report/formats.h"
-#include "analyzer/report/terminal.h"
 #include "analyzer/text/parallel.h"
+#include "analyzer/text/terminal.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::cli {

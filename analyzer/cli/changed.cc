@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/text/paths.h"
 #include "analyzer/text/process.h"
 #include "analyzer/text/source.h"
 

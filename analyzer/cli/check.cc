@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/checking/diff.h"
 #include "analyzer/checking/fixing.h"
 #include "analyzer/checking/groups.h"
-#include "analyzer/checking/replace.h"
 #include "analyzer/checking/walk.h"
 #include "analyzer/cli/changed.h"
 #include "analyzer/cli/commands.h"
@@ -21,8 +21,10 @@
 #include "analyzer/findings/fixing.h"
 #include "analyzer/findings/suppression.h"
 #include "analyzer/report/formats.h"
-#include "analyzer/report/terminal.h"
 #include "analyzer/text/parallel.h"
+#include "analyzer/text/paths.h"
+#include "analyzer/text/replace.h"
+#include "analyzer/text/terminal.h"
 
 namespace owlint::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include "analyzer/report/graph.h"
 #include "analyzer/report/markdown.h"
 #include "analyzer/report/pages.h"
-#include "analyzer/report/terminal.h"
 #include "analyzer/text/printable.h"
+#include "analyzer/text/terminal.h"
 #include "analyzer/text/width.h"
 #include "rules/driver/rule.h"
 

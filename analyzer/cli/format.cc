@@ -4,12 +4,13 @@
 #include <iostream>
 #include <iterator>
 
-#include "analyzer/checking/replace.h"
+#include "analyzer/checking/diff.h"
 #include "analyzer/checking/walk.h"
 #include "analyzer/cli/commands.h"
 #include "analyzer/findings/fixing.h"
 #include "analyzer/format/indent.h"
 #include "analyzer/lsp/server.h"
+#include "analyzer/text/replace.h"
 
 namespace owlint::cli {
 

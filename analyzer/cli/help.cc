@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "analyzer/cli/values.h"
-#include "analyzer/report/terminal.h"
+#include "analyzer/text/terminal.h"
 #include "analyzer/text/width.h"
 
 namespace owlint::cli {

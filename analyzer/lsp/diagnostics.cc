@@ -2,6 +2,7 @@
 #include "analyzer/lsp/features.h"
 #include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
 namespace {

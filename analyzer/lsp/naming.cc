@@ -7,6 +7,7 @@
 #include "analyzer/flow/facts/structured.h"
 #include "analyzer/lsp/ini_uses.h"
 #include "analyzer/machine/predefined.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "analyzer/text/paths.h"
+
 namespace owlint::lsp {
 namespace {
 

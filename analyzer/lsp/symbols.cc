@@ -4,6 +4,7 @@
 
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/places.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
 namespace {

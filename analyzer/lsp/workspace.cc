@@ -7,6 +7,7 @@
 #include "analyzer/checking/groups.h"
 #include "analyzer/checking/run.h"
 #include "analyzer/checking/walk.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
 namespace {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include "analyzer/text/paths.h"
 #include "analyzer/text/source.h"
 
 namespace owlint {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "analyzer/text/paths.h"
+
 namespace owlint {
 
 void Library::name_files(std::vector<std::string> paths) {

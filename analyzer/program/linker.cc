@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/text/paths.h"
+
 namespace owlint {
 namespace {
 

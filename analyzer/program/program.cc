@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "analyzer/text/paths.h"
+
 namespace owlint {
 namespace {
 

@@ -7,6 +7,7 @@
 #include "analyzer/findings/identity.h"
 #include "analyzer/report/formats.h"
 #include "analyzer/report/pages.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint {
 namespace {

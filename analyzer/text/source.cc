@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 namespace owlint {
 namespace {
@@ -25,28 +24,6 @@ size_t sequence_length(std::string_view bytes, size_t at) {
     if ((static_cast<unsigned char>(bytes[at + i]) & 0xC0) != 0x80) return 1;
   }
   return length;
-}
-
-std::string file_key(const std::string& path) {
-  static const std::string here = [] {
-    std::error_code ignored;
-    return std::filesystem::current_path(ignored).string();
-  }();
-  std::string absolute = path.starts_with('/') ? path : here + "/" + path;
-  // Normalising is slow, and nearly all paths have nothing to normalise.
-  const bool plain = absolute.find("/.") == std::string::npos && absolute.find("//") == std::string::npos;
-  return plain ? absolute : std::filesystem::path(absolute).lexically_normal().string();
-}
-
-std::string_view folder_of(std::string_view path) {
-  const size_t slash = path.rfind('/');
-  return slash == std::string_view::npos ? std::string_view() : path.substr(0, std::max<size_t>(slash, 1));
-}
-
-std::string_view stem_of(std::string_view path) {
-  const std::string_view name = path.substr(path.rfind('/') + 1);  // all of it where there is none
-  const size_t dot = name.rfind('.');
-  return dot == std::string_view::npos || dot == 0 ? name : name.substr(0, dot);
 }
 
 std::string small_letters(std::string_view text) {

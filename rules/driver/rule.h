@@ -16,6 +16,7 @@
 #include "analyzer/machine/profile.h"
 #include "analyzer/program/program.h"
 #include "analyzer/syntax/nature.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint {
 

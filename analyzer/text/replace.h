@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace owlint::checking {
+namespace owlint {
 
 /// Replaces a file by `text` in one step, with the same permissions: a reader sees the old text or the new one. Follows
 /// links. On failure returns false and a message, and the file is unchanged.
@@ -16,7 +16,4 @@ bool replace_unchanged(const std::string& path, std::string_view old, std::strin
 /// Writes a file that may exist or not; if it exists, in one step.
 bool write_text_file(const std::string& path, std::string_view text, std::string* error);
 
-/// `diff -u` between two texts of a file.
-std::string unified_diff(const std::string& path, std::string_view before, std::string_view after);
-
-}  // namespace owlint::checking
+}  // namespace owlint

@@ -1,4 +1,4 @@
-#include "analyzer/report/terminal.h"
+#include "analyzer/text/terminal.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
