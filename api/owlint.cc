@@ -30,18 +30,22 @@ std::vector<Finding> check(std::string_view text, const Options& options) {
   line.linuxcnc = given(options.linuxcnc);
   line.feature = given(options.feature);
   const std::string path = options.path.empty() ? "program.ngc" : options.path;
-  checking::Configuration configuration(line);
+  checking::Configuration configuration(disk(), line);
   checking::Settings settings;
   std::string error;
   if (!configuration.settings_for(path, &settings, &error)) throw std::invalid_argument(error);
-  Library library;
-  const ProgramReport report = lint(library.load(Source::own(path, std::string(text))), settings.profile, settings.options, library);
+  Library library(disk());
+  const ProgramReport report =
+      lint(library.load(Source::own(path, std::string(text))), settings.profile, settings.options, library);
   std::vector<Finding> out;
   for (const owlint::Finding& f : report.own.findings) {
-    const Severity severity = f.severity == owlint::Severity::kError ? Severity::kError : f.severity == owlint::Severity::kWarning ? Severity::kWarning : Severity::kInfo;
+    const Severity severity = f.severity == owlint::Severity::kError ? Severity::kError
+        : f.severity == owlint::Severity::kWarning                   ? Severity::kWarning
+                                                                     : Severity::kInfo;
     const Source& source = *report.own.source;
-    out.push_back({std::string(f.code), std::string(f.rule), severity, f.stops, printable(f.message), printable(f.interpreter), printable(f.help),
-                   place(source, f.span.begin), place(source, f.span.end)});
+    out.push_back({std::string(f.code), std::string(f.rule), severity, f.stops, printable(f.message),
+                   printable(f.interpreter), printable(f.help), place(source, f.span.begin),
+                   place(source, f.span.end)});
   }
   return out;
 }
@@ -61,12 +65,14 @@ owlint_report* owlint_check(const char* text, size_t size, const owlint_options*
   const auto copy = [](const char* given) { return given == nullptr ? std::string() : std::string(given); };
   try {
     owlint::api::Options all;
-    if (options != nullptr) all = {copy(options->path), copy(options->ini), copy(options->linuxcnc), copy(options->feature)};
+    if (options != nullptr)
+      all = {copy(options->path), copy(options->ini), copy(options->linuxcnc), copy(options->feature)};
     auto report = std::make_unique<owlint_report>();
     report->findings = owlint::api::check({text, size}, all);
     for (const owlint::api::Finding& f : report->findings) {
-      report->views.push_back({f.code.c_str(), f.rule.c_str(), static_cast<owlint_severity>(f.severity), f.stops ? 1 : 0, f.message.c_str(), f.interpreter.c_str(), f.help.c_str(),
-                               f.begin.line, f.begin.column, f.end.line, f.end.column, f.begin.offset, f.end.offset});
+      report->views.push_back({f.code.c_str(), f.rule.c_str(), static_cast<owlint_severity>(f.severity),
+                               f.stops ? 1 : 0, f.message.c_str(), f.interpreter.c_str(), f.help.c_str(), f.begin.line,
+                               f.begin.column, f.end.line, f.end.column, f.begin.offset, f.end.offset});
     }
     return report.release();
   } catch (const std::exception& problem) {
@@ -78,7 +84,9 @@ owlint_report* owlint_check(const char* text, size_t size, const owlint_options*
 
 size_t owlint_count(const owlint_report* report) { return report->views.size(); }
 
-const owlint_finding* owlint_get(const owlint_report* report, size_t index) { return index < report->views.size() ? &report->views[index] : nullptr; }
+const owlint_finding* owlint_get(const owlint_report* report, size_t index) {
+  return index < report->views.size() ? &report->views[index] : nullptr;
+}
 
 void owlint_free(owlint_report* report) { delete report; }
 

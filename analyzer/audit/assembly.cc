@@ -10,6 +10,7 @@
 #include "analyzer/audit/record.h"
 #include "analyzer/checking/groups.h"
 #include "analyzer/report/report.h"
+#include "analyzer/text/files.h"
 
 namespace owlint::audit {
 
@@ -95,7 +96,7 @@ void assemble(Store& store, std::vector<Item>& items, const std::set<std::string
     std::ranges::move(records.reports(i), std::back_inserter(complaints));
 
   checking::RunResult result = checking::put_together(files, std::move(checked), std::move(complaints), {});
-  checking::fold_groups(result.reports, {files, checking::folders_of(roots_of(store, outcome.run))});
+  checking::fold_groups(result.reports, {files, checking::folders_of(disk(), roots_of(store, outcome.run))});
   write_contents(store, outcome.run, items);
   const Changes changes = write_findings(store, outcome.run, result.reports);
   if (outcome.previous != 0) {  // in the first run nothing is new

@@ -15,6 +15,7 @@
 #include "analyzer/audit/hashes.h"
 #include "analyzer/audit/options.h"
 #include "analyzer/audit/record.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/paths.h"
 #include "analyzer/text/printable.h"
@@ -60,9 +61,9 @@ class Run {
     for (const std::string& path : job_.line.paths) roots.push_back(file_key(path));
     checking::WalkOptions options = job_.line.walk;
     options.follow_links = true;
-    checking::Configuration configuration(job_.line);
-    checking::Walk found =
-        checking::walk(roots, options, [&](const std::string& folder) { return configuration.patterns_in(folder); });
+    checking::Configuration configuration(disk(), job_.line);
+    checking::Walk found = checking::walk(disk(), roots, options,
+                                          [&](const std::string& folder) { return configuration.patterns_in(folder); });
     out_.problems = std::move(found.problems);
     if (roots.size() > 1) std::ranges::stable_sort(found.files, {}, &checking::WalkedFile::path);
     configuration.know_without_ini(found.without_ini);
@@ -143,7 +144,7 @@ class Run {
     came_ = items_.size() - present;
     for_each(to_look_at.size(), [&](size_t i) {
       Item& item = *to_look_at[i];
-      const auto source = Source::map(item.key, &item.problem);
+      const auto source = disk().read(item.key, &item.problem);
       if (source != nullptr) item.hash = hash_of(source->bytes());
     });
     SQLite::Transaction transaction(db_, SQLite::TransactionBehavior::IMMEDIATE);

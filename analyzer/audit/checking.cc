@@ -5,6 +5,7 @@
 
 #include "analyzer/audit/hashes.h"
 #include "analyzer/audit/record.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/parallel.h"
 
 namespace owlint::audit {
@@ -40,7 +41,7 @@ Checking::Done Checking::check(Item& item) {
   Done done;
   done.item = &item;
   const auto start = Clock::now();
-  const auto source = Source::map(item.key, &item.problem);
+  const auto source = disk().read(item.key, &item.problem);
   if (source == nullptr) {
     item.hash.clear();
     return done;

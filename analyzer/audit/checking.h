@@ -11,6 +11,7 @@
 #include "analyzer/audit/store.h"
 #include "analyzer/checking/run.h"
 #include "analyzer/checking/walk.h"
+#include "analyzer/text/files.h"
 
 namespace owlint::audit {
 
@@ -53,7 +54,7 @@ class Checking {
   Store& store_;
   Facts& facts_;
   int64_t run_;
-  Library library_;
+  Library library_{disk()};
   std::mutex hashing_;
   std::map<std::string, std::string> hashes_;  // of called files
 };

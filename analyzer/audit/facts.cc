@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/audit/hashes.h"
-#include "analyzer/checking/walk.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint::audit {
@@ -28,7 +28,7 @@ std::unique_ptr<SearchPath> search_path_of(const std::string& subject) {
     folders.push_back({folder.substr(tree ? 2 : 0), tree});
     at = feed + 1;
   }
-  return std::make_unique<SearchPath>(std::move(folders));
+  return std::make_unique<SearchPath>(disk(), std::move(folders));
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ std::vector<Fact> facts_of(const Inputs& inputs, const std::function<std::string
   for (const std::string& key : inputs.compared) {
     std::string error;
     if (!files.insert(key).second) continue;
-    const auto source = Source::map(key, &error);
+    const auto source = disk().read(key, &error);
     facts.push_back({Fact::kBytes, key, "", hash_of(source == nullptr ? std::string_view() : source->bytes()), 0});
   }
   return facts;
@@ -82,10 +82,10 @@ bool Facts::holds(const Fact& fact, const SearchPath* path,
                   const std::function<std::string(const std::string&)>& walked, uint64_t* stamp) const {
   if (fact.kind != Fact::kBytes) return ask(*path, static_cast<Answer::Question>(fact.kind), fact.name) == fact.answer;
   if (const std::string hash = walked(fact.subject); !hash.empty()) return hash == fact.answer;
-  *stamp = checking::stamp_of(fact.subject);
+  *stamp = disk().info(fact.subject).stamp;
   if (*stamp != 0 && *stamp == fact.stamp) return true;
   std::string error;
-  const auto source = Source::map(fact.subject, &error);
+  const auto source = disk().read(fact.subject, &error);
   return hash_of(source == nullptr ? std::string_view() : source->bytes()) == fact.answer;
 }
 

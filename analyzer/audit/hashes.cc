@@ -6,6 +6,7 @@
 #include <xxhash.h>
 
 #include "analyzer/report/report.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint::audit {
@@ -35,7 +36,7 @@ std::string hash_of(std::string_view bytes) {
 const std::string& tool_hash() {
   static const std::string hash = [] {
     std::string error;
-    const auto self = Source::map("/proc/self/exe", &error);
+    const auto self = disk().read("/proc/self/exe", &error);
     return hash_of(self == nullptr ? kToolVersion : self->bytes());
   }();
   return hash;

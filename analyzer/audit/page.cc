@@ -26,6 +26,7 @@
 #include "analyzer/report/json.h"
 #include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/paths.h"
 
@@ -111,7 +112,7 @@ std::unordered_set<std::string> machine_inis(Store& store) {
 class Page {
  public:
   Page(std::ostream& out, Store& store, int64_t run, const checking::CheckRequest& line)
-      : out_(out), store_(store), run_(run), line_(line), configuration_(line_), paths_(line.paths) {
+      : out_(out), store_(store), run_(run), line_(line), configuration_(disk(), line_), paths_(line.paths) {
     line_.absolute = true;
   }
 
@@ -207,7 +208,7 @@ class Page {
     Json json{{"lineCount", row.lines}, {"source", Json::array()}, {"findings", Json::array()}, {"blocks", nullptr}};
     for (const Finding& f : findings) json["findings"].push_back(shown(*report->source, f));
     std::string error;
-    const auto source = Source::map(row.path, &error);
+    const auto source = disk().read(row.path, &error);
     const bool same = source != nullptr && !row.hash.empty() && hash_of(source->bytes()) == row.hash;
     if (!same || settings == nullptr) {
       if (report != nullptr) json["source"] = kept_lines(*report->source, findings);
@@ -393,7 +394,7 @@ class Page {
   checking::CheckRequest line_;
   checking::Configuration configuration_;
   ShownPaths paths_;
-  Library library_;
+  Library library_{disk()};
   std::vector<ProgramRow> programs_;
   std::vector<Kind> kinds_;
   std::unordered_map<std::string, size_t> number_;

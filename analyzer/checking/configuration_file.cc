@@ -1,7 +1,6 @@
 #include "analyzer/checking/configuration_file.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -12,8 +11,6 @@
 
 namespace owlint::checking {
 namespace {
-
-namespace fs = std::filesystem;
 
 const std::vector<std::string> kKeys = {"ini",     "find-ini", "sub-path",      "feature",  "linuxcnc",
                                         "select",  "ignore",   "extend-select", "severity", "fail-on",
@@ -164,8 +161,9 @@ std::string ConfigurationFile::place_of(std::string_view key) const {
   return fmt::format("{}:{}", path, lines.find(key)->second);
 }
 
-std::shared_ptr<const ConfigurationFile> read_configuration_file(const std::string& path, std::string* error) {
-  const auto source = Source::map(path, error);
+std::shared_ptr<const ConfigurationFile> read_configuration_file(const Files& files, const std::string& path,
+                                                                 std::string* error) {
+  const auto source = files.read(path, error);
   if (source == nullptr) {
     *error = fmt::format("cannot read {}: {}", path, *error);
     return nullptr;
@@ -178,8 +176,7 @@ std::shared_ptr<const ConfigurationFile> read_configuration_file(const std::stri
     return nullptr;
   }
   auto file = std::make_shared<ConfigurationFile>();
-  std::error_code ignored;
-  file->path = fs::proximate(path, ignored).string();
+  file->path = files.seen_from_here(path);
   file->folder = std::string(folder_of(file_key(path)));
   for (const auto& [key, value] : table) file->lines.emplace(key.str(), value.source().begin.line);
   Reader reader;

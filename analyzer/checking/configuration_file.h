@@ -42,7 +42,8 @@ struct ConfigurationFile {
 };
 
 /// Null and a message, with the file and the line, where something is wrong.
-std::shared_ptr<const ConfigurationFile> read_configuration_file(const std::string& path, std::string* error);
+std::shared_ptr<const ConfigurationFile> read_configuration_file(const Files& files, const std::string& path,
+                                                                 std::string* error);
 
 /// Makes the codes that a text means of it: `OW104` of `ow104` and of `if-label-reused`, `OW3` of `ow3`. False and a message
 /// where there is no such rule.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "analyzer/findings/fixing.h"
+#include "analyzer/text/memory_files.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint::checking {
@@ -14,9 +15,12 @@ constexpr int kMaxRounds = 50;
 
 class Fixer {
  public:
-  Fixer(const std::vector<std::string>& files, const std::vector<const Settings*>& settings, const Read& read,
+  Fixer(const Files& read, const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
         bool unsafe)
-      : files_(files), settings_(settings), read_(read), unsafe_(unsafe) {
+      : files_(files),
+        settings_(settings),
+        texts_(read, [this](const std::string& path) { return fixed_text(path); }),
+        unsafe_(unsafe) {
     for (size_t i = 0; i < files.size(); ++i) place_.emplace(file_key(files[i]), i);
   }
 
@@ -48,16 +52,14 @@ class Fixer {
       files.push_back(files_[i]);
       settings.push_back(settings_[i]);
     }
-    const Read read = [this](const std::string& path, std::string* error) { return text_of(path, error); };
-    Library library(read);
-    return run_checks(files, settings, read, library, called_);
+    Library library(texts_);
+    return run_checks(files, settings, library, called_);
   }
 
-  std::shared_ptr<const Source> text_of(const std::string& path, std::string* error) const {
+  std::shared_ptr<const Source> fixed_text(const std::string& path) const {
     const auto known = place_.find(file_key(path));
-    if (known == place_.end()) return read_(path, error);
-    const auto fixed = fixed_.find(known->second);
-    return fixed == fixed_.end() ? read_(path, error) : Source::own(fixed->second.before->path(), fixed->second.text);
+    const auto fixed = known == place_.end() ? fixed_.end() : fixed_.find(known->second);
+    return fixed == fixed_.end() ? nullptr : Source::own(fixed->second.before->path(), fixed->second.text);
   }
 
   /// Makes a round of fixes in each file; which ones changed.
@@ -95,7 +97,7 @@ class Fixer {
 
   const std::vector<std::string>& files_;
   const std::vector<const Settings*>& settings_;
-  const Read& read_;
+  UnsavedFiles texts_;
   bool unsafe_;
   std::map<std::string, size_t> place_;          // of a file, by its key
   std::map<size_t, FixedFile> fixed_;            // by place
@@ -105,9 +107,9 @@ class Fixer {
 
 }  // namespace
 
-FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
-                      const Read& read, bool unsafe) {
-  return Fixer(files, settings, read, unsafe).run();
+FixResult run_and_fix(const Files& read, const std::vector<std::string>& files,
+                      const std::vector<const Settings*>& settings, bool unsafe) {
+  return Fixer(read, files, settings, unsafe).run();
 }
 
 }  // namespace owlint::checking

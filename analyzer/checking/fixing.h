@@ -7,8 +7,6 @@
 
 namespace owlint::checking {
 
-using Read = std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>;
-
 /// One file that was fixed.
 struct FixedFile {
   std::string path;
@@ -24,8 +22,8 @@ struct FixResult {
 };
 
 /// Like run_checks(), but makes the fixes of all findings: the safe ones, or with `unsafe` all. Programs that call a fixed
-/// file are checked with the fixed text.
-FixResult run_and_fix(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
-                      const Read& read, bool unsafe);
+/// file are checked with the fixed text. `read`: what the files are read from.
+FixResult run_and_fix(const Files& read, const std::vector<std::string>& files,
+                      const std::vector<const Settings*>& settings, bool unsafe);
 
 }  // namespace owlint::checking

@@ -1,7 +1,6 @@
 #include "analyzer/checking/groups.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
@@ -156,12 +155,11 @@ class Folder {
 
 }  // namespace
 
-std::vector<std::string> folders_of(const std::vector<std::string>& paths) {
+std::vector<std::string> folders_of(const Files& files, const std::vector<std::string>& paths) {
   std::vector<std::string> folders;
-  std::error_code ignored;
   for (const std::string& path : paths) {
     const std::string key = file_key(path);
-    folders.push_back(std::filesystem::is_directory(path, ignored) ? key : std::string(folder_of(key)));
+    folders.push_back(files.is_folder(path) ? key : std::string(folder_of(key)));
   }
   return folders;
 }

@@ -16,7 +16,7 @@ struct Tree {
 };
 
 /// The folders of paths as they stand on a command line; of a file, the one that it lies in.
-std::vector<std::string> folders_of(const std::vector<std::string>& paths);
+std::vector<std::string> folders_of(const Files& files, const std::vector<std::string>& paths);
 
 /// Of each group of findings below one folder the first is kept, with the others as related places. Where the tree has a file of
 /// the name that was not found, the finding says so.

@@ -1,7 +1,6 @@
 #include "analyzer/checking/run.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -14,8 +13,6 @@
 
 namespace owlint::checking {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// Of a file that some program of the run calls, what depends on the caller is known from there.
 void drop_guesses(FileReport& report) {
@@ -126,10 +123,9 @@ RunResult put_together(const std::vector<std::string>& files, std::vector<Checke
   return result;
 }
 
-RunResult run_checks(
-    const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
-    const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-    Library& library, const std::set<std::string>& called_elsewhere, const std::function<void(size_t done)>& checked) {
+RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
+                     Library& library, const std::set<std::string>& called_elsewhere,
+                     const std::function<void(size_t done)>& checked) {
   library.name_files(files);
   std::vector<std::string> errors(files.size());
   const std::set<std::string> by_machines = called_by_machines(settings);
@@ -142,7 +138,7 @@ RunResult run_checks(
       checked(done++);
     }
     if (settings[i] == nullptr) return;
-    if (const auto source = read(files[i], &errors[i]))
+    if (const auto source = library.files().read(files[i], &errors[i]))
       all[i] = check_file(source, *settings[i], library, by_machines.contains(file_key(files[i])));
   });
   RunResult result = put_together(files, std::move(all), check_machines(settings, library), called_elsewhere);

@@ -38,10 +38,8 @@ RunResult put_together(const std::vector<std::string>& files, std::vector<Checke
 
 /// `settings` has one entry for each of `files`; null if the file is not to be checked. `called_elsewhere`: keys of
 /// files that programs outside of this run call. `checked` is called with the number of files that are done, one call at a time.
-RunResult run_checks(
-    const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
-    const std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>& read,
-    Library& library, const std::set<std::string>& called_elsewhere = {},
-    const std::function<void(size_t done)>& checked = nullptr);
+RunResult run_checks(const std::vector<std::string>& files, const std::vector<const Settings*>& settings,
+                     Library& library, const std::set<std::string>& called_elsewhere = {},
+                     const std::function<void(size_t done)>& checked = nullptr);
 
 }  // namespace owlint::checking

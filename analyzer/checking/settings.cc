@@ -3,7 +3,6 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,8 +11,6 @@
 
 namespace owlint::checking {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// `select` replaces what was selected before; the others add to it.
 void apply(const Selection& selection, LintOptions* options) {
@@ -29,24 +26,22 @@ void apply(const Selection& selection, LintOptions* options) {
 }  // namespace
 
 std::shared_ptr<const ConfigurationFile> Configuration::load(const std::string& path, std::string* error) {
-  if (const auto known = files_.find(path); known != files_.end()) return known->second;
-  auto file = read_configuration_file(path, error);
-  if (file != nullptr) files_.emplace(path, file);
+  if (const auto known = loaded_.find(path); known != loaded_.end()) return known->second;
+  auto file = read_configuration_file(files_, path, error);
+  if (file != nullptr) loaded_.emplace(path, file);
   return file;
 }
 
 std::string Configuration::nearest(const std::string& program) {
-  fs::path folder = folder_of(file_key(program));
-  const std::string key = folder.string();
+  const std::string key(folder_of(file_key(program)));
   if (const auto known = nearest_.find(key); known != nearest_.end()) return known->second;
   std::string found;
-  for (;; folder = folder.parent_path()) {
+  for (std::string folder = key; found.empty(); folder = folder_of(folder)) {
     for (const char* name : {"owlint.toml", ".owlint.toml"}) {
-      std::error_code ignored;
-      if (fs::is_regular_file(folder / name, ignored)) found = (folder / name).string();
-      if (!found.empty()) break;
+      std::string path = joined_path(folder, name);
+      if (found.empty() && files_.is_file(path)) found = std::move(path);
     }
-    if (!found.empty() || folder == folder.parent_path()) break;
+    if (folder == "/") break;
   }
   return nearest_[key] = found;
 }
@@ -79,7 +74,7 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
   const std::pair key(path, profile->sub_path);
   auto known = inis_.find(key);
   if (known == inis_.end()) {
-    auto setup = read_setup(path, error, profile->sub_path);
+    auto setup = read_setup(files_, path, error, profile->sub_path);
     if (setup == nullptr) {
       *error = fmt::format("cannot read the INI {}: {}", path, *error);
       return false;
@@ -101,10 +96,10 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
 namespace {
 
 /// Whether a file is the INI of a LinuxCNC machine, and not another program's.
-bool is_machine_ini(const fs::path& path) {
+bool is_machine_ini(const Files& files, const std::string& path) {
   std::string error;
   Ini ini;
-  return ini.read(path.string(), &error) && (ini.has_section("RS274NGC") || ini.has_section("EMC"));
+  return ini.read(files, path, &error) && (ini.has_section("RS274NGC") || ini.has_section("EMC"));
 }
 
 }  // namespace
@@ -113,10 +108,10 @@ bool is_machine_ini(const fs::path& path) {
 std::vector<std::string> Configuration::machine_inis(const std::string& folder) const {
   std::vector<std::string> out;
   if (without_ini_ != nullptr && without_ini_->contains(folder)) return out;
-  std::error_code ignored;
-  for (fs::directory_iterator entry(folder, ignored); !ignored && entry != fs::directory_iterator();
-       entry.increment(ignored)) {
-    if (entry->path().extension() == ".ini" && is_machine_ini(entry->path())) out.push_back(entry->path().string());
+  std::string unread;  // then there are none
+  for (const FolderEntry& entry : files_.list(folder, &unread)) {
+    std::string path = joined_path(folder, entry.name);
+    if (ending_of(entry.name) == ".ini" && is_machine_ini(files_, path)) out.push_back(std::move(path));
   }
   std::ranges::sort(out);
   return out;
@@ -124,9 +119,8 @@ std::vector<std::string> Configuration::machine_inis(const std::string& folder) 
 
 /// The one machine INI in the nearest folder above a program that has any.
 std::string Configuration::ini_above(const std::string& program) {
-  const auto near = [](const std::string& path) {  // seen from the working folder where it is below it
-    std::error_code ignored;
-    const std::string seen = fs::proximate(path, ignored).string();
+  const auto near = [this](const std::string& path) {  // seen from the working folder where it is below it
+    const std::string seen = files_.seen_from_here(path);
     return seen.starts_with("..") || seen == "." ? path : seen;
   };
   std::vector<std::string> passed;
@@ -180,16 +174,14 @@ std::vector<std::string> Configuration::notes() const {
 }
 
 std::string Configuration::shown_path(const std::string& path, const std::string& program) const {
-  std::error_code ignored;
-  return request_.absolute || program.starts_with('/') ? file_key(path) : fs::proximate(path, ignored).string();
+  return request_.absolute || program.starts_with('/') ? file_key(path) : files_.seen_from_here(path);
 }
 
 bool Configuration::find_sub_path(const ConfigurationFile* file, const std::string& program, Settings* settings,
                                   std::string* error) const {
   std::vector<std::string>& folders = settings->profile.sub_path;
   const auto add = [&](const std::string& path, const std::string& from) {
-    std::error_code problem;
-    if (!fs::is_directory(path, problem)) {
+    if (!files_.is_folder(path)) {
       *error = fmt::format("{}: there is no folder {}", from, path);
       return false;
     }
@@ -201,7 +193,7 @@ bool Configuration::find_sub_path(const ConfigurationFile* file, const std::stri
     if (!add(request_.absolute ? file_key(folder) : folder, "--sub-path")) return false;
   }
   for (const std::string& folder : file != nullptr && file->sub_path ? *file->sub_path : std::vector<std::string>()) {
-    const std::string path = (fs::path(file->folder) / expand_home(folder)).string();
+    const std::string path = joined_path(file->folder, expand_home(folder));
     if (!add(shown_path(path, program), file->place_of("sub-path"))) return false;
   }
   return true;
@@ -245,7 +237,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   LintOptions& options = settings->options;
   if (file != nullptr) {
     if (!ini && file->ini) {
-      ini = shown_path((fs::path(file->folder) / *file->ini).string(), path);
+      ini = shown_path(joined_path(file->folder, *file->ini), path);
       note("ini", *ini, line_of("ini"));
     }
     if (!version && file->linuxcnc) {
@@ -260,8 +252,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     if (file->include) note("include", fmt::format("{}", fmt::join(*file->include, " ")), line_of("include"));
     profile.feature = file->feature;
     apply(file->base, &options);
-    std::error_code ignored;
-    const std::string relative = fs::absolute(path, ignored).lexically_relative(file->folder).string();
+    const std::string relative = relative_path(file_key(path), file->folder);
     for (const ConfigurationFile::Override& entry : file->overrides) {
       if (std::ranges::any_of(entry.files,
                               [&](const std::string& p) { return ::fnmatch(p.c_str(), relative.c_str(), 0) == 0; })) {

@@ -48,7 +48,8 @@ struct Settings {
 /// Finds and reads configuration files and machine INIs, each once. Not thread-safe.
 class Configuration {
  public:
-  explicit Configuration(const CheckRequest& request) : request_(request) {}
+  /// Both must outlive this, and `files` the settings as well.
+  Configuration(const Files& files, const CheckRequest& request) : files_(files), request_(request) {}
 
   /// Folders that are known to have no *.ini, by their file_key: they are not read again. Must outlive this.
   void know_without_ini(const std::unordered_set<std::string>& folders) { without_ini_ = &folders; }
@@ -83,12 +84,13 @@ class Configuration {
   /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
   std::string shown_path(const std::string& path, const std::string& program) const;
 
+  const Files& files_;
   const CheckRequest& request_;
   const std::unordered_set<std::string>* without_ini_ = nullptr;
   bool tells_origins_ = false;
   std::string last_folder_;
   std::shared_ptr<const Settings> last_shared_;
-  std::map<std::string, std::shared_ptr<const ConfigurationFile>> files_;
+  std::map<std::string, std::shared_ptr<const ConfigurationFile>> loaded_;
   std::map<std::string, std::string> nearest_;  // folder -> configuration file, "" for none
   std::map<std::pair<std::string, std::vector<std::string>>, std::shared_ptr<const MachineSetup>>
       inis_;                                       // by path and sub-path

@@ -1,23 +1,11 @@
 #include "analyzer/checking/walk.h"
 
-#include <dirent.h>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <ctime>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <unordered_set>
-
-#define XXH_INLINE_ALL
-#include <xxhash.h>
 
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/paths.h"
@@ -25,20 +13,6 @@
 
 namespace owlint::checking {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// Times are kept coarsely, by some file systems in steps of two seconds: what was changed just now may be changed again
-/// and look the same.
-uint64_t stamp(const struct stat& info) {
-  constexpr time_t kCoarse = 2;
-  const time_t now = ::time(nullptr);
-  if (info.st_mtim.tv_sec + kCoarse >= now || info.st_ctim.tv_sec + kCoarse >= now) return 0;
-  const std::array<int64_t, 6> all = {info.st_size,        static_cast<int64_t>(info.st_ino),
-                                      info.st_mtim.tv_sec, info.st_mtim.tv_nsec,
-                                      info.st_ctim.tv_sec, info.st_ctim.tv_nsec};
-  return XXH3_64bits(all.data(), sizeof(all)) | 1;
-}
 
 bool has_program_ending(std::string_view name) {
   static constexpr std::array<std::string_view, 5> kEndings = {".ngc", ".nc", ".tap", ".cnc", ".gcode"};
@@ -48,16 +22,13 @@ bool has_program_ending(std::string_view name) {
   return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
-using FileId = std::pair<dev_t, ino_t>;
-
 /// Patterns, and how a path that is walked looks from the folder that they are seen from.
 class View {
  public:
   View(std::shared_ptr<const FilePatterns> patterns, const std::string& root)
       : patterns_(std::move(patterns)), prefix_(root.size()) {
-    const std::string from =
-        fs::path(file_key(root.empty() ? "." : root)).lexically_relative(patterns_->folder).string();
-    if (from != ".") lead_ = from.ends_with('/') ? from : from + '/';
+    const std::string from = relative_path(file_key(root.empty() ? "." : root), patterns_->folder);
+    if (from != ".") lead_ = from + '/';
   }
 
   std::optional<bool> excludes(std::string_view path, bool folder) const {
@@ -137,37 +108,35 @@ struct Link {
 
 /// What is in one folder.
 struct Content {
-  std::optional<FileId> id;
   std::vector<WalkedFile> files;
   std::vector<Folder> folders;
   std::vector<Link> links;
   std::string problem;
   std::string without_ini;  ///< the folder's file_key, where it has no *.ini
+  std::string real_path;    ///< of the folder, where links to folders are followed
 };
 
 /// The names in a folder that matter.
 struct Listing {
-  struct Entry {
-    std::string name;
-    unsigned char type;
-  };
-  std::vector<Entry> entries;
+  std::vector<FolderEntry> entries;
   bool has_ini = false, has_ignore_file = false, has_configuration = false;
 
-  void add(const dirent& entry) {
-    const std::string_view name(static_cast<const char*>(entry.d_name));
-    if (name.ends_with(".ini")) has_ini = true;
-    if (name == ".gitignore" || name == ".owlintignore") has_ignore_file = true;
-    if (name == "owlint.toml" || name == ".owlint.toml") has_configuration = true;
-    if (!name.starts_with('.')) entries.push_back({std::string(name), entry.d_type});
+  explicit Listing(std::vector<FolderEntry> all) : entries(std::move(all)) {
+    std::erase_if(entries, [this](const FolderEntry& entry) {
+      const std::string& name = entry.name;
+      if (name.ends_with(".ini")) has_ini = true;
+      if (name == ".gitignore" || name == ".owlintignore") has_ignore_file = true;
+      if (name == "owlint.toml" || name == ".owlint.toml") has_configuration = true;
+      return name.starts_with('.');
+    });
   }
 };
 
 /// Walks one tree after the other, the folders of a level over all cores; remembers what it has seen.
 class Walker {
  public:
-  Walker(const WalkOptions& options, const PatternsIn& patterns, Walk& out)
-      : options_(options), patterns_(patterns), out_(out) {}
+  Walker(const Files& files, const WalkOptions& options, const PatternsIn& patterns, Walk& out)
+      : files_(files), options_(options), patterns_(patterns), out_(out) {}
 
   void tree(const std::string& root) {
     const size_t before = out_.files.size();
@@ -175,13 +144,9 @@ class Walker {
     // Links come after everything that is no link, so that a program is known by its own path.
     for (size_t next = 0; next < links_.size(); ++next) {
       const Link link = links_[next];
-      struct stat info {};
-      if (::stat(link.path.c_str(), &info) != 0) continue;  // it leads nowhere
-      if (S_ISDIR(info.st_mode)) {
-        if (options_.follow_links) walk_tree(link.path);
-      } else if (S_ISREG(info.st_mode)) {
-        add_linked(link, info);
-      }
+      const FileInfo info = files_.info(link.path);
+      if (info.kind == FileKind::kFolder && options_.follow_links) walk_tree(link.path);
+      if (info.kind == FileKind::kFile) add_linked(link, info);
     }
     links_.clear();
     // Folder by folder they are nearly in order: merging is faster than partitioning.
@@ -225,7 +190,7 @@ class Walker {
   }
 
   void walk_tree(const std::string& root) {
-    std::string path = fs::path(root).lexically_normal().string();
+    std::string path = normal_path(root);
     if (path == "." || path == "./") path.clear();
     if (!path.empty() && !path.ends_with('/')) path += '/';
     std::vector<Folder> level = {{path, views_in(path, given_views(path)), nullptr}};
@@ -235,7 +200,7 @@ class Walker {
       level.clear();
       for (Content& content : contents) {
         if (!content.problem.empty()) out_.problems.push_back(content.problem);
-        if (options_.follow_links && content.id && !folders_.insert(*content.id).second) continue;  // by another link
+        if (options_.follow_links && !folders_.insert(content.real_path).second) continue;  // by another link
         std::ranges::move(content.files, std::back_inserter(out_.files));
         std::ranges::move(content.folders, std::back_inserter(level));
         std::ranges::move(content.links, std::back_inserter(links_));
@@ -246,101 +211,80 @@ class Walker {
 
   Content read(Folder folder) {
     Content content;
-    DIR* const open = ::opendir(folder.path.empty() ? "." : folder.path.c_str());
-    if (open == nullptr) {
-      content.problem = folder.path + ": " + std::strerror(errno);
+    const std::string name = folder.path.empty() ? "." : folder.path;
+    std::string error;
+    const Listing listing(files_.list(name, &error));
+    if (!error.empty()) {
+      content.problem = folder.path + ": " + error;
       return content;
     }
-    struct stat info {};
-    if (::fstat(::dirfd(open), &info) == 0) content.id = {info.st_dev, info.st_ino};
-    Listing listing;
-    while (const dirent* entry = ::readdir(open)) listing.add(*entry);
+    if (options_.follow_links) content.real_path = files_.real_path(name);
     if (listing.has_ignore_file && options_.ignore_files) folder.ignored = ignored_in(folder);
     if (listing.has_configuration) folder.views = views_in(folder.path, folder.views->given);
-    for (const Listing::Entry& entry : listing.entries) take(folder, ::dirfd(open), entry, &content);
-    ::closedir(open);
-    if (!listing.has_ini)
-      content.without_ini = file_key(folder.path.size() > 1    ? folder.path.substr(0, folder.path.size() - 1)
-                                         : folder.path.empty() ? "."
-                                                               : folder.path);
+    for (const FolderEntry& entry : listing.entries) take(folder, entry, &content);
+    if (!listing.has_ini) content.without_ini = file_key(name.size() > 1 ? name.substr(0, name.size() - 1) : name);
     return content;
   }
 
-  static void take(const Folder& folder, int fd, const Listing::Entry& entry, Content* content) {
-    unsigned char type = entry.type;
-    struct stat info {};
-    if (type == DT_UNKNOWN) {  // some file systems do not say
-      if (::fstatat(fd, entry.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) return;
-      type = S_ISDIR(info.st_mode) ? DT_DIR
-          : S_ISLNK(info.st_mode)  ? DT_LNK
-          : S_ISREG(info.st_mode)  ? DT_REG
-                                   : DT_UNKNOWN;
-    }
-    if (type != DT_REG && type != DT_DIR && type != DT_LNK) return;
+  void take(const Folder& folder, const FolderEntry& entry, Content* content) const {
+    if (entry.kind == FileKind::kOther) return;
     std::string path = folder.path + entry.name;
-    if (type == DT_REG && !is_program(path, *folder.views)) return;
-    if (!folder.takes(path, type == DT_DIR)) return;
-    if (type == DT_DIR) {
+    if (entry.kind == FileKind::kFile && !is_program(path, *folder.views)) return;
+    if (!folder.takes(path, entry.kind == FileKind::kFolder)) return;
+    if (entry.kind == FileKind::kFolder) {
       content->folders.push_back({path + '/', folder.views, folder.ignored});
-    } else if (type == DT_LNK) {
+    } else if (entry.kind == FileKind::kLink) {
       content->links.push_back({std::move(path), folder.views});
-    } else if (::fstatat(fd, entry.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0) {
-      content->files.push_back({std::move(path), stamp(info), static_cast<uint64_t>(info.st_size)});
+    } else if (const FileInfo info = files_.info(path); info.kind == FileKind::kFile) {
+      content->files.push_back({std::move(path), info.stamp, info.bytes});
     }
   }
 
-  static std::shared_ptr<const Ignored> ignored_in(const Folder& folder) {
+  std::shared_ptr<const Ignored> ignored_in(const Folder& folder) const {
     IgnorePatterns patterns;
     for (const char* name : {".gitignore", ".owlintignore"}) {
       std::string error;
-      if (const auto file = Source::map(folder.path + name, &error)) patterns.add(file->bytes());
+      if (const auto file = files_.read(folder.path + name, &error)) patterns.add(file->bytes());
     }
     if (patterns.empty()) return folder.ignored;
     return std::make_shared<Ignored>(Ignored{folder.ignored, folder.path.size(), std::move(patterns)});
   }
 
-  void add_linked(const Link& link, const struct stat& info) {
+  void add_linked(const Link& link, const FileInfo& info) {
     if (!is_program(link.path, *link.views)) return;
     // A link to a program that is walked itself says nothing new, unless it is called by the link's name.
     if (options_.follow_links) {
-      std::error_code problem;
-      const std::string target = fs::canonical(link.path, problem).string();
       if (known_.empty()) {
-        for (const WalkedFile& file : out_.files)
-          known_.insert(fs::weakly_canonical(file_key(file.path), problem).string());
+        for (const WalkedFile& file : out_.files) known_.insert(files_.real_path(file.path));
       }
-      if (!known_.insert(target).second) return;
+      if (!known_.insert(files_.real_path(link.path)).second) return;
     }
-    out_.files.push_back({link.path, stamp(info), static_cast<uint64_t>(info.st_size)});
+    out_.files.push_back({link.path, info.stamp, info.bytes});
   }
 
+  const Files& files_;
   const WalkOptions& options_;
   const PatternsIn& patterns_;
   std::mutex asking_;
   Walk& out_;
   std::vector<Link> links_;
-  std::set<FileId> folders_;
+  // Only where links to folders are followed, without links.
+  std::unordered_set<std::string> folders_;
   std::unordered_set<std::string> known_;  // where links to files lead, and what is no link
 };
 
 }  // namespace
 
-uint64_t stamp_of(const std::string& path) {
-  struct stat info {};
-  return ::stat(path.c_str(), &info) == 0 ? stamp(info) : 0;
-}
-
-Walk walk(const std::vector<std::string>& paths, const WalkOptions& options, const PatternsIn& patterns) {
+Walk walk(const Files& files, const std::vector<std::string>& paths, const WalkOptions& options,
+          const PatternsIn& patterns) {
   Walk out;
-  Walker walker(options, patterns, out);
+  Walker walker(files, options, patterns, out);
   for (const std::string& path : paths) {
-    std::error_code problem;
-    if (path != "-" && fs::is_directory(path, problem)) {
+    const FileInfo info = path == "-" ? FileInfo() : files.info(path);
+    if (info.kind == FileKind::kFolder) {
       walker.tree(path);
     } else if (path == "-" || !options.force_exclude || !walker.excludes(path)) {
-      struct stat info {};
-      const bool there = path != "-" && ::stat(path.c_str(), &info) == 0;
-      out.files.push_back({path, there ? stamp(info) : 0, there ? static_cast<uint64_t>(info.st_size) : 0});
+      out.files.push_back({path, info.stamp, info.bytes});
     }
   }
   if (paths.size() == 1) return out;  // then nothing can be there twice

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analyzer/checking/ignore.h"
+#include "analyzer/text/files.h"
 
 namespace owlint::checking {
 
@@ -34,7 +35,7 @@ using PatternsIn = std::function<std::shared_ptr<const FilePatterns>(const std::
 
 struct WalkedFile {
   std::string path;
-  uint64_t stamp = 0;  ///< changes if the file's size, times or inode change; 0: compare its bytes
+  uint64_t stamp = 0;  ///< as in FileInfo
   uint64_t bytes = 0;
 };
 
@@ -47,9 +48,7 @@ struct Walk {
 
 /// Files are taken whatever their name; folders are searched for *.ngc *.nc *.tap *.cnc *.gcode in any case, sorted,
 /// without hidden folders. What decides about a file: the options before its configuration, and that before ignore files.
-Walk walk(const std::vector<std::string>& paths, const WalkOptions& options, const PatternsIn& patterns = nullptr);
-
-/// The stamp of a file now; 0 if there is none, or if it is so young that its times do not show a change.
-uint64_t stamp_of(const std::string& path);
+Walk walk(const Files& files, const std::vector<std::string>& paths, const WalkOptions& options,
+          const PatternsIn& patterns = nullptr);
 
 }  // namespace owlint::checking

@@ -22,6 +22,7 @@
 #include "analyzer/audit/watch.h"
 #include "analyzer/cli/commands.h"
 #include "analyzer/report/formats.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/terminal.h"
 #include "rules/driver/stops.h"
@@ -73,7 +74,7 @@ size_t count_from(const std::vector<FileReport>& reports, Severity level) {
 
 /// The strictest level that holds for one of the audited folders.
 Severity fail_on(const CommandLine& line) {
-  Configuration configuration(line);
+  Configuration configuration(disk(), line);
   Severity strictest = Severity::kError;
   for (const std::string& path : line.paths) {
     std::error_code ignored;

@@ -21,6 +21,7 @@
 #include "analyzer/findings/fixing.h"
 #include "analyzer/findings/suppression.h"
 #include "analyzer/report/formats.h"
+#include "analyzer/text/memory_files.h"
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/paths.h"
 #include "analyzer/text/replace.h"
@@ -33,21 +34,22 @@ std::string plural(size_t n, std::string_view what) { return fmt::format("{} {}{
 
 class Check {
  public:
-  explicit Check(const CommandLine& line) : line_(line), configuration_(line) {}
+  explicit Check(const CommandLine& line)
+      : line_(line), configuration_(files_on_hand_, line), library_(files_on_hand_) {}
 
   int run() {
     if (!usage_is_right() || !find_files()) return kUsage;
     use_cores(line_.jobs);
     const bool fixes = line_.fix || line_.diff || line_.fix_only;
     if (fixes) {
-      FixResult result = run_and_fix(files_, wanted_, read_, line_.unsafe);
+      FixResult result = run_and_fix(files_on_hand_, files_, wanted_, line_.unsafe);
       result_ = std::move(result.run);
       for (const std::string& path : result.unfinished)
         trouble(fmt::format("{} was not changed: each fix leads to another one", path));
       if (line_.diff) return print_diffs(result.fixed);
-      if (!write_fixed(result.fixed)) result_ = run_checks(files_, wanted_, read_, library_);
+      if (!write_fixed(result.fixed)) result_ = run_checks(files_, wanted_, library_);
     } else {
-      result_ = run_checks(files_, wanted_, read_, library_);
+      result_ = run_checks(files_, wanted_, library_);
     }
     for (size_t i = 0; i < files_.size(); ++i) {
       if (!result_.errors[i].empty()) trouble(fmt::format("cannot read {}: {}", files_[i], result_.errors[i]));
@@ -55,7 +57,7 @@ class Check {
     if (line_.fix_only) return status_;
     if (line_.add_suppressions) return suppress_all();
     if (!take_baseline()) return kUsage;
-    fold_groups(result_.reports, {files_, folders_of(line_.paths)});
+    fold_groups(result_.reports, {files_, folders_of(files_on_hand_, line_.paths)});
     if (!line_.quiet) tell_notes();
     if (!write_report()) return kUsage;
     if (line_.statistics) write_statistics(std::cerr, result_.reports, library_);
@@ -83,10 +85,10 @@ class Check {
         !wrong(line_.add_suppressions && line_.reason.find('\n') != std::string::npos, "--reason is one line");
   }
 
-  /// Files, their settings, and how they are read.
+  /// Files and their settings.
   bool find_files() {
-    Walk found =
-        walk(line_.paths, line_.walk, [this](const std::string& folder) { return configuration_.patterns_in(folder); });
+    Walk found = walk(files_on_hand_, line_.paths, line_.walk,
+                      [this](const std::string& folder) { return configuration_.patterns_in(folder); });
     for (const std::string& problem : found.problems) trouble(problem);
     for (WalkedFile& file : found.files) files_.push_back(std::move(file.path));
     without_ini_ = std::move(found.without_ini);
@@ -117,9 +119,6 @@ class Check {
       if (!usable && error != last_error) trouble(error);  // once, not for every file below it
       last_error = usable ? last_error : error;
     }
-    read_ = [this](const std::string& path, std::string* error) {
-      return stdin_ != nullptr && path == line_.stdin_filename ? stdin_ : Source::map(path, error);
-    };
     return true;
   }
 
@@ -196,7 +195,10 @@ class Check {
       return true;
     }
     Baseline baseline;
-    if (!baseline.read(line_.baseline, &error)) {
+    std::ifstream file(line_.baseline, std::ios::binary);  // may be a pipe
+    if (!file) error = fmt::format("cannot read the baseline {}", line_.baseline);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!error.empty() || !baseline.parse(text, line_.baseline, &error)) {
       complain(error);
       return false;
     }
@@ -266,6 +268,9 @@ class Check {
   }
 
   const CommandLine& line_;
+  UnsavedFiles files_on_hand_{disk(), [this](const std::string& path) {  // with what came by standard input
+                                return path == line_.stdin_filename ? stdin_ : nullptr;
+                              }};
   std::unordered_set<std::string> without_ini_;
   Configuration configuration_;
   int status_ = kClean;
@@ -273,7 +278,6 @@ class Check {
   std::shared_ptr<const Source> stdin_;
   std::vector<Settings> settings_;
   std::vector<const Settings*> wanted_;
-  Read read_;
   Library library_;
   RunResult result_;
 };

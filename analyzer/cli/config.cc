@@ -1,36 +1,31 @@
 // `owlint config`: which settings a program is checked with, and where each of them comes from.
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 
 #include <fmt/format.h>
 
 #include "analyzer/checking/walk.h"
 #include "analyzer/cli/commands.h"
+#include "analyzer/text/files.h"
 
 namespace owlint::cli {
 namespace {
 
 /// For a folder, a program in it.
-std::string program_in(const std::string& path) {
-  std::error_code problem;
-  return std::filesystem::is_directory(path, problem) ? path + "/program.ngc" : path;
-}
+std::string program_in(const std::string& path) { return disk().is_folder(path) ? path + "/program.ngc" : path; }
 
 int check_files(const std::vector<std::string>& paths) {
   int status = kClean;
   for (const std::string& path : paths) {
-    std::error_code problem;
     std::string file = path;
     for (const char* name : {"/owlint.toml", "/.owlint.toml"}) {
-      if (std::filesystem::is_directory(path, problem) && std::filesystem::is_regular_file(path + name, problem))
-        file = path + name;
+      if (disk().is_folder(path) && disk().is_file(path + name)) file = path + name;
     }
     std::string error;
-    if (std::filesystem::is_directory(file, problem)) {
+    if (disk().is_folder(file)) {
       complain(fmt::format("no owlint.toml in {}", path));
       status = kUsage;
-    } else if (read_configuration_file(file, &error) == nullptr) {
+    } else if (read_configuration_file(disk(), file, &error) == nullptr) {
       complain(error);
       status = kUsage;
     } else {
@@ -45,13 +40,13 @@ int check_files(const std::vector<std::string>& paths) {
 int config_command(const CommandLine& line, bool check) {
   const std::vector<std::string> paths = line.paths.empty() ? std::vector<std::string>{"."} : line.paths;
   if (check) return check_files(paths);
-  Configuration configuration(line);
+  Configuration configuration(disk(), line);
   configuration.tell_origins();
   int status = kClean;
   for (const std::string& path : paths) {
     Settings settings;
     std::string error;
-    if (std::error_code problem; !std::filesystem::exists(path, problem)) {
+    if (!disk().exists(path)) {
       complain(fmt::format("there is no {}", path));
       status = kUsage;
       continue;

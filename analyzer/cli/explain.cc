@@ -11,6 +11,7 @@
 #include "analyzer/report/graph.h"
 #include "analyzer/report/markdown.h"
 #include "analyzer/report/pages.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/printable.h"
 #include "analyzer/text/terminal.h"
 #include "analyzer/text/width.h"
@@ -105,18 +106,18 @@ int rules_command(const std::string& format) {
 int graph_command(const CommandLine& line, const std::string& format) {
   const std::string& path = line.paths.front();
   std::string error;
-  Configuration configuration(line);
+  Configuration configuration(disk(), line);
   Settings settings;
   if (!configuration.settings_for(path, &settings, &error)) {
     complain(error);
     return kUsage;
   }
-  const auto source = Source::map(path, &error);
+  const auto source = disk().read(path, &error);
   if (source == nullptr) {
     complain("cannot read " + path + ": " + error);
     return kUsage;
   }
-  Library library;
+  Library library(disk());
   const auto program = library.load(source);
   const Linked linked(program, settings.profile, library);
   const bool marks = format == "svg" || format == "dot";

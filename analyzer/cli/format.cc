@@ -10,14 +10,15 @@
 #include "analyzer/findings/fixing.h"
 #include "analyzer/format/indent.h"
 #include "analyzer/lsp/server.h"
+#include "analyzer/text/files.h"
 #include "analyzer/text/replace.h"
 
 namespace owlint::cli {
 
 int format_command(const CommandLine& line, bool check, bool diff) {
-  Configuration configuration(line);
+  Configuration configuration(disk(), line);
   const Walk found =
-      walk(line.paths, line.walk, [&](const std::string& folder) { return configuration.patterns_in(folder); });
+      walk(disk(), line.paths, line.walk, [&](const std::string& folder) { return configuration.patterns_in(folder); });
   int status = kClean;
   const auto trouble = [&](const std::string& message) {
     complain(message);
@@ -29,7 +30,7 @@ int format_command(const CommandLine& line, bool check, bool diff) {
     std::string error;
     const bool standard = path == "-";
     const auto source = standard ? Source::own("<stdin>", std::string{std::istreambuf_iterator<char>(std::cin), {}})
-                                 : Source::map(path, &error);
+                                 : disk().read(path, &error);
     if (source == nullptr) {
       trouble("cannot read " + path + ": " + error);
       continue;

@@ -1,7 +1,5 @@
 #include "analyzer/findings/baseline.h"
 
-#include <fstream>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,24 +14,19 @@ std::string file_name_of(const Source& source) { return printable(source.path().
 
 }  // namespace
 
-bool Baseline::read(const std::string& path, std::string* error) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    *error = fmt::format("cannot read the baseline {}", path);
-    return false;
-  }
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+bool Baseline::parse(std::string_view text, const std::string& path, std::string* error) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object() || json.value("schema", nlohmann::json()) != kSchema || !json.contains("findings") ||
       !json["findings"].is_array()) {
     *error = fmt::format("{} is not a baseline: `--update-baseline` writes one", path);
     return false;
   }
   for (const auto& entry : json["findings"]) {
-    const auto text = [&](const char* key) {
+    const auto field = [&](const char* key) {
       return entry.is_object() && entry.contains(key) && entry[key].is_string() ? entry[key].get<std::string>()
                                                                                 : std::string();
     };
-    Identity identity{text("file"), text("code"), text("scope"), text("text")};
+    Identity identity{field("file"), field("code"), field("scope"), field("text")};
     const bool counted = entry.is_object() && entry.contains("count") && entry["count"].is_number_unsigned();
     if (identity.file.empty() || identity.code.empty()) {
       *error = fmt::format("{} has an entry without `file` or `code`", path);

@@ -6,6 +6,7 @@
 #include <ostream>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analyzer/findings/identity.h"
@@ -14,8 +15,8 @@ namespace owlint {
 
 class Baseline {
  public:
-  /// Returns false and a message if the file does not exist or is not a baseline.
-  bool read(const std::string& path, std::string* error);
+  /// Reads a baseline's text. Returns false and a message if it is none; `path` is how the message names it.
+  bool parse(std::string_view text, const std::string& path, std::string* error);
   void write(std::ostream& out) const;
 
   void add(const Source& source, const std::vector<Finding>& findings);

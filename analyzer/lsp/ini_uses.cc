@@ -1,16 +1,16 @@
 #include "analyzer/lsp/ini_uses.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "analyzer/lsp/parameters.h"
 #include "analyzer/program/program.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
 namespace {
-
-namespace fs = std::filesystem;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || c == '_' || c == '-'; }
@@ -75,10 +75,9 @@ bool is_remap(const Ini& ini, const std::string& name) {
 uint32_t line_of_kept_number(const MachineSetup& machine, const std::string& number, std::string* path) {
   const Ini::Entry* entry = machine.ini.find("RS274NGC", "PARAMETER_FILE");
   if (entry == nullptr || entry->value.empty()) return 0;
-  const fs::path file = expand_home(entry->value);
-  *path = (file.is_relative() ? fs::path(machine.path).parent_path() / file : file).lexically_normal().string();
+  *path = normal_path(joined_path(folder_of(machine.path), expand_home(entry->value)));
   std::string error;
-  const auto source = Source::map(*path, &error);
+  const auto source = machine.search_path->files().read(*path, &error);
   if (source == nullptr) return 0;
   std::istringstream lines{std::string(source->bytes())};
   std::string line;
@@ -90,9 +89,8 @@ uint32_t line_of_kept_number(const MachineSetup& machine, const std::string& num
 }
 
 std::string text_of(const Ini::Entry& entry) {
-  const fs::path path = entry.source->path();
-  return "`" + entry.key + "` on line " + std::to_string(entry.source->position(entry.span.begin).line) + " of " +
-      path.filename().string();
+  return fmt::format("`{}` on line {} of {}", entry.key, entry.source->position(entry.span.begin).line,
+                     name_of(entry.source->path()));
 }
 
 }  // namespace owlint::lsp

@@ -1,7 +1,6 @@
 #include "analyzer/lsp/naming.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/flow/facts/structured.h"
@@ -18,7 +17,7 @@ bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 bool is_block_label(const Statement& s) { return s.kind == LineKind::kOWord && !global_label(s.keyword); }
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+std::string file_name(const std::string& path) { return std::string(name_of(path)); }
 
 /// Whether runs are always in the sub that their line stands in, so that each sub's names are its own.
 bool keeps_subs_apart(const Document& document, RegionId region) {

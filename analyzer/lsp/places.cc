@@ -1,7 +1,6 @@
 #include "analyzer/lsp/places.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "analyzer/text/paths.h"
 
@@ -10,7 +9,7 @@ namespace {
 
 bool is_sub_word(const Statement& s) { return s.calls() || (s.kind == LineKind::kOWord && global_label(s.keyword)); }
 
-std::string file_stem(const std::string& path) { return small_letters(std::filesystem::path(path).stem().string()); }
+std::string file_stem(const std::string& path) { return small_letters(stem_of(path)); }
 
 /// The line that holds an offset, as LinuxCNC ends lines.
 Span fed_line(std::string_view text, uint64_t offset) {

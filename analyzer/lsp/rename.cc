@@ -2,11 +2,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
+
+#include <fmt/format.h>
 
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/naming.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
 namespace {
@@ -101,10 +103,10 @@ Edits edits_of(const Naming& naming, const std::string& name) {
 }
 
 /// The file that is named after a sub goes with it.
-Json rename_file(const Sub& sub, const std::string& name) {
-  const std::filesystem::path old = sub.document->path();
-  const std::string to = (old.parent_path() / (name + old.extension().string())).string();
-  if (std::filesystem::exists(to)) refuse("the file " + to + " exists already");
+Json rename_file(const Files& files, const Sub& sub, const std::string& name) {
+  const std::string& old = sub.document->path();
+  const std::string to = joined_path(folder_of(old), fmt::format("{}{}", name, ending_of(old)));
+  if (files.exists(to)) refuse("the file " + to + " exists already");
   return {{"kind", "rename"}, {"oldUri", sub.document->uri()}, {"newUri", uri_of_path(to)}};
 }
 
@@ -137,7 +139,7 @@ Json rename(Workspace& workspace, const Json& params) {
     const Json version = in->version ? Json(*in->version) : Json(nullptr);
     changes.push_back({{"textDocument", {{"uri", in->uri()}, {"version", version}}}, {"edits", std::move(list)}});
   }
-  if (naming.sub().own_file) changes.push_back(rename_file(naming.sub(), name));
+  if (naming.sub().own_file) changes.push_back(rename_file(workspace.files(), naming.sub(), name));
   return {{"documentChanges", changes}};
 }
 

@@ -52,7 +52,7 @@ class Server {
   std::FILE* in_;
   std::FILE* out_;
   State state_ = State::kNew;
-  Workspace workspace_;
+  Workspace workspace_{disk()};
   bool pulls_ = false;      // the client asks for diagnostics itself
   bool refreshes_ = false;  // and can be asked to do so again
   bool progress_ = false;

@@ -1,7 +1,5 @@
 #include "analyzer/lsp/workspace.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 
 #include "analyzer/checking/groups.h"
@@ -29,7 +27,10 @@ std::string fingerprint(const std::vector<Finding>& findings) {
 
 }  // namespace
 
-Workspace::Workspace() { forget_files(); }
+Workspace::Workspace(const Files& saved)
+    : files_(saved, [this](const std::string& path) { return text_of_open(path); }) {
+  forget_files();
+}
 
 void Workspace::configure(const Json& settings) {
   line_ = {};
@@ -102,7 +103,7 @@ const Document* Workspace::document_of_path(const std::string& path) {
   auto& document = on_disk_[path];
   if (document == nullptr) {
     std::string error;
-    const auto source = Source::map(path, &error);
+    const auto source = files_.read(path, &error);
     if (source == nullptr) {
       on_disk_.erase(path);
       return nullptr;
@@ -123,9 +124,8 @@ void Workspace::forget_files() {
   on_disk_.clear();
   called_files_.reset();
   everything_.reset();
-  configuration_ = std::make_unique<checking::Configuration>(line_);
-  library_ =
-      std::make_unique<Library>([this](const std::string& path, std::string* error) { return read(path, error); });
+  configuration_ = std::make_unique<checking::Configuration>(files_, line_);
+  library_ = std::make_unique<Library>(files_);
 }
 
 void Workspace::forget_file(const std::string& path) {
@@ -134,14 +134,14 @@ void Workspace::forget_file(const std::string& path) {
   library_->forget(path);
 }
 
-std::shared_ptr<const Source> Workspace::read(const std::string& path, std::string* error) {
+std::shared_ptr<const Source> Workspace::text_of_open(const std::string& path) const {
   const auto shadow = uri_of_.find(file_key(path));
-  return shadow == uri_of_.end() ? Source::map(path, error) : open_.at(shadow->second)->source();
+  return shadow == uri_of_.end() ? nullptr : open_.at(shadow->second)->source();
 }
 
 std::vector<std::string> Workspace::program_files() {
   std::vector<std::string> files;
-  for (checking::WalkedFile& file : checking::walk(folders_, {}, [this](const std::string& folder) {
+  for (checking::WalkedFile& file : checking::walk(files_, folders_, {}, [this](const std::string& folder) {
                                       return configuration_->patterns_in(folder);
                                     }).files)
     files.push_back(std::move(file.path));
@@ -157,7 +157,7 @@ std::vector<const Document*> Workspace::documents_around(const Document& from) {
   std::vector<std::string> paths;
   checking::WalkOptions all;
   all.ignore_files = false;  // LinuxCNC runs these, too
-  for (checking::WalkedFile& file : checking::walk(folders_, all).files) paths.push_back(std::move(file.path));
+  for (checking::WalkedFile& file : checking::walk(files_, folders_, all).files) paths.push_back(std::move(file.path));
   for (const auto& [uri, document] : open_) paths.push_back(document->path());
   const auto folders = search_path(from);
   for (const std::string& name : folders->names()) {
@@ -225,16 +225,16 @@ std::vector<std::shared_ptr<const MachineSetup>> Workspace::machines(const Docum
   checking::WalkOptions all;
   all.ignore_files = false;
   all.include = {"*.ini"};
-  for (checking::WalkedFile& file : checking::walk(folders_, all).files) paths.push_back(std::move(file.path));
+  for (checking::WalkedFile& file : checking::walk(files_, folders_, all).files) paths.push_back(std::move(file.path));
   for (const SearchFolder& folder : search_path(from)->folders()) {
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path, ignored))
-      paths.push_back(entry.path().string());
+    std::string unread;  // then none are found there
+    for (const FolderEntry& entry : files_.list(folder.path, &unread))
+      paths.push_back(joined_path(folder.path, entry.name));
   }
   for (const std::string& path : paths) {
     std::string error;
     if (!small_letters(path).ends_with(".ini") || !known.insert(file_key(path)).second) continue;
-    if (auto setup = read_setup(path, &error)) out.push_back(std::move(setup));
+    if (auto setup = read_setup(files_, path, &error)) out.push_back(std::move(setup));
   }
   return out;
 }
@@ -288,11 +288,10 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
     wanted.push_back(settings_for(files[i], &settings[i]) ? &settings[i] : nullptr);
     if (uri_of_.contains(file_key(files[i]))) settings[i].options.known_calls = &known_calls_[file_key(files[i])];
   }
-  const auto open = [this](const std::string& path, std::string* error) { return read(path, error); };
   read_all();
   const char* const work = "owlint: checking programs";
   const auto tell = [&](size_t done) { progress(work, done, files.size()); };
-  checking::RunResult result = checking::run_checks(files, wanted, open, *library_, *called_files_, tell);
+  checking::RunResult result = checking::run_checks(files, wanted, *library_, *called_files_, tell);
   progress(work, files.size(), files.size());
   std::map<std::string, Checked> out;
   std::map<std::string, std::string> path_of;

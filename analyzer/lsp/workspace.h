@@ -12,6 +12,7 @@
 #include "analyzer/checking/settings.h"
 #include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/lsp/document.h"
+#include "analyzer/text/memory_files.h"
 #include "rules/driver/lint.h"
 
 namespace owlint::lsp {
@@ -31,7 +32,8 @@ struct SentTokens {
 
 class Workspace {
  public:
-  Workspace();
+  /// `saved`: the files behind the open documents; they must outlive this.
+  explicit Workspace(const Files& saved);
 
   std::map<std::string, SentTokens> sent_tokens;  ///< by uri
 
@@ -82,16 +84,19 @@ class Workspace {
   std::string called_file(const Document& from, const std::string& name);
   /// The names of all files that a document could call.
   std::vector<std::string> callable_files(const Document& from);
+  /// All files, with the text of open documents.
+  const Files& files() const { return files_; }
   std::vector<std::string> notes() const { return configuration_->notes(); }
 
  private:
   std::shared_ptr<const SearchPath> search_path(const Document& from);
-  std::shared_ptr<const Source> read(const std::string& path, std::string* error);
+  std::shared_ptr<const Source> text_of_open(const std::string& path) const;
   std::set<std::string> related(const Document& document) const;
   void forget_file(const std::string& path);
   std::map<std::string, Checked> run(const std::vector<std::string>& files);
   bool settings_for(const std::string& path, checking::Settings* settings);
 
+  UnsavedFiles files_;
   checking::CheckRequest line_;
   std::unique_ptr<checking::Configuration> configuration_;
   std::vector<std::string> folders_;

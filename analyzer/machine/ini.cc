@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <unordered_set>
+
+#include "analyzer/text/paths.h"
 
 namespace owlint {
 namespace {
@@ -31,16 +32,17 @@ std::string expand_home(std::string_view path) {
   return home + std::string(path.substr(1));
 }
 
-bool Ini::read(const std::string& path, std::string* error) {
-  const auto source = Source::map(path, error);
+bool Ini::read(const Files& files, const std::string& path, std::string* error) {
+  const auto source = files.read(path, error);
   if (source == nullptr) return false;
-  parse(source);
+  parse(files, source);
   return true;
 }
 
 /// Splits a file into lines, with those of the files that it includes in their places: measured, the start script puts
 /// the text there, and an `#INCLUDE` in it is a comment.
-void Ini::read_lines(const std::shared_ptr<const Source>& source, bool included, std::vector<Line>& lines) {
+void Ini::read_lines(const Files& files, const std::shared_ptr<const Source>& source, bool included,
+                     std::vector<Line>& lines) {
   const std::string_view bytes = source->bytes();
   for (size_t at = 0; at < bytes.size();) {
     std::string_view text = bytes.substr(at, kLongestLine);
@@ -53,11 +55,10 @@ void Ini::read_lines(const std::shared_ptr<const Source>& source, bool included,
       lines.push_back({text, source, feed != std::string_view::npos});
       continue;
     }
-    std::filesystem::path file = expand_home(name);
-    if (file.is_relative()) file = std::filesystem::path(source->path()).parent_path() / file;
+    const std::string file = joined_path(folder_of(source->path()), expand_home(name));
     std::string error;
-    if (const auto found = Source::map(file.string(), &error); found != nullptr) {
-      read_lines(found, true, lines);
+    if (const auto found = files.read(file, &error); found != nullptr) {
+      read_lines(files, found, true, lines);
     } else {
       const auto begin = static_cast<uint64_t>(name.data() - bytes.data());
       missing_includes_.push_back({"", std::string(kInclude), std::string(name), source, {begin, begin + name.size()}});
@@ -65,10 +66,10 @@ void Ini::read_lines(const std::shared_ptr<const Source>& source, bool included,
   }
 }
 
-void Ini::parse(const std::shared_ptr<const Source>& source) {
+void Ini::parse(const Files& files, const std::shared_ptr<const Source>& source) {
   source_ = source;
   std::vector<Line> lines;
-  read_lines(source, false, lines);
+  read_lines(files, source, false, lines);
   // LinuxCNC looks for the line of a section first, where a continued line is no different from others, and reads on
   // from there; it knows only the first section of a name.
   std::unordered_set<std::string_view> seen;

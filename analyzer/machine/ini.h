@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analyzer/text/source.h"
+#include "analyzer/text/files.h"
 
 namespace owlint {
 
@@ -23,9 +23,9 @@ class Ini {
   };
 
   /// Reads the file `path` and what it includes. Returns false and a message when the INI itself cannot be read.
-  bool read(const std::string& path, std::string* error);
+  bool read(const Files& files, const std::string& path, std::string* error);
   /// Reads bytes; `#INCLUDE` is looked up from the folder of `source->path()`.
-  void parse(const std::shared_ptr<const Source>& source);
+  void parse(const Files& files, const std::shared_ptr<const Source>& source);
 
   /// The value that LinuxCNC uses: the first of a key in the first section of that name. Null if there is none.
   const Entry* find(std::string_view section, std::string_view key) const;
@@ -45,7 +45,8 @@ class Ini {
     std::shared_ptr<const Source> source;
     bool ended;  ///< by a line feed
   };
-  void read_lines(const std::shared_ptr<const Source>& source, bool included, std::vector<Line>& lines);
+  void read_lines(const Files& files, const std::shared_ptr<const Source>& source, bool included,
+                  std::vector<Line>& lines);
   void read_section(const std::vector<Line>& lines, size_t at);
 
   std::shared_ptr<const Source> source_;

@@ -1,29 +1,17 @@
 #include "analyzer/machine/search_path.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 
-#include "analyzer/text/source.h"
+#include "analyzer/text/paths.h"
 
 namespace owlint {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr size_t kMaxListed = 500'000;  // files of one folder, or of a tree, that are remembered
 constexpr std::string_view kEnding = ".ngc";
 
 bool plain_name(std::string_view name) {
   return !name.empty() && name.find('\0') == std::string_view::npos && !leaves_folders(name) && !expands(name);
-}
-
-std::optional<FoundFile> look(const std::string& path, size_t folder) {
-  struct stat info {};
-  if (::stat(path.c_str(), &info) != 0 || ::access(path.c_str(), R_OK) != 0) return std::nullopt;
-  return FoundFile{fs::path(path).lexically_normal().string(), S_ISREG(info.st_mode), folder};
 }
 
 }  // namespace
@@ -102,7 +90,10 @@ std::optional<FoundFile> SearchPath::look_in(size_t folder, const std::string& f
     return below == tree.end() ? std::nullopt : std::optional(FoundFile{below->second, true, folder});
   }
   if (!may_be_in(folder, file)) return std::nullopt;
-  return look((fs::path(folders_[folder].path) / file).string(), folder);
+  const std::string path = joined_path(folders_[folder].path, file);
+  const FileKind kind = files_.info(path).kind;
+  if (kind == FileKind::kNone || !files_.readable(path)) return std::nullopt;
+  return FoundFile{normal_path(path), kind == FileKind::kFile, folder};
 }
 
 /// Whether it is worth asking the file system. A few names are; for many the folders are read once.
@@ -126,11 +117,10 @@ const std::vector<std::vector<std::string>>& SearchPath::listing() const {
     for (const SearchFolder& folder : folders_) {
       auto& files = listing_.emplace_back();
       if (folder.tree) continue;
-      std::error_code error;
-      fs::directory_iterator entry(folder.path, fs::directory_options::skip_permission_denied, error);
-      for (; !error && entry != fs::directory_iterator() && files.size() < kMaxListed; entry.increment(error)) {
-        std::string file = entry->path().filename().string();
-        if (small_letters(file).ends_with(kEnding)) files.push_back(std::move(file));
+      std::string unread;  // then nothing is found there
+      for (FolderEntry& entry : files_.list(folder.path, &unread)) {
+        if (files.size() == kMaxListed) break;
+        if (small_letters(entry.name).ends_with(kEnding)) files.push_back(std::move(entry.name));
       }
       std::ranges::sort(files);
     }
@@ -142,24 +132,28 @@ const std::vector<SearchPath::Tree>& SearchPath::trees() const {
   std::call_once(walked_, [this] {
     for (const SearchFolder& folder : folders_) {
       Tree& tree = trees_.emplace_back();
-      if (!folder.tree) continue;
-      std::error_code error;
-      fs::recursive_directory_iterator entry(folder.path, fs::directory_options::skip_permission_denied, error);
-      for (; !error && entry != fs::recursive_directory_iterator() && tree.size() < kMaxListed;
-           entry.increment(error)) {
-        if (entry->path().extension() == kEnding)
-          tree.emplace(entry->path().filename().string(), entry->path().string());
-      }
+      if (folder.tree) walk(folder.path, &tree);
     }
   });
   return trees_;
+}
+
+/// A folder and those below it; not where links lead.
+void SearchPath::walk(const std::string& folder, Tree* tree) const {
+  std::string unread;  // then nothing is found there
+  for (const FolderEntry& entry : files_.list(folder, &unread)) {
+    if (tree->size() >= kMaxListed) return;
+    const std::string path = joined_path(folder, entry.name);
+    if (ending_of(entry.name) == kEnding) tree->emplace(entry.name, path);
+    if (entry.kind == FileKind::kFolder) walk(path, tree);
+  }
 }
 
 std::optional<std::string> SearchPath::find_other_case(std::string_view name) const {
   const std::string wanted = small_letters(name) + std::string(kEnding);
   for (size_t i = 0; i < folders_.size(); ++i) {
     for (const std::string& file : listing()[i]) {
-      if (small_letters(file) == wanted && file != wanted) return (fs::path(folders_[i].path) / file).string();
+      if (small_letters(file) == wanted && file != wanted) return joined_path(folders_[i].path, file);
     }
   }
   return std::nullopt;

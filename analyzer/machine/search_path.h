@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analyzer/text/files.h"
+
 namespace owlint {
 
 /// A file as a call finds it.
@@ -32,8 +34,8 @@ struct SearchFolder {
 
 class SearchPath {
  public:
-  /// `folders` in the order of the search.
-  explicit SearchPath(std::vector<SearchFolder> folders) : folders_(std::move(folders)) {}
+  /// `folders` in the order of the search; `files` must outlive this.
+  SearchPath(const Files& files, std::vector<SearchFolder> folders) : files_(files), folders_(std::move(folders)) {}
 
   /// The file that a call of `name` reads.
   std::optional<FoundFile> find(std::string_view name) const;
@@ -45,6 +47,7 @@ class SearchPath {
   std::vector<std::string> names() const;
 
   const std::vector<SearchFolder>& folders() const { return folders_; }
+  const Files& files() const { return files_; }
 
  private:
   std::vector<FoundFile> look_up(std::string_view name, size_t most) const;
@@ -53,9 +56,11 @@ class SearchPath {
   const std::vector<std::vector<std::string>>& listing() const;
   /// The files of each tree; of other folders none.
   const std::vector<Tree>& trees() const;
+  void walk(const std::string& folder, Tree* tree) const;
   std::optional<FoundFile> look_in(size_t folder, const std::string& file) const;
   bool may_be_in(size_t folder, const std::string& file) const;
 
+  const Files& files_;
   std::vector<SearchFolder> folders_;
   mutable std::atomic<uint32_t> lookups_ = 0;
   mutable std::once_flag listed_, walked_;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
+
+#include "analyzer/text/paths.h"
 
 namespace owlint {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr size_t kMaxSubroutineFolders = 10;  // measured: of those that exist, the eleventh is not searched
 
@@ -28,8 +27,8 @@ bool is_number(const Ini::Entry* entry, int wanted) {
 
 class Reader {
  public:
-  Reader(MachineSetup& setup, const std::string& path, const std::vector<std::string>& sub_path)
-      : m_(setup), sub_path_(sub_path), folder_(fs::path(path).parent_path()) {
+  Reader(const Files& files, MachineSetup& setup, const std::string& path, const std::vector<std::string>& sub_path)
+      : files_(files), m_(setup), sub_path_(sub_path), folder_(folder_of(path)) {
     if (folder_.empty()) folder_ = ".";
   }
 
@@ -53,20 +52,21 @@ class Reader {
   }
 
  private:
+  /// LinuxCNC works in the INI's folder.
+  std::string seen_from_ini(const std::string& path) const { return joined_path(folder_, expand_home(path)); }
+
   IniFolder& add_folder(std::string_view key, const Ini::Entry& entry, size_t from, size_t size) {
     IniFolder folder;
     folder.text = entry.value.substr(from, size);
     folder.key = key;
-    fs::path path = expand_home(folder.text);
-    if (path.is_relative()) path = folder_ / path;  // LinuxCNC works in the INI's folder
-    folder.path = path.lexically_normal().string();
+    const std::string path = seen_from_ini(folder.text);
+    folder.path = normal_path(path);
     if (folder.path.size() > 1 && folder.path.ends_with('/')) folder.path.pop_back();
     folder.source = entry.source;
     // A continued value has no single place for its parts.
     const bool whole = entry.span.end - entry.span.begin != entry.value.size();
     folder.span = whole ? entry.span : Span{entry.span.begin + from, entry.span.begin + from + size};
-    std::error_code ignored;
-    folder.exists = fs::is_directory(path, ignored);
+    folder.exists = files_.is_folder(path);
     return m_.folders.emplace_back(std::move(folder));
   }
 
@@ -86,7 +86,7 @@ class Reader {
       if (SearchFolder folder{path, tree}; std::ranges::find(search, folder) == search.end())
         search.push_back(std::move(folder));
     };
-    add(folder_.lexically_normal().string());
+    add(normal_path(folder_));
     if (const Ini::Entry* prefix = m_.ini.find("DISPLAY", "PROGRAM_PREFIX")) {
       const IniFolder& folder = add_folder("PROGRAM_PREFIX", *prefix, 0, prefix->value.size());
       if (folder.exists) add(folder.path);
@@ -99,12 +99,10 @@ class Reader {
     }
     add_list("NGCGUI_SUBFILE_PATH", m_.ini.find("DISPLAY", "NGCGUI_SUBFILE_PATH"));
     add_list("USER_M_PATH", m_.ini.find("RS274NGC", "USER_M_PATH"));
-    if (const Ini::Entry* root = m_.ini.find("WIZARD", "WIZARD_ROOT")) {
-      const fs::path path = expand_home(root->value);
-      add((path.is_relative() ? folder_ / path : path).lexically_normal().string(), true);
-    }
+    if (const Ini::Entry* root = m_.ini.find("WIZARD", "WIZARD_ROOT"))
+      add(normal_path(seen_from_ini(root->value)), true);
     for (const std::string& folder : sub_path_) add(folder);
-    m_.search_path = std::make_shared<SearchPath>(std::move(search));
+    m_.search_path = std::make_shared<SearchPath>(files_, std::move(search));
   }
 
   void add_call(std::string_view key, const Ini::Entry& entry, std::string name, size_t from, size_t size) {
@@ -124,8 +122,8 @@ class Reader {
       add_call("REMAP", *remap, remap->value.substr(from, size), from, size);
     }
     for (const Ini::Entry* file : m_.ini.all("DISPLAY", "NGCGUI_SUBFILE")) {
-      const fs::path path = file->value;
-      if (path.extension() == ".ngc") add_call("NGCGUI_SUBFILE", *file, path.stem().string(), 0, file->value.size());
+      if (ending_of(file->value) == ".ngc")
+        add_call("NGCGUI_SUBFILE", *file, std::string(stem_of(file->value)), 0, file->value.size());
     }
     const auto add_code = [&](std::string_view section, std::string_view key) {
       for (const Ini::Entry* entry : m_.ini.all(section, key)) {
@@ -137,9 +135,10 @@ class Reader {
     add_code("HALUI", "MDI_COMMAND");
   }
 
+  const Files& files_;
   MachineSetup& m_;
   const std::vector<std::string>& sub_path_;
-  fs::path folder_;
+  std::string folder_;
 };
 
 }  // namespace
@@ -159,18 +158,18 @@ std::optional<uint32_t> parse_mask(std::string_view text) {
 
 bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name) {
   if (setup.search_path->find(name)) return true;
+  const Files& files = setup.search_path->files();
   return call.key == "NGCGUI_SUBFILE" && std::ranges::any_of(setup.folders, [&](const IniFolder& folder) {
-           std::error_code ignored;
-           return folder.key == "NGCGUI_SUBFILE_PATH" && fs::exists(fs::path(folder.path) / (name + ".ngc"), ignored);
+           return folder.key == "NGCGUI_SUBFILE_PATH" && files.exists(joined_path(folder.path, name + ".ngc"));
          });
 }
 
-std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error,
+std::shared_ptr<const MachineSetup> read_setup(const Files& files, const std::string& path, std::string* error,
                                                const std::vector<std::string>& sub_path) {
   auto setup = std::make_shared<MachineSetup>();
   setup->path = path;
-  if (!setup->ini.read(path, error)) return nullptr;
-  Reader(*setup, path, sub_path).run();
+  if (!setup->ini.read(files, path, error)) return nullptr;
+  Reader(files, *setup, path, sub_path).run();
   return setup;
 }
 

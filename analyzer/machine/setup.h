@@ -53,8 +53,8 @@ struct MachineSetup {
 bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name);
 
 /// Reads a machine's INI; the folders of `sub_path` come after its own in the search path. Returns null and a message if it
-/// cannot be read.
-std::shared_ptr<const MachineSetup> read_setup(const std::string& path, std::string* error,
+/// cannot be read. `files` must outlive the setup, whose search path asks them.
+std::shared_ptr<const MachineSetup> read_setup(const Files& files, const std::string& path, std::string* error,
                                                const std::vector<std::string>& sub_path = {});
 
 /// A FEATURE mask in decimal or 0x hexadecimal.

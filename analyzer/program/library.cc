@@ -39,7 +39,7 @@ std::shared_ptr<const Program> Library::load_called(const std::string& path) {
   std::call_once(entry->once, [&] {
     ++parsed_;
     std::string error;
-    auto source = open_(entry->path, &error);
+    auto source = files_.read(entry->path, &error);
     if (source == nullptr) source = Source::own(entry->path, "");
     entry->program = build_program(std::move(source));
   });
@@ -73,7 +73,7 @@ std::shared_ptr<const SearchPath> Library::search_path(const std::string& progra
   if (path == nullptr) {
     std::vector<SearchFolder> search;
     for (std::string& folder : folders) search.push_back({std::move(folder)});
-    path = std::make_shared<SearchPath>(std::move(search));
+    path = std::make_shared<SearchPath>(files_, std::move(search));
   }
   return path;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -12,15 +11,16 @@
 
 #include "analyzer/machine/profile.h"
 #include "analyzer/program/program.h"
+#include "analyzer/text/files.h"
 
 namespace owlint {
 
 class Library {
  public:
-  using Open = std::function<std::shared_ptr<const Source>(const std::string& path, std::string* error)>;
+  /// `files` must outlive this, and the search paths that it makes.
+  explicit Library(const Files& files) : files_(files) {}
 
-  /// `open` reads files; an editor gives its unsaved buffers instead.
-  explicit Library(Open open = Source::map) : open_(std::move(open)) {}
+  const Files& files() const { return files_; }
 
   /// The files that a run checks. Findings use these names, however a call finds the file.
   void name_files(std::vector<std::string> paths);
@@ -51,7 +51,7 @@ class Library {
     bool called = false;
   };
   std::shared_ptr<Slot> slot(const std::string& path, bool for_call);
-  Open open_;
+  const Files& files_;
   std::mutex mutex_;
   std::vector<std::string> unnamed_;  // of name_files(), until something is called: most runs need no names
   std::unordered_map<std::string, std::string> names_;  // after that, by file_key()

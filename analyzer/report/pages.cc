@@ -1,14 +1,15 @@
 #include "analyzer/report/pages.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 
-namespace owlint {
+#include "analyzer/text/files.h"
+#include "analyzer/text/paths.h"
+#include "analyzer/text/process.h"
+#include "analyzer/text/replace.h"
 
-namespace fs = std::filesystem;
+namespace owlint {
 
 std::string rule_page(const Rule& rule) {
   const Page& page = rule.page;
@@ -46,29 +47,20 @@ std::string rule_index() {
 }
 
 bool write_rule_pages(const std::string& folder, std::string* error) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
   const auto write = [&](std::string_view name, const std::string& text) {
-    const fs::path path = fs::path(folder) / fmt::format("{}.md", name);
-    std::ofstream file(path, std::ios::binary);
-    file << text;
-    if (file.flush()) return true;
-    *error = "cannot write " + path.string();
+    const std::string path = joined_path(folder, fmt::format("{}.md", name));
+    if (write_text_file(path, text, error)) return true;
+    *error = fmt::format("cannot write {}: {}", path, *error);
     return false;
   };
-  return write("README", rule_index()) &&
+  return make_folder(folder, error) && write("README", rule_index()) &&
       std::ranges::all_of(catalogue(), [&](const Rule* rule) { return write(rule->code, rule_page(*rule)); });
 }
 
 std::string installed_rule_page(std::string_view code) {
-  static const fs::path folder = [] {
-    std::error_code problem;
-    const fs::path program = fs::read_symlink("/proc/self/exe", problem);
-    return program.parent_path().parent_path() / "share" / "doc" / "owlint" / "rules";
-  }();
-  std::error_code problem;
-  const fs::path page = folder / (std::string(code) + ".md");
-  return fs::exists(page, problem) ? page.string() : std::string();
+  static const std::string folder = joined_path(folder_of(folder_of(own_program())), "share/doc/owlint/rules");
+  std::string page = joined_path(folder, fmt::format("{}.md", code));
+  return disk().exists(page) ? page : std::string();
 }
 
 }  // namespace owlint

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 
 namespace owlint {
 
@@ -39,6 +40,11 @@ Ran run_program(std::vector<std::string> arguments, const std::string& input, bo
   if (in != nullptr) std::fclose(in);
   if (out != nullptr) std::fclose(out);
   return ran;
+}
+
+std::string own_program() {
+  std::error_code problem;
+  return std::filesystem::read_symlink("/proc/self/exe", problem).string();
 }
 
 }  // namespace owlint

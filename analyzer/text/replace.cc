@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/text/source.h"
+#include "analyzer/text/files.h"
 
 namespace owlint {
 namespace {
@@ -59,6 +59,13 @@ bool replace_file(const std::string& path, std::string_view text, std::string* e
   return good;
 }
 
+bool make_folder(const std::string& path, std::string* error) {
+  std::error_code problem;
+  std::filesystem::create_directories(path, problem);
+  if (problem) *error = problem.message();
+  return !problem;
+}
+
 bool write_text_file(const std::string& path, std::string_view text, std::string* error) {
   std::error_code problem;
   if (std::filesystem::is_regular_file(path, problem)) return replace_file(path, text, error);
@@ -70,7 +77,7 @@ bool write_text_file(const std::string& path, std::string_view text, std::string
 }
 
 bool replace_unchanged(const std::string& path, std::string_view old, std::string_view text, std::string* error) {
-  const auto now = Source::map(path, error);
+  const auto now = disk().read(path, error);
   if (now == nullptr) return false;
   if (now->bytes() == text) return true;  // by another name of the file
   if (now->bytes() != old) {

@@ -1,4 +1,4 @@
-// Files are changed as a whole or not at all.
+// Writes files to disk. They are changed as a whole or not at all.
 #pragma once
 
 #include <string>
@@ -12,6 +12,9 @@ bool replace_file(const std::string& path, std::string_view text, std::string* e
 
 /// The same, unless the file has changed and is no longer `old`.
 bool replace_unchanged(const std::string& path, std::string_view old, std::string_view text, std::string* error);
+
+/// Makes a folder, and those that it lies in; it may exist.
+bool make_folder(const std::string& path, std::string* error);
 
 /// Writes a file that may exist or not; if it exists, in one step.
 bool write_text_file(const std::string& path, std::string_view text, std::string* error);

@@ -1,12 +1,9 @@
 #include "analyzer/text/source.h"
 
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 
 namespace owlint {
@@ -40,57 +37,18 @@ uint32_t count_code_points(std::string_view bytes) {
   return count;
 }
 
-std::shared_ptr<const Source> Source::map(const std::string& path, std::string* error) {
-  // O_NONBLOCK: opening a FIFO that nobody writes to must not hang; fstat then refuses it.
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (fd < 0) {
-    *error = std::strerror(errno);
-    return nullptr;
-  }
-  struct stat info {};
-  if (::fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) {
-    *error = S_ISDIR(info.st_mode) ? "is a directory" : "is not a regular file";
-    ::close(fd);
-    return nullptr;
-  }
-  std::shared_ptr<Source> source(new Source(path));
-  const auto size = static_cast<size_t>(info.st_size);
-  constexpr size_t kSmall = 64 << 10;  // up to here reading costs less than mapping
-  if (size <= kSmall) {
-    source->owned_.resize(size);
-    size_t have = 0;
-    while (have < size) {
-      const ssize_t got = ::read(fd, source->owned_.data() + have, size - have);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) {
-        *error = std::strerror(errno);
-        ::close(fd);
-        return nullptr;
-      }
-      if (got == 0) break;  // it has become shorter
-      have += static_cast<size_t>(got);
-    }
-    source->owned_.resize(have);
-    source->bytes_ = source->owned_;
-  } else {
-    void* memory = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd, 0);
-    if (memory == MAP_FAILED) {
-      *error = std::strerror(errno);
-      ::close(fd);
-      return nullptr;
-    }
-    source->mapping_ = memory;
-    source->mapping_size_ = size;
-    source->bytes_ = {static_cast<const char*>(memory), size};
-  }
-  ::close(fd);
-  return source;
-}
-
 std::shared_ptr<const Source> Source::own(std::string path, std::string bytes) {
   std::shared_ptr<Source> source(new Source(std::move(path)));
   source->owned_ = std::move(bytes);
   source->bytes_ = source->owned_;
+  return source;
+}
+
+std::shared_ptr<const Source> Source::adopt(std::string path, void* mapping, size_t size) {
+  std::shared_ptr<Source> source(new Source(std::move(path)));
+  source->mapping_ = mapping;
+  source->mapping_size_ = size;
+  source->bytes_ = {static_cast<const char*>(mapping), size};
   return source;
 }
 

@@ -37,12 +37,10 @@ struct KeptLine {
 /// The bytes of one program, mapped or owned, and never changed. A Source always exists: an empty file is empty bytes.
 class Source {
  public:
-  /// Reads the regular file `path`, or maps it if it is large. On failure returns null and sets `*error` to a message for people.
-  /// Refuses anything that is not a regular file (folder, device, FIFO) without opening it for reading.
-  static std::shared_ptr<const Source> map(const std::string& path, std::string* error);
-
-  /// Takes bytes that are already in memory (standard input, an editor's buffer); `path` is how reports name them.
+  /// Takes bytes that are in memory; `path` is how reports name them. Files are read through Files (files.h).
   static std::shared_ptr<const Source> own(std::string path, std::string bytes);
+  /// Takes over a mapping of a file, which is unmapped in the end.
+  static std::shared_ptr<const Source> adopt(std::string path, void* mapping, size_t size);
 
   /// A file of which only some lines were kept, in their order. Positions in these lines are those of the whole file; other
   /// positions become the nearest one before. bytes() are the kept lines.

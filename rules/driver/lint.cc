@@ -1,3 +1,4 @@
+#include "analyzer/text/memory_files.h"
 #include "rules/driver/variants.h"
 
 #include <algorithm>
@@ -235,7 +236,8 @@ ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const 
 }
 
 FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, const LintOptions& options) {
-  Library library;
+  static const MemoryFiles none;
+  Library library(none);
   return lint(library.load(std::move(source)), profile, options, library).own;
 }
 

@@ -60,7 +60,7 @@ enum class Role : uint8_t { kByContent, kSubFile };
 ProgramReport lint(const std::shared_ptr<const Program>& program, const Profile& profile, const LintOptions& options,
                    Library& library, Role role = Role::kByContent);
 
-/// One file alone, with the files in its folder.
+/// One file alone, with no others: what it calls is not found.
 FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, const LintOptions& options);
 
 /// The findings in the machine's INI itself, by file.

@@ -7,10 +7,10 @@
 namespace owlint::rules {
 namespace {
 
-bool same_bytes(const std::string& a, const std::string& b) {
+bool same_bytes(const Files& files, const std::string& a, const std::string& b) {
   std::string error;
-  const auto left = Source::map(a, &error);
-  const auto right = Source::map(b, &error);
+  const auto left = files.read(a, &error);
+  const auto right = files.read(b, &error);
   return left != nullptr && right != nullptr && left->bytes() == right->bytes();
 }
 
@@ -44,7 +44,7 @@ void check(const Input& in, Reporter& out) {
                            "`" + p.label_text(call.callee) + "` hides the file " + files[0].path + " of the same name");
       f.help = "rename the sub, unless this program needs its own version";
       f.reach = in.flow.reach(opener);
-    } else if (files.size() > 1 && !same_bytes(files[0].path, files[1].path)) {
+    } else if (files.size() > 1 && !same_bytes(search.path()->files(), files[0].path, files[1].path)) {
       Finding& f = out.add(p.at(call.statement).head_span(),
                            "`" + p.head(call.statement) + "` runs " + files[0].path + ", which hides " + files[1].path);
       f.help = "remove or rename the file that you do not want";

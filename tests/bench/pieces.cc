@@ -16,7 +16,7 @@ using namespace owlint;
 std::shared_ptr<const Source> input() {
   const char* path = std::getenv("OWLINT_BENCH_INPUT");
   std::string error;
-  auto source = Source::map(path == nullptr ? "" : path, &error);
+  auto source = disk().read(path == nullptr ? "" : path, &error);
   if (source == nullptr) {
     std::cerr << "OWLINT_BENCH_INPUT: " << error << '\n';
     std::exit(2);
@@ -48,7 +48,7 @@ void program(benchmark::State& state) {
 
 void flow(benchmark::State& state) {
   const auto source = input();
-  Library library;
+  Library library(disk());
   const auto program = library.load(source);
   Linked linked(program, {}, library);
   for (auto _ : state) benchmark::DoNotOptimize(analyze_flow(linked, {}));

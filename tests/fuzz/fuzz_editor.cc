@@ -9,7 +9,8 @@ using namespace owlint;
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 8) return 0;
   const std::string uri = "file:///no-such-folder/p.ngc";
-  lsp::Workspace workspace;
+  const MemoryFiles none;
+  lsp::Workspace workspace(none);
   workspace.encoding = static_cast<lsp::Encoding>(data[0] % 3);
   workspace.open(uri, std::string(reinterpret_cast<const char*>(data + 8), size - 8), 1);
   const lsp::Json at{{"line", data[1]}, {"character", data[2]}};

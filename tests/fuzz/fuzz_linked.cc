@@ -1,8 +1,7 @@
 // Any bytes are a program and a file that it calls: the flow through both must come back, with places inside the files.
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
+#include "analyzer/text/memory_files.h"
 #include "rules/driver/lint.h"
 
 using namespace owlint;
@@ -26,17 +25,16 @@ void check(const FileReport& report) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size == 0) return 0;
-  static const std::string folder = (std::filesystem::temp_directory_path() / "owlint-fuzz-linked").string();
-  std::filesystem::create_directories(folder);
   const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const size_t cut = std::min(bytes.find('\x01'), bytes.size());
-  std::ofstream(folder + "/f.ngc", std::ios::binary) << bytes.substr(std::min(cut + 1, bytes.size()));
+  MemoryFiles files;
+  files.add_file("/f.ngc", bytes.substr(std::min(cut + 1, bytes.size())));
   Profile profile;
   profile.version = static_cast<Version>(data[0] >> 1 & 3);
   LintOptions options;
   options.all_versions = (data[0] & 1) != 0;
-  Library library;
-  const auto program = library.load(Source::own(folder + "/p.ngc", "o<f> call\n" + bytes.substr(0, cut)));
+  Library library(files);
+  const auto program = library.load(Source::own("/p.ngc", "o<f> call\n" + bytes.substr(0, cut)));
   const ProgramReport report = lint(program, profile, options, library);
   check(report.own);
   for (const FileReport& called : report.called) check(called);

@@ -7,7 +7,7 @@
 int main(int, char** argv) {
   owlint::Ini ini;
   std::string error;
-  if (!ini.read(argv[1], &error)) {
+  if (!ini.read(owlint::disk(), argv[1], &error)) {
     std::cerr << error << '\n';
     return 1;
   }

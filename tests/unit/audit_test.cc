@@ -13,6 +13,7 @@
 #include "analyzer/audit/schema.h"
 #include "analyzer/audit/store.h"
 #include "analyzer/report/formats.h"
+#include "analyzer/text/memory_files.h"
 #include "support/damage.h"
 #include "support/files.h"
 
@@ -39,7 +40,8 @@ audit::Outcome audited(const test::Scratch& scratch, Store& store) {
 }  // namespace
 
 TEST_CASE("a record gives back the reports that it was made of, in every format", "[audit]") {
-  Library library;
+  const MemoryFiles none;
+  Library library(none);
   checking::Settings settings;
   size_t findings = 0;
   for (const auto& [name, text] : test::all_programs()) {

@@ -12,7 +12,7 @@ Profile from_ini(const std::string& text) {
   const test::Scratch scratch;
   Profile profile;
   std::string error;
-  profile.setup = read_setup(scratch.write("machine.ini", text), &error);
+  profile.setup = read_setup(disk(), scratch.write("machine.ini", text), &error);
   REQUIRE(profile.setup != nullptr);
   return profile;
 }
@@ -94,7 +94,7 @@ TEST_CASE("the settings of a machine are those of its RS274NGC section", "[profi
 
 TEST_CASE("an INI that cannot be read says why", "[profile]") {
   std::string error;
-  CHECK(read_setup("/no/such.ini", &error) == nullptr);
+  CHECK(read_setup(disk(), "/no/such.ini", &error) == nullptr);
   CHECK(error == "No such file or directory");
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("called files are looked for where LinuxCNC looks for them", "[profile
                            "wiz/deep/e.ngc", "s1/Up.ngc", "s2/x.ngc/y"})
     scratch.write(name, "");
   std::string error;
-  const auto setup = read_setup(ini, &error);
+  const auto setup = read_setup(disk(), ini, &error);
   REQUIRE(setup != nullptr);
   const SearchPath& search = *setup->search_path;
   const auto found = [&](const std::string& name) {

@@ -17,7 +17,7 @@ namespace {
 /// Settings of `program` in `scratch`; the error in `error`, when one is expected.
 Settings settings(const test::Scratch& scratch, const std::string& program, const CheckRequest& line = {},
                   std::string* error = nullptr) {
-  Configuration configuration(line);
+  Configuration configuration(disk(), line);
   Settings result;
   std::string problem;
   const bool good = configuration.settings_for(scratch.path() + "/" + program, &result, &problem);
@@ -161,7 +161,7 @@ TEST_CASE("folders are searched for programs", "[settings]") {
     scratch.write(name, "M2\n");
   std::filesystem::create_symlink(scratch.path(), scratch.path() + "/sub/loop");
   const checking::Walk found =
-      checking::walk({scratch.path(), scratch.path() + "/f.txt", scratch.path() + "/b.ngc", "-"}, {});
+      checking::walk(disk(), {scratch.path(), scratch.path() + "/f.txt", scratch.path() + "/b.ngc", "-"}, {});
   std::vector<std::string> names;
   for (const auto& [path, stamp, bytes] : found.files)
     names.push_back(path == "-" ? path : path.substr(scratch.path().size() + 1));

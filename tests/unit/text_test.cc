@@ -81,21 +81,6 @@ TEST_CASE("positions are right on every line of a long file", "[text]") {
   }
 }
 
-TEST_CASE("only regular files are mapped", "[text]") {
-  const test::Scratch scratch;
-  std::string error;
-  const auto source = Source::map(scratch.write("p.ngc", "M2\n"), &error);
-  REQUIRE(source != nullptr);
-  CHECK(source->bytes() == "M2\n");
-  CHECK(Source::map(scratch.write("empty.ngc", ""), &error)->bytes().empty());
-  CHECK(Source::map(scratch.path(), &error) == nullptr);
-  CHECK(error == "is a directory");
-  CHECK(Source::map("/dev/zero", &error) == nullptr);
-  CHECK(error == "is not a regular file");
-  CHECK(Source::map(scratch.path() + "/none.ngc", &error) == nullptr);
-  CHECK(error == "No such file or directory");
-}
-
 TEST_CASE("reports are UTF-8 whatever the program is", "[text]") {
   CHECK(printable("a\tb") == "a\tb");
   CHECK(printable("\xC3\xA4") == "\xC3\xA4");
