@@ -4,7 +4,8 @@
 usage: layers.py [--table]
 
 The rooms and what each may use are the table between the markers in docs/architecture.md.  A room is a folder; the longest
-fitting one counts.  README's list of rooms is made from the same table (--table prints it; a test compares).
+fitting one counts.  README's list of rooms is made from the same table (--table prints it; a test compares).  Only the text
+room and the front ends know of the operating system: files, folders, processes and threads.
 
 Exit status: 0 all includes are in the table, and nothing in the table is unused; 1 not so.
 """
@@ -18,6 +19,10 @@ ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 DOCUMENT = os.path.join(ROOT, "docs", "architecture.md")
 ROW = re.compile(r"^\| `([a-z_/]+)/` \| (.*?) \| (.*?) \|$")
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+SYSTEM_ROOMS = ("analyzer/text", "analyzer/audit", "analyzer/lsp", "analyzer/cli")
+SYSTEM = re.compile(
+    r"#include <(?:filesystem|fstream|thread|future|omp\.h|unistd\.h|fcntl\.h|dirent\.h|glob\.h|ftw\.h|spawn\.h|poll\.h|sys/\w+\.h)>"
+    r"|std::filesystem|#pragma omp|\b(?:fopen|freopen|tmpfile|popen|opendir|realpath|mmap)\(|::(?:open|stat|access|unlink)\(")
 
 
 def rooms():
@@ -62,6 +67,9 @@ def problems(table):
             continue
         with open(os.path.join(ROOT, path), encoding="utf-8") as f:
             text = f.read()
+        if room not in SYSTEM_ROOMS:
+            for system in sorted({found.group(0) for found in SYSTEM.finditer(text)}):
+                yield "%s has `%s`: `%s/` may not; files come from analyzer/text/files.h, threads from parallel.h" % (path, system, room)
         for include in INCLUDE.findall(text):
             other = room_of(include, table)
             if other is None or other == room:
