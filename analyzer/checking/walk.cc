@@ -90,6 +90,7 @@ struct Folder {
   std::string path;  ///< with a slash at its end, empty for the working folder
   std::shared_ptr<const Views> views;
   std::shared_ptr<const Ignored> ignored;
+  std::string real_path;  ///< without links, where links to folders are followed
 
   bool takes(const std::string& file, bool is_folder) const {
     if (const auto decided = views->excludes(file, is_folder)) return !*decided;
@@ -113,7 +114,6 @@ struct Content {
   std::vector<Link> links;
   std::string problem;
   std::string without_ini;  ///< the folder's file_key, where it has no *.ini
-  std::string real_path;    ///< of the folder, where links to folders are followed
 };
 
 /// The names in a folder that matter.
@@ -193,19 +193,22 @@ class Walker {
     std::string path = normal_path(root);
     if (path == "." || path == "./") path.clear();
     if (!path.empty() && !path.ends_with('/')) path += '/';
-    std::vector<Folder> level = {{path, views_in(path, given_views(path)), nullptr}};
+    const std::string real_path = options_.follow_links ? files_.real_path(root) : std::string();
+    std::vector<Folder> level = {{path, views_in(path, given_views(path)), nullptr, real_path}};
     while (!level.empty()) {
       std::vector<Content> contents(level.size());
       for_each(level.size(), [&](size_t i) { contents[i] = read(level[i]); });
-      level.clear();
-      for (Content& content : contents) {
+      std::vector<Folder> next;
+      for (size_t i = 0; i < level.size(); ++i) {
+        Content& content = contents[i];
         if (!content.problem.empty()) out_.problems.push_back(content.problem);
-        if (options_.follow_links && !folders_.insert(content.real_path).second) continue;  // by another link
+        if (options_.follow_links && !folders_.insert(level[i].real_path).second) continue;  // by another link
         std::ranges::move(content.files, std::back_inserter(out_.files));
-        std::ranges::move(content.folders, std::back_inserter(level));
+        std::ranges::move(content.folders, std::back_inserter(next));
         std::ranges::move(content.links, std::back_inserter(links_));
         if (!content.without_ini.empty()) out_.without_ini.insert(std::move(content.without_ini));
       }
+      level = std::move(next);
     }
   }
 
@@ -218,7 +221,6 @@ class Walker {
       content.problem = folder.path + ": " + error;
       return content;
     }
-    if (options_.follow_links) content.real_path = files_.real_path(name);
     if (listing.has_ignore_file && options_.ignore_files) folder.ignored = ignored_in(folder);
     if (listing.has_configuration) folder.views = views_in(folder.path, folder.views->given);
     for (const FolderEntry& entry : listing.entries) take(folder, entry, &content);
@@ -232,7 +234,8 @@ class Walker {
     if (entry.kind == FileKind::kFile && !is_program(path, *folder.views)) return;
     if (!folder.takes(path, entry.kind == FileKind::kFolder)) return;
     if (entry.kind == FileKind::kFolder) {
-      content->folders.push_back({path + '/', folder.views, folder.ignored});
+      content->folders.push_back({path + '/', folder.views, folder.ignored,
+                                  folder.real_path.empty() ? "" : joined_path(folder.real_path, entry.name)});
     } else if (entry.kind == FileKind::kLink) {
       content->links.push_back({std::move(path), folder.views});
     } else if (const FileInfo info = files_.info(path); info.kind == FileKind::kFile) {

@@ -112,6 +112,7 @@ TEST_CASE("overrides change the selection of some files", "[settings]") {
   CHECK(legacy.options.ignore == std::vector<std::string>{"OW304", "OW1"});  // added to those of all files
   CHECK(legacy.options.select == std::vector<std::string>{"OW5"});
   CHECK(legacy.options.severity.at("OW2") == Severity::kWarning);
+  CHECK(settings(scratch, "./deep/../legacy/p.ngc").options.ignore == legacy.options.ignore);
 }
 
 TEST_CASE("an unknown key names the nearest one", "[settings]") {
