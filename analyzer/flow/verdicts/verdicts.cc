@@ -143,8 +143,16 @@ void Verdicts::hazard(const State& at, HazardReport report) {
 
 /// Arguments that a sub reads and cannot do without, and the calls that do not pass them.
 void Verdicts::find_arguments_not_passed() {
+  // The lines of a `sub` within a called one run in its place: they read its arguments by mistake, and that is said there.
+  std::map<RegionId, StatementId> inner;
+  for (const auto& [key, hazard] : hazards_) {
+    if (hazard.kind == HazardKind::kSubInCall)
+      inner.try_emplace(program_.region_of[hazard.statement], hazard.statement);
+  }
   std::optional<OptionalArguments> optional;
   for (const NotPassed& argument : not_passed_) {
+    const auto within = inner.find(program_.region_of[argument.read]);
+    if (within != inner.end() && within->second < argument.read) continue;
     if (!optional) optional.emplace(program_);
     if (optional->optional(argument.read, argument.number)) continue;
     for (const Caller& caller : analysis_.calls()[argument.context].callers) {
