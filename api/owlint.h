@@ -24,8 +24,8 @@ typedef struct owlint_options {
 } owlint_options;
 
 typedef struct owlint_finding {
-  const char* code;        /* "OW104" */
-  const char* rule;        /* "if-label-reused" */
+  const char* code; /* "OW104" */
+  const char* rule; /* "if-label-reused" */
   enum owlint_severity severity;
   int stops;               /* LinuxCNC stops here with this error, at least on some runs */
   const char* message;     /* what is wrong */

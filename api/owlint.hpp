@@ -29,8 +29,8 @@ struct Place {
 };
 
 struct Finding {
-  std::string code;         ///< OW104
-  std::string rule;         ///< if-label-reused
+  std::string code;  ///< OW104
+  std::string rule;  ///< if-label-reused
   Severity severity{};
   bool stops = false;       ///< LinuxCNC stops here with this error, at least on some runs
   std::string message;      ///< what is wrong

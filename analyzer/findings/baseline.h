@@ -1,5 +1,6 @@
 // Findings that are known and accepted for now: a shop with old programs begins with these, and only new ones are reported.
-// The file is sorted JSON with an entry for each finding, so that people can read changes in it (share/owlint-baseline-1.schema.json).
+// The file is sorted JSON with an entry for each finding, so that people can read changes in it
+// (share/owlint-baseline-1.schema.json).
 #pragma once
 
 #include <map>

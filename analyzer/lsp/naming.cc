@@ -283,7 +283,8 @@ void Naming::require_no_computed_number(const std::string& name) const {
   }
 }
 
-/// The value on `endsub` and `return` is also computed while a definition is passed over, with the parameters of the main program.
+/// The value on `endsub` and `return` is also computed while a definition is passed over, with the parameters of the
+/// main program.
 void Naming::require_not_read_in_passing(const std::string& name) const {
   if (!region_) return;
   const Program& p = document_.program();

@@ -34,7 +34,7 @@ class Naming {
   void find_sub_of_run();
   void find_parameter(uint64_t offset);
   std::vector<Occurrence> uses(const std::string& name) const;
-  std::vector<Occurrence> block_labels(const Document& document, const std::string& name) const;
+  std::vector<Occurrence> block_labels(const Document& in, const std::string& name) const;
 
   // Whether something that no rename can change may mean `name`: each throws.
   void require_ours(const std::string& name) const;

@@ -65,7 +65,7 @@ void Workspace::add_folder(const std::string& uri) {
 
 void Workspace::remove_folder(const std::string& uri) { std::erase(folders_, path_of_uri(uri)); }
 
-Document& Workspace::open(std::string uri, std::string text, std::optional<int64_t> version) {
+Document& Workspace::open(const std::string& uri, std::string text, std::optional<int64_t> version) {
   const std::string path = path_of_uri(uri);
   auto& document = open_[uri];
   document = std::make_unique<Document>(uri, path, std::move(text), encoding);
@@ -209,6 +209,7 @@ std::vector<const Document*> Workspace::documents_run_with(const Document& from)
   std::vector<const Document*> out;
   std::vector<size_t> found = reach(reach({0}, callers), callees);
   std::ranges::sort(found);
+  out.reserve(found.size());
   for (const size_t i : found) out.push_back(all[i]);
   return out;
 }

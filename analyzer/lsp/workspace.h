@@ -38,14 +38,15 @@ class Workspace {
   std::map<std::string, SentTokens> sent_tokens;  ///< by uri
 
   Encoding encoding = Encoding::kUtf16;
-  /// The client's settings, used as command line options: `ini`, `sub-path`, `linuxcnc`, `feature`, `select`, `extend-select`, `ignore`.
+  /// The client's settings, used as command line options: `ini`, `sub-path`, `linuxcnc`, `feature`, `select`,
+  /// `extend-select`, `ignore`.
   void configure(const Json& settings);
 
   void add_folder(const std::string& uri);
   void remove_folder(const std::string& uri);
   const std::vector<std::string>& folders() const { return folders_; }  ///< paths
 
-  Document& open(std::string uri, std::string text, std::optional<int64_t> version);
+  Document& open(const std::string& uri, std::string text, std::optional<int64_t> version);
   void close(const std::string& uri);
   Document* find_open(const std::string& uri);
   /// An open document, or the file on disk. Throws ResponseError if there is neither.

@@ -12,7 +12,8 @@ std::string rule_page(const Rule& rule);
 /// The rules by group, each with a link to its page.
 std::string rule_index();
 
-/// Writes one page for each rule, `OW104.md`, and the index `README.md` into a folder, which is made if needed. Returns false and a message on failure.
+/// Writes one page for each rule, `OW104.md`, and the index `README.md` into a folder, which is made if needed. Returns
+/// false and a message on failure.
 bool write_rule_pages(const std::string& folder, std::string* error);
 
 /// Where the page of a rule is installed with this program; empty if it is not.

@@ -173,7 +173,8 @@ bool may_end_at(const Program& p, const Block& block, StatementId line) {
                               [&](StatementId part) { return part > block.opener && part < line; });
 }
 
-/// By label: the first block outside all subs that nothing closes; blocks are in the order of regions. To skip it can lead into a sub.
+/// By label: the first block outside all subs that nothing closes; blocks are in the order of regions. To skip it can
+/// lead into a sub.
 std::unordered_map<NameId, StatementId> unclosed_in_main(const Program& p) {
   std::unordered_map<NameId, StatementId> out;
   for (const Block& block : p.blocks) {

@@ -69,8 +69,8 @@ class Folding {
       openers_.emplace(part.statement, part.finding);
   }
 
-  /// A block that is not closed, and lines with the label that its end has by mistake: the first of these lines speaks for both if
-  /// the interpreter stops there, else the block does.
+  /// A block that is not closed, and lines with the label that its end has by mistake: the first of these lines speaks
+  /// for both if the interpreter stops there, else the block does.
   void fold_unclosed(const Part& part) {
     const Block* block = mistaken(part.statement);
     const auto opener = block == nullptr ? openers_.end() : openers_.find(block->opener);

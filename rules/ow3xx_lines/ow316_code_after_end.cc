@@ -13,7 +13,8 @@ bool in_sub(const Program& p, StatementId before) {
   return p.region_of[before] != kMainRegion && p.regions[p.region_of[before]].end != before;
 }
 
-/// The first line of code outside of subs in the statements from `first` on, up to `last` or to a program end; 0 if there is none.
+/// The first line of code outside of subs in the statements from `first` on, up to `last` or to a program end; 0 if
+/// there is none.
 uint32_t code_outside(const Input& in, StatementId first, StatementId last) {
   const Program& p = in.program;
   for (StatementId id = first; id < last; ++id) {

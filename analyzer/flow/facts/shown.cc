@@ -1,5 +1,6 @@
 // Depends on (measured): the word comes first in the comment and the comma right after it; of several comments on a line only
-// the last one acts, on the line of an O-word none does; `(msg, …)` shows `#5` as it is; a name without a value is shown as `######`.
+// the last one acts, on the line of an O-word none does; `(msg, …)` shows `#5` as it is; a name without a value is
+// shown as `######`.
 #include "analyzer/flow/facts/shown.h"
 
 #include <algorithm>

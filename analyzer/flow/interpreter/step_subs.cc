@@ -129,7 +129,8 @@ bool AbstractMachine::Step::arguments(std::vector<ValueId>* values) {
   return error() == nullptr;
 }
 
-/// A sub that owlint does not know runs and comes back. Where files have a sub of that label, too, all later calls run the unknown one.
+/// A sub that owlint does not know runs and comes back. Where files have a sub of that label, too, all later calls run
+/// the unknown one.
 void AbstractMachine::Step::call_elsewhere(FullLabel sub) {
   State back = state;
   if (m.opens_somewhere(m.label_of(sub))) back.table.set(m.pool_, sub, Definers::kElsewhere);

@@ -1,5 +1,5 @@
-// Arguments that a sub can do without: it tests them (`if [#3 EQ 0]`), asks how many there are (`#<n_args>`), or copies them into a
-// name that it tests (`#<verbose> = #5`, then `if [#<verbose>]`) or never reads. A call may leave them out.
+// Arguments that a sub can do without: it tests them (`if [#3 EQ 0]`), asks how many there are (`#<n_args>`), or copies
+// them into a name that it tests (`#<verbose> = #5`, then `if [#<verbose>]`) or never reads. A call may leave them out.
 #pragma once
 
 #include <unordered_set>
