@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/flow/flow.h"
+#include "analyzer/text/memory_files.h"
 #include "support/analysis.h"
 #include "support/damage.h"
 
@@ -20,7 +21,8 @@ namespace {
 using Stops = std::map<std::tuple<StatementId, StatementId, StopKind, std::string>, Reach>;
 
 FlowResult analyzed(const std::shared_ptr<const Program>& program, const flow::Limits& limits) {
-  Library library;
+  const MemoryFiles files;  // none: a program is analysed alone
+  Library library(files);
   Linked linked(program, {}, library);
   return std::move(analyze_flow(linked, {}, Detail::kBySize, nullptr, limits).front());
 }
@@ -48,21 +50,27 @@ struct Compared {
 };
 
 void check_sound(const std::string& name, const std::string& text, const flow::Limits& limits, Compared& count) {
-  Library library;
+  const MemoryFiles files;  // none: a program is analysed alone
+  Library library(files);
   const auto program = library.load(Source::own("joins.ngc", text));
   if (computes_labels(*program)) return;
   const FlowResult precise = analyzed(program, {});
   const FlowResult joined = analyzed(program, limits);
   const Stops all = stops_of(joined);
   std::string wrong;
-  for (const auto& [stop, reach] : stops_of(precise)) {
+  // Where a stop that only some values make is not seen, the lines behind it seem to be those of every run.
+  const Stops expected = stops_of(precise);
+  const bool sees_values = std::ranges::all_of(expected, [&](const auto& entry) {
+    return !of_values(std::get<StopKind>(entry.first)) || all.contains(entry.first);
+  });
+  for (const auto& [stop, reach] : expected) {
     const auto& [statement, end, kind, detail] = stop;
     if (of_values(kind)) continue;
     const auto found = all.find(stop);
     const auto what = fmt::format("stop {} at statement {} ({}, {})", static_cast<int>(kind), statement, end, detail);
     if (found == all.end())
       wrong += what + " is lost\n";
-    else if (reach != Reach::kAlways && found->second == Reach::kAlways)
+    else if (sees_values && reach != Reach::kAlways && found->second == Reach::kAlways)
       wrong += what + " is said to be every run's\n";
     ++count.stops;
   }

@@ -4,19 +4,20 @@
 
 #include "analyzer/cli/commands.h"
 #include "analyzer/flow/engine/debug.h"
+#include "analyzer/text/files.h"
 
 namespace owlint::cli {
 
 int debug_flow_command(const CommandLine& line, size_t states) {
   const std::string& path = line.paths.front();
   std::string error;
-  Configuration configuration(line);
+  Configuration configuration(disk(), line);
   Settings settings;
   if (!configuration.settings_for(path, &settings, &error)) {
     complain(error);
     return kUsage;
   }
-  const auto source = Source::map(path, &error);
+  const auto source = disk().read(path, &error);
   if (source == nullptr) {
     complain("cannot read " + path + ": " + error);
     return kUsage;
@@ -27,7 +28,7 @@ int debug_flow_command(const CommandLine& line, size_t states) {
     level.states = std::min(level.states, states);
     level.contexts = std::min(level.contexts, states);
   }
-  Library library;
+  Library library(disk());
   const Linked linked(library.load(source), settings.profile, library);
   flow::write_states(std::cout, linked, settings.profile, limits);
   return kClean;

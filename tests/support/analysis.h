@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analyzer/flow/engine/iteration.h"
+#include "analyzer/text/memory_files.h"
 
 namespace owlint::test {
 
@@ -15,7 +16,8 @@ struct LinkedText {
       : program(library.load(Source::own("unit.ngc", text))), linked(program, profile, library) {}
 
   Profile profile;
-  Library library;
+  MemoryFiles files;  // none: the program calls no file
+  Library library{files};
   std::shared_ptr<const Program> program;
   Linked linked;
 };

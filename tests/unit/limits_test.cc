@@ -35,13 +35,14 @@ TEST_CASE("README names the limits that are used", "[limits]") {
   const auto& precise = limits.levels.front();
   const auto& last_followed = limits.levels[limits.levels.size() - 2];
   for (const std::string& sentence :
-       {fmt::format("above {} lines with O-words or parameters, or {} steps of analysis",
-                    with_commas(limits.followed_statements), with_commas(last_followed.steps)),
-        fmt::format("Above {} such lines, owlint reports no unused values", with_commas(limits.data_flow_statements)),
-        fmt::format("at most {} combinations of values apart at a line", precise.states),
+       {fmt::format("more than {} lines with O-words or parameters", with_commas(limits.followed_statements)),
+        fmt::format("more than {} steps", with_commas(last_followed.steps)),
+        fmt::format("more than {} such lines, owlint does not report unused values",
+                    with_commas(limits.data_flow_statements)),
+        fmt::format("at most {} different combinations of values at a line", precise.states),
         fmt::format("at most {} calls of a sub with different values", precise.contexts),
         fmt::format("the first {} in its sub that can fail", limits.fallible_operations),
-        fmt::format("If at most {} subs are possible", limits.computed_candidates)}) {
+        fmt::format("at most {} subs are possible", limits.computed_candidates)}) {
     INFO(sentence);
     CHECK(text.find(sentence) != std::string::npos);
   }
