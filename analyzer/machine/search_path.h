@@ -69,10 +69,10 @@ class SearchPath {
 };
 
 /// Whether LinuxCNC, looking for a file of this name, could do more than open `name.ngc` in its folders.
-bool expands(std::string_view name);           ///< a shell would replace parts of it, or run a command
+bool expands(std::string_view name);  ///< a shell would replace parts of it, or run a command
 /// Expansion fails, and LinuxCNC crashes: an open quote or back quote, a `\` at the end, `${` without a name, or one of
 /// `|&;<>(){}` outside quotes and not behind `*`, `?` or `[` (50 names run by rs274 2.9.4).
 bool breaks_expansion(std::string_view name);
-bool leaves_folders(std::string_view name);    ///< absolute, `~`, or with `..`
+bool leaves_folders(std::string_view name);  ///< absolute, `~`, or with `..`
 
 }  // namespace owlint

@@ -1,6 +1,6 @@
-// The abstract O-word state machine: `AbstractMachine::step` executes one line in a state, which after paths were joined holds sets
-// of values. The transitions follow the measured table in
-// docs/interpreter.md; if a set has several members, a step has several successors.
+// The abstract O-word state machine: `AbstractMachine::step` executes one line in a state, which after paths were
+// joined holds sets of values. The transitions follow the measured table in docs/interpreter.md; if a set has several
+// members, a step has several successors.
 #pragma once
 
 #include <algorithm>

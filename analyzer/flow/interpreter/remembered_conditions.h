@@ -1,5 +1,5 @@
-// Conditions that must come out the same (see ConditionId): structurally equal conditions share an id, and assigning any parameter that a
-// condition reads forgets its outcome.
+// Conditions that must come out the same (see ConditionId): structurally equal conditions share an id, and assigning any
+// parameter that a condition reads forgets its outcome.
 #pragma once
 
 #include <cstdint>
