@@ -198,7 +198,7 @@ class Folding {
 
 /// In a program for another controller: what no run reaches is part of the finding that says so.
 void fold_into_other_controller(std::vector<Finding>& findings) {
-  const auto controller = std::ranges::find_if(findings, [](const Finding& f) { return f.code == "OW319"; });
+  const auto controller = std::ranges::find_if(findings, [](const Finding& f) { return f.code == kOtherController; });
   if (controller == findings.end()) return;
   const auto follows = [](const Finding& f) {
     return f.weight == Weight::kAside && !f.stops && f.reach == Reach::kNever;

@@ -34,7 +34,8 @@ bool moves_lines(const Program& program, const Fix& fix) {
 /// How much a rule's findings in a file matter: little if the file is no LinuxCNC program, which one rule reports.
 Weight weight_of(const Rule& rule, const Nature& nature) {
   if (nature.kind == Nature::kProgram || rule.group == Group::kLinter) return Weight::kFull;
-  if (nature.kind == Nature::kOtherController) return rule.code == "OW319" ? Weight::kFull : Weight::kAside;
+  if (nature.kind == Nature::kOtherController)
+    return rule.code == rules::kOtherController ? Weight::kFull : Weight::kAside;
   return rule.code == "OW314" ? Weight::kFull : Weight::kRemark;
 }
 
@@ -103,7 +104,7 @@ void put_in_order(std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
   // In a file for another controller that is said first.
   const auto key = [](const Finding& f) {
-    return std::tuple(f.weight == Weight::kAside, f.span.begin, f.span.end, f.code, std::string_view(f.message));
+    return std::tuple(f.code != rules::kOtherController, f.span.begin, f.span.end, f.code, std::string_view(f.message));
   };
   std::ranges::stable_sort(findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
 }

@@ -29,8 +29,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   uint64_t last = 0;
   for (const Finding& f : report.findings) {
     inside(f.span, size - 1);
-    require(f.span.begin >= last);
-    last = f.span.begin;
+    if (f.code != "OW319") {  // that a program is for another controller comes first
+      require(f.span.begin >= last);
+      last = f.span.begin;
+    }
     for (const Related& related : f.related) inside(related.span, size - 1);
     for (const Fix& fix : f.fixes) {
       for (const Edit& edit : fix.edits) inside(edit.span, size - 1);
