@@ -16,13 +16,16 @@ struct Limits {
   /// How exactly runs are followed until the analysis has taken `steps` steps, a step being one state at one line.
   struct Level {
     uint64_t steps;
-    size_t states;    ///< kept apart at a line in one mode, and exits of one call; beyond, they are joined
+    size_t
+        states;  ///< kept apart in one partition, and exits of one call; beyond, they are joined (engine/separation.cc)
     size_t contexts;  ///< calls of one sub that are kept apart by their values
   };
   /// Small programs are followed almost path by path; the longer an analysis runs, the more states it joins, so that its
   /// time grows with the program and not with its paths. At the last level, which must have no end, constants are joined
   /// too, and stretches of harmless lines are one step.
   std::array<Level, 4> levels{{{10'000, 128, 256}, {40'000, 64, 32}, {100'000, 8, 4}, {UINT64_MAX, 1, 1}}};
+  /// So many times as many states are kept apart if one of a sub's operations will fail in them.
+  size_t times_for_failing = 2;
   /// Statements of a program that does not begin at the last level. In a larger one most lines would be analysed at that
   /// level anyway, and states that are separate by then would have to be carried through all of them.
   size_t followed_statements = 250'000;

@@ -18,7 +18,7 @@ std::string page_of(std::string_view code) {
 }
 
 /// Lines that nothing can reach are shown faded.
-bool is_unnecessary(const Finding& f) { return f.code == "OW316" || f.code == "OW212"; }
+bool is_unnecessary(const Finding& f) { return find_rule(f.code)->fades; }
 
 Json related_json(const Document& document, const Finding& f) {
   Json out = Json::array();

@@ -108,6 +108,9 @@ struct Rule {
   void (*check)(const Input&, Reporter&);
   void (*check_setup)(const SetupInput&,
                       Reporter&) = nullptr;  ///< for rules about the INI; their findings name its file
+  bool of_programs = false;                  ///< true of programs only: not reported for files that others call
+  bool of_callers = false;  ///< known from the calling program, if the run has it: not reported for the called file
+  bool fades = false;       ///< its lines never run: editors show them faded
 };
 
 /// Collects a rule's findings. The rule sets position, words and what the interpreter does; code and severity come from the

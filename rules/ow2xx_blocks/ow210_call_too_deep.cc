@@ -71,6 +71,7 @@ than nine levels deep.)",
             .options = "",
         },
     .check = check,
+    .of_callers = true,
 };
 
 }  // namespace owlint::rules

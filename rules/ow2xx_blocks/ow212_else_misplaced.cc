@@ -72,6 +72,7 @@ M2
             .options = "",
         },
     .check = check,
+    .fades = true,
 };
 
 }  // namespace owlint::rules

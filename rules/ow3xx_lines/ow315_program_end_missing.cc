@@ -161,6 +161,7 @@ M2
             .options = "",
         },
     .check = check,
+    .of_programs = true,
 };
 
 }  // namespace owlint::rules

@@ -135,6 +135,8 @@ should run only sometimes, put it into an `if`.)",
             .options = "",
         },
     .check = check,
+    .of_programs = true,
+    .fades = true,
 };
 
 }  // namespace owlint::rules

@@ -12,6 +12,18 @@
 
 namespace owlint::flow {
 
+// The lattice, from its top; what is indented is below. A join goes up to the first value that is above both. There is no
+// bottom, since a state that no run reaches does not exist.
+//
+//   kMaybeNotReturned
+//     kNotReturned, kCleared
+//     kMaybeUnassigned
+//       kUnassigned
+//       kUnknown
+//         kNotPassed
+//         ranges, the wider ones above
+//           constants
+
 /// A value in a state's parameter maps. Constants are numbered from kFirstConstant, ranges from kFirstRange.
 using ValueId = uint32_t;
 inline constexpr ValueId kUnassigned = 0;        ///< not assigned on any path so far

@@ -20,7 +20,7 @@ const std::vector<ExprId>& Separation::fallible_in(RegionId region) {
 
 bool Separation::joins(const State& state, StatementId position, size_t there, size_t most) {
   if (there < most) return false;
-  if (precision_.coarse() || there >= 2 * most) return true;
+  if (precision_.coarse() || there >= limits_.times_for_failing * most) return true;
   const RegionId region = position < program_.size() ? program_.region_of[position] : kMainRegion;
   const Parameters& p = state.parameters;
   const auto [known, is_new] = failing_.try_emplace(mix(

@@ -1,4 +1,4 @@
-// Transitions of loops and branches.
+// The transfer functions of loops and branches. An `endwhile` goes back to its `while`, where the condition is asked again.
 #include <cmath>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // What each sub, and the main program, does with parameters: which arguments and globals it reads, what it assigns, whether
 // it returns a value, which assignments nothing reads, and which conditions are always the same. This is worked out for each
-// sub from its own lines, without its calls, so it is true for every caller.
+// sub from its own lines, without its calls, so it is true for every caller (effects.h: with its calls, for the engine).
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What a sub, with everything that it calls, can change. Used when calls are analysed together: what the sub cannot have
+// What a sub, with everything that it calls, can change (data_flow.h: what it does by itself). Used when calls are analysed together: what the sub cannot have
 // changed is taken from each caller.
 #pragma once
 

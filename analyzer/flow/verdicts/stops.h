@@ -1,5 +1,5 @@
 // The stops that were found so far: each once, however many states stop there. In the trace each is an end of runs with a key
-// of its own.
+// of its own. What code a stop has as a finding is decided in rules/driver/stops.h.
 #pragma once
 
 #include <compare>
