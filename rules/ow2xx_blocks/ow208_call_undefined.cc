@@ -112,6 +112,7 @@ void check(const Input& in, Reporter& out) {
         f.fixes.push_back({"write `" + label_text(near_file) + "`", false, {{s.label_span(), label_text(near_file)}}});
     } else if (p.sub_file && machine) {
       f.group = stop.detail;
+      if (stop.unproven) f.habit_severity = Severity::kInfo;
       f.help = "define the sub here or in every program that calls this file, or correct the name";
     } else if (stop.unproven) {
       f.group = stop.detail;
