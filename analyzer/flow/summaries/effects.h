@@ -1,5 +1,5 @@
-// What a sub, with everything that it calls, can change (data_flow.h: what it does by itself). Used when calls are analysed together: what the sub cannot have
-// changed is taken from each caller.
+// What a sub, with everything that it calls, can change (data_flow.h: what it does by itself). Used when calls are
+// analysed together: what the sub cannot have changed is taken from each caller.
 #pragma once
 
 #include <unordered_map>
