@@ -25,6 +25,8 @@ class Linter:
 
     def check(self, folder, programs):
         """Write `programs` (name -> text) into `folder`, lint them all at once: name -> its findings."""
+        if not programs:
+            return {}  # owlint refuses a folder without programs
         os.makedirs(folder, exist_ok=True)
         if any(bundle.is_bundle(text) for text in programs.values()):
             return self._check_bundles(folder, programs)
