@@ -84,16 +84,17 @@ class Folding {
     }
   }
 
-  /// Rules about a label on several blocks.
-  static bool same_label_again(std::string_view code) {
-    return code == kLabelShared || code == "OW102" || code == "OW103" || code == "OW104";
+  /// A stop at a label that another block has already.
+  static bool label_reused(const Finding& f) {
+    return f.stops && (f.code == "OW102" || f.code == "OW103" || f.code == "OW104");
   }
 
   /// One more block with a label at which a run stops, or that no run reaches, is the same mistake.
   void fold_unreached(const Part& part) {
     const Part& speaker = speaks_.at(label_of(part.statement));
-    if (unreached(finding(part)) || (finding(speaker).stops && same_label_again(finding(part).code)))
-      fold(part.finding, speaker.finding);
+    const bool same_label =
+        label_reused(finding(speaker)) && (label_reused(finding(part)) || finding(part).code == kLabelShared);
+    if (unreached(finding(part)) || same_label) fold(part.finding, speaker.finding);
   }
 
   /// The finding that is left of those that `i` is folded into; the ways there get shorter.
