@@ -1,6 +1,7 @@
 // The commands of the program; each returns the exit status (0 clean, 1 findings, 2 usage or unreadable input).
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "analyzer/cli/command_line.h"
@@ -22,6 +23,10 @@ int config_command(const CommandLine& line, bool check);
 int explain_command(const std::string& code_or_name, const std::string& color);
 int rules_command(const std::string& format);
 int rule_pages_command(const std::string& folder);
+
+/// The program that a command is about, the first of `line.paths`, and its settings; null, after a message on stderr, if one of
+/// them cannot be read.
+std::shared_ptr<const Source> read_program(const CommandLine& line, checking::Settings* settings);
 
 /// Prints `owlint: message` to stderr.
 void complain(const std::string& message);

@@ -9,19 +9,9 @@
 namespace owlint::cli {
 
 int debug_flow_command(const CommandLine& line, size_t states) {
-  const std::string& path = line.paths.front();
-  std::string error;
-  Configuration configuration(disk(), line);
   Settings settings;
-  if (!configuration.settings_for(path, &settings, &error)) {
-    complain(error);
-    return kUsage;
-  }
-  const auto source = disk().read(path, &error);
-  if (source == nullptr) {
-    complain("cannot read " + path + ": " + error);
-    return kUsage;
-  }
+  const auto source = read_program(line, &settings);
+  if (source == nullptr) return kUsage;
   flow::Limits limits;
   for (auto& level : limits.levels) {
     if (states == 0) continue;

@@ -29,6 +29,19 @@ size_t text_width() {
 
 }  // namespace
 
+std::shared_ptr<const Source> read_program(const CommandLine& line, checking::Settings* settings) {
+  const std::string& path = line.paths.front();
+  std::string error;
+  Configuration configuration(disk(), line);
+  if (!configuration.settings_for(path, settings, &error)) {
+    complain(error);
+    return nullptr;
+  }
+  auto source = disk().read(path, &error);
+  if (source == nullptr) complain("cannot read " + path + ": " + error);
+  return source;
+}
+
 void complain(const std::string& message) {
   std::cerr << "owlint: " << printable_text(message) << '\n';
 }  // names of files may steer terminals
@@ -104,19 +117,9 @@ int rules_command(const std::string& format) {
 }
 
 int graph_command(const CommandLine& line, const std::string& format) {
-  const std::string& path = line.paths.front();
-  std::string error;
-  Configuration configuration(disk(), line);
   Settings settings;
-  if (!configuration.settings_for(path, &settings, &error)) {
-    complain(error);
-    return kUsage;
-  }
-  const auto source = disk().read(path, &error);
-  if (source == nullptr) {
-    complain("cannot read " + path + ": " + error);
-    return kUsage;
-  }
+  const auto source = read_program(line, &settings);
+  if (source == nullptr) return kUsage;
   Library library(disk());
   const auto program = library.load(source);
   const Linked linked(program, settings.profile, library);
