@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/syntax/last_statement.h"
 #include "analyzer/text/printable.h"
 
 namespace owlint::lsp {
@@ -59,11 +60,8 @@ Span Document::span(const Json& range) const {
 }
 
 StatementId Document::statement_at(uint64_t offset) const {
-  const auto& statements = program().syntax.statements;
-  const auto after = std::ranges::upper_bound(statements, offset, {}, &Statement::offset);
-  if (after == statements.begin()) return kNoStatement;
-  const auto found = after - 1;
-  return offset <= found->end() ? static_cast<StatementId>(found - statements.begin()) : kNoStatement;
+  const StatementId id = last_statement(program().syntax, offset);
+  return id != kNoStatement && offset <= program().at(id).end() ? id : kNoStatement;
 }
 
 std::string path_of_uri(const std::string& uri) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/syntax/last_statement.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
@@ -156,11 +157,8 @@ std::vector<Occurrence> occurrences(Workspace& workspace, const Document& docume
 
 RegionId region_at(const Document& document, uint64_t offset) {
   const Program& p = document.program();
-  const auto& statements = p.syntax.statements;
-  // The last statement that begins before; a sub reaches to the end of its `endsub` line.
-  const auto after = std::ranges::upper_bound(statements, offset, {}, &Statement::offset);
-  if (after == statements.begin()) return kMainRegion;
-  const auto id = static_cast<StatementId>(after - statements.begin()) - 1;
+  const StatementId id = last_statement(p.syntax, offset);  // a sub reaches to the end of its `endsub` line
+  if (id == kNoStatement) return kMainRegion;
   const RegionId region = p.region_of[id];
   return p.regions[region].end == id && offset > p.at(id).end() ? kMainRegion : region;
 }

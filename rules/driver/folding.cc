@@ -1,4 +1,5 @@
 #include "rules/driver/folding.h"
+#include "analyzer/syntax/last_statement.h"
 
 #include <algorithm>
 #include <map>
@@ -47,12 +48,11 @@ class Folding {
   StatementId block_line(const Finding& f) const {
     const Group group = find_rule(f.code)->group;
     if (f.source != nullptr || (group != Group::kAbortList && group != Group::kBlocks)) return kNoStatement;
-    const auto& statements = p_.syntax.statements;
-    const auto after = std::ranges::upper_bound(statements, f.span.begin, {}, &Statement::offset);
-    if (after == statements.begin()) return kNoStatement;
-    const Statement& s = *(after - 1);
+    const StatementId id = last_statement(p_.syntax, f.span.begin);
+    if (id == kNoStatement) return kNoStatement;
+    const Statement& s = p_.at(id);
     const bool of_block = s.kind == LineKind::kOWord && !global_label(s.keyword) && s.label != kNoName;
-    return of_block && f.span.begin < s.end() ? static_cast<StatementId>(after - 1 - statements.begin()) : kNoStatement;
+    return of_block && f.span.begin < s.end() ? id : kNoStatement;
   }
 
   /// The block of which the line is the end, but for a wrong label.
@@ -124,13 +124,6 @@ class Folding {
     }
   }
 
-  /// The statement at an offset, or the last before it.
-  StatementId statement_at(uint64_t offset) const {
-    const auto after = std::ranges::upper_bound(p_.syntax.statements, offset, {}, &Statement::offset);
-    return after == p_.syntax.statements.begin() ? kNoStatement
-                                                 : static_cast<StatementId>(after - p_.syntax.statements.begin() - 1);
-  }
-
   /// The line behind which no run goes on to `id`: a program end, a `return`, a condition that is never true. None where a stop
   /// is the reason, or where other programs may call the sub: there each mistake counts.
   StatementId left_out_behind(StatementId id, const std::vector<StatementId>& last) const {
@@ -168,7 +161,7 @@ class Folding {
     });
     std::map<StatementId, size_t> speaks;
     for (const size_t i : candidates) {
-      const StatementId id = statement_at(findings_[i].span.begin);
+      const StatementId id = last_statement(p_.syntax, findings_[i].span.begin);
       const StatementId behind = id == kNoStatement ? kNoStatement : left_out_behind(id, last);
       if (behind == kNoStatement) continue;
       const auto [known, first] = speaks.emplace(behind, i);

@@ -1,3 +1,4 @@
+#include "analyzer/syntax/last_statement.h"
 #include "analyzer/text/memory_files.h"
 #include "rules/driver/variants.h"
 
@@ -186,9 +187,8 @@ class Check {
 
   /// The sub and the block that a place belongs to.
   static std::string scope_of(const Program& p, uint64_t offset) {
-    const auto after = std::ranges::upper_bound(p.syntax.statements, offset, {}, &Statement::offset);
-    if (after == p.syntax.statements.begin()) return {};
-    const auto id = static_cast<StatementId>(after - p.syntax.statements.begin() - 1);
+    const StatementId id = last_statement(p.syntax, offset);
+    if (id == kNoStatement) return {};
     const Region& region = p.regions[p.region_of[id]];
     const bool on_line = offset <= p.at(id).end();
     std::string scope =

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/syntax/last_statement.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
@@ -35,9 +36,8 @@ Unreached::Unreached(const Input& in)
 
 std::optional<Related> Unreached::reason(uint64_t offset) const {
   const Program& p = in_.program;
-  const auto after = std::ranges::upper_bound(p.syntax.statements, offset, {}, &Statement::offset);
-  if (after == p.syntax.statements.begin()) return std::nullopt;
-  const auto id = static_cast<StatementId>(after - p.syntax.statements.begin() - 1);
+  const StatementId id = last_statement(p.syntax, offset);
+  if (id == kNoStatement) return std::nullopt;
   if (in_.flow.executed[id]) return std::nullopt;
   const RegionId region = p.region_of[id];
   // The `sub` line is executed when the definition is skipped, too.

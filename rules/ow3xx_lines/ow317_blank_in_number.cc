@@ -2,6 +2,7 @@
 // Depends on: LinuxCNC removes spaces before it reads a line, also inside numbers: `[1 2]` is 12.
 #include <algorithm>
 
+#include "analyzer/syntax/last_statement.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
@@ -10,9 +11,8 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Span span : p.syntax.split_numbers) {
-    const auto after = std::ranges::upper_bound(p.syntax.statements, span.begin, {}, &Statement::offset);
-    if (after == p.syntax.statements.begin()) continue;
-    const auto id = static_cast<StatementId>(after - p.syntax.statements.begin() - 1);
+    const StatementId id = last_statement(p.syntax, span.begin);
+    if (id == kNoStatement) continue;
     const std::string written(p.source->slice(span));
     std::string read = written;
     std::erase_if(read, [](char c) { return c == ' ' || c == '\t'; });

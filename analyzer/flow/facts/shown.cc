@@ -2,6 +2,7 @@
 // the last one acts, on the line of an O-word none does; `(msg, …)` shows `#5` as it is; a name without a value is
 // shown as `######`.
 #include "analyzer/flow/facts/shown.h"
+#include "analyzer/syntax/last_statement.h"
 
 #include <algorithm>
 #include <array>
@@ -67,9 +68,7 @@ class Finder {
     }
     if (!any) return;
     const auto& statements = program_.syntax.statements;
-    const auto next = std::ranges::upper_bound(statements, end, {}, &Statement::offset);
-    const StatementId above =
-        next == statements.begin() ? kNoStatement : static_cast<StatementId>(next - statements.begin() - 1);
+    const StatementId above = last_statement(program_.syntax, end);
     const bool on_line = above != kNoStatement && statements[above].offset >= begin;
     const bool on_oword = on_line && statements[above].kind == LineKind::kOWord;
     RegionId region = above == kNoStatement ? kMainRegion : program_.region_of[above];
