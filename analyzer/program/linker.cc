@@ -26,6 +26,7 @@ class Joiner {
     region0_ = static_cast<uint32_t>(out_.regions.size());
     block0_ = static_cast<uint32_t>(out_.blocks.size());
     syntax(in.syntax);
+    out_.syntax.runs_python = out_.syntax.runs_python || in.syntax.runs_python;
     structure(in);
     if (last) return;
     Statement end;

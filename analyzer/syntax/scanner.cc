@@ -166,11 +166,14 @@ void note_directive(std::string_view line, uint64_t offset, uint32_t number, boo
   out.directives.push_back({number, {offset + at + 7, offset + end}, !code, on_oword});
 }
 
-/// Whether the comment that acts is `(abort, …)`. Measured: in any case, without a blank before the comma.
-bool aborts(std::string_view line) {
-  constexpr std::string_view kWord = "abort,";
-  std::string_view
-      comment;  // of several in parentheses the last one acts, and what is behind a semicolon does not (measured)
+/// Whether a comment begins with a word, in small letters or not. Measured: without a blank before its comma.
+bool begins(std::string_view comment, std::string_view word) {
+  return std::ranges::equal(comment.substr(0, word.size()), word, same_letter);
+}
+
+/// The comment that acts: of several in parentheses the last one, and none behind a semicolon (measured).
+std::string_view acting_comment(std::string_view line) {
+  std::string_view comment;
   for (size_t at = 0; (at = line.find_first_of("(;", at)) != std::string_view::npos && line[at] == '(';) {
     const size_t close = line.find(')', at);
     if (close == std::string_view::npos) break;
@@ -178,7 +181,12 @@ bool aborts(std::string_view line) {
     at = close + 1;
   }
   comment.remove_prefix(std::min(comment.find_first_not_of(" \t"), comment.size()));
-  return std::ranges::equal(comment.substr(0, kWord.size()), kWord, same_letter);
+  return comment;
+}
+
+/// Whether the line runs Python. Behind a semicolon only where the line begins with exactly that (measured).
+bool runs_python(std::string_view line, std::string_view comment) {
+  return line.starts_with(";py,") || begins(comment, "py,") || begins(comment, "pyrun,");
 }
 
 /// A stretch of lines that one core looks through.
@@ -283,7 +291,9 @@ class Reader {
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
         const bool plain = !keep || (statement.error == UINT32_MAX && statement.has_items());
-        if (plain && aborts(line)) {
+        const std::string_view comment = plain ? acting_comment(line) : "";
+        out_.runs_python = out_.runs_python || (plain && runs_python(line, comment));
+        if (plain && begins(comment, "abort,")) {
           statement.offset = found.begin;
           statement.length = static_cast<uint32_t>(line.size());
           statement.kind = LineKind::kAbort;

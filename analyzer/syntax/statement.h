@@ -129,6 +129,7 @@ struct Syntax {
   uint32_t first_plain_line = 0;  ///< the first code line before the first statement, 0 if none
   bool percent = false;           ///< the file begins with `%`: another `%` ends it
   bool deletes_lines = false;     ///< a statement has block delete, `/` first on its line
+  bool runs_python = false;       ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
   bool blank = false;             ///< nothing but blank lines: LinuxCNC refuses to open it
 
   const LineError* error(const Statement& s) const { return s.error == UINT32_MAX ? nullptr : &errors[s.error]; }

@@ -129,10 +129,4 @@ bool computes_fraction(const Program& p, ExprId id) {
   return computes_fraction(p, expr.left()) || (expr.right() != kNoExpr && computes_fraction(p, expr.right()));
 }
 
-bool runs_python(const Source& source) {
-  constexpr uint64_t kMost = 1 << 20;  // bytes; programs with Python are written by hand
-  const std::string text = small_letters(source.bytes().substr(0, kMost));
-  return text.find(";py,") != std::string::npos || text.find("(py,") != std::string::npos;
-}
-
 }  // namespace owlint::rules

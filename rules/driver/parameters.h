@@ -33,7 +33,4 @@ bool reached(const Input& in, RegionId region);
 /// Whether a value is computed with fractions: a quotient, a root, an angle, a sum or multiple of something like 0.1.
 bool computes_fraction(const Program& program, ExprId value);
 
-/// Whether a comment of the program is Python code (`;py,` or `(py,`), which may set any parameter.
-bool runs_python(const Source& source);
-
 }  // namespace owlint::rules

@@ -248,7 +248,6 @@ void relate_look_alike(const Input& in, const std::string& name, RegionId reader
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   std::optional<std::string> documented;
-  std::optional<bool> python;
   LocalNames names(in);
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
     const Statement& line = p.at(s.statement);
@@ -266,8 +265,7 @@ void check(const Input& in, Reporter& out) {
       f.help = "assign " + name + " before this program runs, as its first comment says";
       return &f;
     }
-    if (s.detail.starts_with("_") && !python) python = runs_python(*p.source);
-    if (s.detail.starts_with("_") && *python) {
+    if (s.detail.starts_with("_") && p.syntax.runs_python) {
       f.uncertain = true;
       f.help = "assign " + name + " first, unless the Python code in this program's comments does so";
       return &f;

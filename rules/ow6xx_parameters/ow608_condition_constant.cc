@@ -7,7 +7,7 @@ namespace {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  if (!in.data.fixed().empty() && runs_python(*p.source)) return;  // which may set what the conditions read
+  if (p.syntax.runs_python) return;  // which may set what the conditions read
   for (const flow::FixedCondition& c : in.data.fixed()) {
     const Statement& s = p.at(c.statement);
     const std::string head = "`" + p.head(c.statement) + "`";

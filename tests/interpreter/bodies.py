@@ -110,7 +110,9 @@ def judge_bodies(interpreter, text, findings, seed):
     """-> (disagreements, how many places were asked about, at how many of them it happens)"""
     if not bundle.is_bundle(text):
         return [], 0, 0
-    claims = {(f["code"], f["start"]["line"]) for f in findings if f["code"] in (HELPER_CLASH, IN_CALLED_FILE) and f["reach"] != "never"}
+    met = [f for f in findings if f["code"] in (HELPER_CLASH, IN_CALLED_FILE) and f["reach"] != "never"]
+    # The other calls of the same helper are related places of its finding.
+    claims = {(f["code"], place["start"]["line"]) for f in met for place in [f, *(r for r in f.get("related", ()) if r["message"] == "so does this call")]}
     answers = {where: happens(interpreter, text, put, seed) for where, put in questions(text, claims).items()}
     seen = {place for place, yes in answers.items() if yes}
     found = [Disagreement(OTHER_BODY, frozenset({code}), line) for code, line in sorted(seen - claims)]

@@ -34,6 +34,7 @@ void Iteration::start() {
     machine_.evaluator().expect_from_outside(program_.name(program_.entry), state.parameters);
   } else {
     calls_.begin({}, false);
+    if (program_.syntax.runs_python) machine_.evaluator().expect_from_python(state.parameters);
   }
   successor(std::move(state));
 }

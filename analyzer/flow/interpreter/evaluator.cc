@@ -77,6 +77,13 @@ void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) {
   }
 }
 
+void Evaluator::expect_from_python(Parameters& p) {
+  for (const Expr& expr : syntax_.exprs) {
+    if (expr.op == Operator::kNamed && !expr.target && tracked_.is_global(expr.name()))
+      set_name(p, expr.name(), kMaybeUnassigned);
+  }
+}
+
 void Evaluator::forget_numbers(Parameters& p) {
   for (const uint32_t number : tracked_.numbers()) set_number(p, number, kUnknown);
   p.local_outcomes = {};

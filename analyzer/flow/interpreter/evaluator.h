@@ -84,6 +84,8 @@ class Evaluator {
   PersistentMap share_numbers(PersistentMap names, const PersistentMap& numbers);
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
   void expect_from_outside(std::string_view sub, Parameters& p);
+  /// Python code in the program's comments may give any global a value, or none.
+  void expect_from_python(Parameters& p);
   /// A sub returns, or its definition is skipped: sets `#<_value>` and `#<_value_returned>`. `value`: null without
   /// one; `never`: the sub has no line that returns a value.
   void come_back(Parameters& p, const ValueId* value, bool never);

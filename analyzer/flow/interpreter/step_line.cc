@@ -93,14 +93,20 @@ void AbstractMachine::Step::m98() {
 /// How often the L of M98 calls. False where no call can be made of it.
 bool AbstractMachine::Step::times_called(const Evaluation& of_l, int* times) {
   *times = kUnknownRepeats;
-  if (!m.values_.is_constant(of_l.value)) return true;
+  const bool known = m.values_.is_constant(of_l.value);
+  // What the program never set reads 0 in a freshly started interpreter: then it may be refused.
+  const ValueId count = known ? of_l.value : evaluate(value(0), Unset::kZero).value;
+  if (!m.values_.is_constant(count)) return true;
   long whole = 0;
-  const bool odd = !to_integer(m.values_.value(of_l.value), &whole);
+  const bool odd = !to_integer(m.values_.value(count), &whole);
   if (odd || whole < 0) {
+    const bool mixed = state.mixed;
+    state.mixed = mixed || !known;
     stop(StopKind::kM98Words, odd ? "Non integer value for integer" : "Negative l word used");
-    return false;
+    state.mixed = mixed;
+    return !known;
   }
-  *times = static_cast<int>(std::min(whole, 1'000'000L));
+  if (known) *times = static_cast<int>(std::min(whole, 1'000'000L));
   return true;
 }
 
