@@ -1,0 +1,122 @@
+// Words as they are read, one after the other; the checks of the complete line are in word_checks.cc.
+#include "analyzer/syntax/word_line.h"
+
+#include <algorithm>
+
+namespace owlint {
+namespace {
+
+constexpr int kMCodesEnd = 200;  // what lies behind exists only if remapped
+constexpr int kRemappedEnd = 1000;
+constexpr size_t kMWords = 4;
+
+}  // namespace
+
+void WordLine::clear() {
+  size_ = m_words_ = 0;
+  fifth_m_ = kNoWord;
+  unknown_code_ = remapped_m_ = false;
+  code_ = Motion::kNone;
+  letters_ = 0;
+  codes_ = {};
+  g_ = {};
+  m_ = {};
+}
+
+uint8_t WordLine::find(char letter) const {
+  return (letters_ & letter_set({&letter, 1})) == 0 ? kNoWord : at_[static_cast<size_t>(letter_index(letter))];
+}
+
+std::optional<Fault> WordLine::letter(char letter) const {
+  const uint32_t bit = letter_set({&letter, 1});
+  if ((bit & kAxisLetters) != 0 && (bit & machine_->axes) == 0)
+    return Fault{WordFault::kWordUnknown, std::string("Bad character '") + letter + "' used", size_, kNoWord,
+                 !machine_->unsure};
+  if ((letters_ & bit) == 0) return std::nullopt;
+  const WordRow* row = word_row(letter);
+  if (row->repeated == WordRow::kRuns) return std::nullopt;
+  const uint8_t before = find(letter);
+  const Word& earlier = words_[before];
+  const bool either_way = row->repeated == WordRow::kStops;
+  if (!either_way && earlier.known && earlier.value <= -1) return std::nullopt;
+  return Fault{WordFault::kWordRepeated, "Multiple " + std::string(row->name) + " words on one line", size_, before,
+               either_way || earlier.known};
+}
+
+std::optional<Fault> WordLine::add(const Word& word) {
+  if (size_ == kMaxWords) return std::nullopt;  // only of a line that is too long, which stops for that
+  const uint8_t at = size_++;
+  words_[at] = word;
+  letters_ |= letter_set({&word.letter, 1});
+  at_[static_cast<size_t>(letter_index(word.letter))] = at;
+  if (word.letter == 'm' && ++m_words_ == kMWords + 1) fifth_m_ = at;
+  if (!word.known) {
+    unknown_code_ |= word.letter == 'g' || word.letter == 'm';
+    return std::nullopt;
+  }
+  int32_t whole = 0;
+  if (auto fault = range(word, at, &whole)) return fault;
+  if (word.letter == 'g') return add_g(whole, at);
+  if (word.letter == 'm') return add_m(whole, at);
+  return std::nullopt;
+}
+
+/// Whether a known value is one that the letter may have; an integer is converted.
+std::optional<Fault> WordLine::range(const Word& word, uint8_t at, int32_t* whole) const {
+  if (const char* message = refused_number(word.letter, word.value))
+    return Fault{WordFault::kNumberOutOfRange, message, at, kNoWord, true};
+  const NumberKind kind = word_row(word.letter)->number;
+  if (kind == NumberKind::kInteger) word_integer(word.value, whole);
+  if (kind == NumberKind::kTenths) g_tenths(word.value, whole);
+  return std::nullopt;
+}
+
+const RemappedCode* WordLine::remapped(char letter, int32_t number) const {
+  const auto found = std::ranges::find_if(
+      machine_->remapped, [&](const RemappedCode& code) { return code.letter == letter && code.number == number; });
+  return found == machine_->remapped.end() ? nullptr : &*found;
+}
+
+std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {
+  const GCode* code = g_code(tenths, machine_->release);
+  // A built-in code stays what it is when an INI remaps it.
+  if (code == nullptr && remapped('g', tenths) == nullptr)
+    return Fault{WordFault::kCodeUnknown, "Unknown g code used", at, kNoWord, true};
+  const GGroup group = code == nullptr ? GGroup::kMotion : code->group;
+  Place<GCode>& place = g_[static_cast<size_t>(group)];
+  if (place.word != kNoWord) {
+    if (tenths == code::kG80) return std::nullopt;  // gives way to every other motion, without a word
+    if (code == nullptr || code_ != Motion::kG80 || group != GGroup::kMotion)
+      return Fault{WordFault::kCodesConflict, "Two g codes used from same modal group", at, place.word, true};
+  }
+  place = {code, at};
+  if (group == GGroup::kMotion) {
+    code_ = code == nullptr ? Motion::kRemapped : code->motion;
+  } else {
+    codes_ = codes_ | set_of(*code);
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> WordLine::add_m(int32_t number, uint8_t at) {
+  const RemappedCode* const machines = number < kRemappedEnd ? remapped('m', number) : nullptr;
+  const MCode* code = m_code(number);
+  if (machines == nullptr && (code == nullptr || code->group == MGroup::kCall)) {
+    const bool beyond = number >= kMCodesEnd;
+    const char* const message = beyond ? "M-code greater than 199: M" : "Unknown m code used: M";
+    return Fault{WordFault::kCodeUnknown, message + std::to_string(number), at, kNoWord,
+                 !(machine_->unsure && beyond && number < kRemappedEnd)};
+  }
+  Place<MCode>& place = m_[static_cast<size_t>(machines != nullptr ? machines->group : code->group)];
+  if (place.word != kNoWord)
+    return Fault{WordFault::kCodesConflict, "Two m codes used from same modal group", at, place.word, true};
+  place = {machines != nullptr ? nullptr : code, at};
+  if (machines != nullptr) {
+    remapped_m_ = true;
+  } else {
+    codes_ = codes_ | set_of(*code);
+  }
+  return std::nullopt;
+}
+
+}  // namespace owlint

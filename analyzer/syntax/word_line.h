@@ -1,0 +1,145 @@
+// The words of one line, as the interpreter sees them before it does anything: which may stand together, which code
+// uses them, and which error comes first. The line parser fills it word by word, the flow asks it for each mode that
+// may be in effect. O-word lines, and M98 or M99 as the first word, do not come here.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "analyzer/syntax/codes.h"
+
+namespace owlint {
+
+/// The modes before a line that decide whether it is good. A concrete motion: callers go through those that may be.
+struct Modes {
+  enum Distance : uint8_t { kDistanceUnknown, kAbsolute, kIncremental };
+  enum Plane : uint8_t { kPlaneUnknown, kG17, kOtherPlane };
+
+  Motion motion = Motion::kG80;
+  Distance distance = kDistanceUnknown;
+  Plane plane = kPlaneUnknown;
+};
+
+struct Word {
+  char letter;  ///< small
+  bool known;   ///< false for a computed value that is not known
+  double value;
+  uint8_t from, to;  ///< bytes of the line
+};
+
+/// What is wrong, by the rule that reports it.
+enum class WordFault : uint8_t {
+  kWordUnknown,       ///< OW701: the letter of an axis that the machine lacks
+  kNumberOutOfRange,  ///< OW703
+  kWordRepeated,      ///< OW704
+  kCodeUnknown,       ///< OW705
+  kCodesConflict,     ///< OW706
+  kWordUnused,        ///< OW707
+  kWordMissing,       ///< OW708
+  kAxisWords,         ///< OW709: axis or polar words with no code that uses them, with two, or with a wrong one
+};
+
+inline constexpr uint8_t kNoWord = 255;
+
+struct Fault {
+  WordFault kind;
+  std::string message;  ///< the interpreter's
+  uint8_t word;   ///< index of the word it is about, or of the code that wants one; kNoWord: that is a modal motion
+  uint8_t other;  ///< index of another word concerned, such as the first of two conflicting codes, or kNoWord
+  bool certain;   ///< false if it depends on a value or a mode that is not known
+};
+
+class WordLine {
+ public:
+  explicit WordLine(const MachineWords& machine) : machine_(&machine) {}
+  /// Takes up another line.
+  void clear();
+
+  /// Before a word's value is read, of a letter that begins one (word_row). The word the fault is about has the index
+  /// size().
+  std::optional<Fault> letter(char letter) const;
+  /// After its value was read. Behind a fault that is certain nothing more is asked of the line. A value that is not
+  /// known is taken for a good one, and a code that is not known for one that changes nothing, but then faults of
+  /// check() are not certain.
+  std::optional<Fault> add(const Word& word);
+
+  /// What the complete line stops with: the first fault that is certain, else the first possible one. `*after` gets the
+  /// modes that may be in effect behind the line if it runs.
+  std::optional<Fault> check(const Modes& before, MotionSet* after = nullptr) const;
+  /// False if the line's own codes decide: then check() says the same whatever the motion before.
+  bool depends_on_motion() const;
+  /// What the line moves by if `mode` is in effect.
+  Motion motion(Motion mode) const;
+  /// The modes behind the line for each of those before.
+  MotionSet after(MotionSet before) const;
+
+  size_t size() const { return size_; }
+  const Word& operator[](size_t index) const { return words_[index]; }
+  /// The index of a letter's word, the last one if it may be repeated; kNoWord without one.
+  uint8_t find(char letter) const;
+  bool has(char letter) const { return find(letter) != kNoWord; }
+  bool has_axis_words() const { return (letters_ & kAxisLetters) != 0; }
+  bool has_polar_words() const { return (letters_ & kPolarLetters) != 0; }
+  /// The code of a group on the line, or null; remapped codes aside.
+  const GCode* code(GGroup group) const { return g_[static_cast<size_t>(group)].code; }
+  const MCode* code(MGroup group) const { return m_[static_cast<size_t>(group)].code; }
+  /// The index of its word, also of a remapped code; kNoWord if the line has none of the group.
+  uint8_t word_of(GGroup group) const { return g_[static_cast<size_t>(group)].word; }
+  uint8_t word_of(MGroup group) const { return m_[static_cast<size_t>(group)].word; }
+  /// M100 to M199: known to every machine, but a program of its own must be there for it.
+  bool is_user_m() const { return code(MGroup::kUser) != nullptr; }
+  /// A G or M word whose value is not known.
+  bool has_unknown_code() const { return unknown_code_; }
+
+ private:
+  class Outcome;
+  template <typename Code>
+  struct Place {
+    const Code* code = nullptr;
+    uint8_t word = kNoWord;
+  };
+
+  std::optional<Fault> add_g(int32_t tenths, uint8_t at);
+  std::optional<Fault> add_m(int32_t number, uint8_t at);
+  std::optional<Fault> range(const Word& word, uint8_t at, int32_t* whole) const;
+  const RemappedCode* remapped(char letter, int32_t number) const;
+
+  /// The stages of check(); true if the line certainly stops.
+  bool axis_words(const Modes& before, Outcome& out) const;
+  bool polar_words(const Modes& before, Outcome& out) const;
+  bool non_modal(const Modes& before, Outcome& out) const;
+  bool g10(Outcome& out) const;
+  bool other_words(Motion motion, Outcome& out) const;
+  bool fails(const LineCheck& check, const CodeSet& line, Outcome& out) const;
+  bool fails_value(const LineCheck& check) const;
+
+  bool has_code(GGroup group, int tenths) const;
+  /// Whether G10, G28, G30, G52 or G92 takes the axis words.
+  bool has_taker() const;
+  /// The letters among these that count as given: P-1 and Q-1 mean that there is none.
+  uint32_t given(uint32_t letters) const;
+  uint8_t first_word(uint32_t letters) const;
+  uint8_t word_of(const CodeSet& codes) const;
+
+  // A line has 253 bytes, and a word at least two.
+  static constexpr size_t kMaxWords = 127;
+
+  const MachineWords* machine_;
+  uint8_t size_ = 0;
+  uint8_t m_words_ = 0;
+  uint8_t fifth_m_ = kNoWord;
+  bool unknown_code_ = false;
+  bool remapped_m_ = false;
+  Motion code_ = Motion::kNone;  ///< the motion that the line itself has
+  uint32_t letters_ = 0;
+  CodeSet codes_;  ///< but for the motion
+  std::array<Place<GCode>, kGGroups> g_{};
+  std::array<Place<MCode>, kMGroups> m_{};
+  std::array<uint8_t, kLetters> at_;   // by letter, where letters_ has it
+  std::array<Word, kMaxWords> words_;  // those before size_
+};
+
+}  // namespace owlint
