@@ -36,7 +36,7 @@ std::vector<Finding> check(std::string_view text, const Options& options) {
   if (!configuration.settings_for(path, &settings, &error)) throw std::invalid_argument(error);
   Library library(disk());
   const ProgramReport report =
-      lint(library.load(Source::own(path, std::string(text))), settings.profile, settings.options, library);
+      lint(library.load(Source::own(path, std::string(text)), settings.profile), settings.profile, settings.options, library);
   std::vector<Finding> out;
   for (const owlint::Finding& f : report.own.findings) {
     const Severity severity = f.severity == owlint::Severity::kError ? Severity::kError

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/report/pages.h"
+#include "rules/driver/codes_page.h"
 #include "support/bundle.h"
 #include "support/files.h"
 #include "support/fixture.h"
@@ -90,4 +91,12 @@ TEST_CASE("docs/rules holds the rules' pages", "[snapshots]") {
   std::set<std::string> there;
   for (const std::string& path : files_below(repository("docs/rules"))) there.insert(path.substr(path.rfind('/') + 1));
   CHECK(there == expected);
+}
+
+TEST_CASE("docs/codes.md holds the table of codes", "[snapshots]") {
+  const std::string path = repository("docs/codes.md");
+  const std::string page = owlint::codes_page();
+  if (updating() && (!std::filesystem::exists(path) || read_file(path) != page)) write_file(path, page);
+  REQUIRE(std::filesystem::exists(path));
+  CHECK(read_file(path) == page);
 }

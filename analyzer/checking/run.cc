@@ -56,7 +56,7 @@ std::set<std::string> called_by_machines(const std::vector<const Settings*>& set
 
 Checked check_file(const std::shared_ptr<const Source>& source, const Settings& settings, Library& library,
                    bool by_machine) {
-  const auto program = library.load(source);
+  const auto program = library.load(source, settings.profile);
   Checked checked;
   checked.report =
       lint(program, settings.profile, settings.options, library, by_machine ? Role::kSubFile : Role::kByContent);

@@ -19,7 +19,7 @@ int debug_flow_command(const CommandLine& line, size_t states) {
     level.contexts = std::min(level.contexts, states);
   }
   Library library(disk());
-  const Linked linked(library.load(source), settings.profile, library);
+  const Linked linked(library.load(source, settings.profile), settings.profile, library);
   flow::write_states(std::cout, linked, settings.profile, limits);
   return kClean;
 }

@@ -121,7 +121,7 @@ int graph_command(const CommandLine& line, const std::string& format) {
   const auto source = read_program(line, &settings);
   if (source == nullptr) return kUsage;
   Library library(disk());
-  const auto program = library.load(source);
+  const auto program = library.load(source, settings.profile);
   const Linked linked(program, settings.profile, library);
   const bool marks = format == "svg" || format == "dot";
   const std::vector<Finding> findings =

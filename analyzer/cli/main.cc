@@ -12,7 +12,6 @@
 #include "analyzer/cli/options.h"
 #include "analyzer/cli/usage.h"
 #include "analyzer/report/report.h"
-#include "analyzer/syntax/bulk.h"
 
 namespace owlint::cli {
 namespace {
@@ -25,8 +24,8 @@ std::string version_text() {
   constexpr std::string_view kCompiler = "g++ " __VERSION__;
 #endif
   const bool is_static = ::getauxval(AT_BASE) == 0;  // no dynamic linker was loaded
-  return fmt::format("owlint {}\nbuilt with {}, {}, linked {}; fast path: {}", kToolVersion, kCompiler,
-                     OWLINT_BUILD_TYPE, is_static ? "statically" : "dynamically", bulk_variants().front().name);
+  return fmt::format("owlint {}\nbuilt with {}, {}, linked {}", kToolVersion, kCompiler,
+                     OWLINT_BUILD_TYPE, is_static ? "statically" : "dynamically");
 }
 
 bool is_command(CLI::App& app, const std::string& name) {

@@ -48,6 +48,7 @@ class Reader {
     m_.has_remaps = !m_.ini.all("RS274NGC", "REMAP").empty();
     m_.has_python = m_.ini.has_section("PYTHON");
     read_folders();
+    read_user_codes();
     read_calls();
   }
 
@@ -105,6 +106,33 @@ class Reader {
     m_.search_path = std::make_shared<SearchPath>(files_, std::move(search));
   }
 
+  /// Measured: looked for in PROGRAM_PREFIX, `nc_files` if it is not set, and in five folders of USER_M_PATH.
+  void read_user_codes() {
+    constexpr size_t kMaxFolders = 5;
+    std::vector<std::string> folders;
+    bool has_prefix = false;
+    size_t used = 0;
+    for (const IniFolder& folder : m_.folders) {
+      const bool prefix = folder.key == "PROGRAM_PREFIX";
+      if (!prefix && (folder.key != "USER_M_PATH" || used++ >= kMaxFolders)) continue;
+      has_prefix = has_prefix || prefix;
+      if (folder.exists) folders.push_back(folder.path);
+      m_.user_folders_known = m_.user_folders_known && folder.exists;
+    }
+    if (!has_prefix) folders.push_back(seen_from_ini("nc_files"));
+    for (const std::string& folder : folders) {
+      std::string error;
+      for (const FolderEntry& entry : files_.list(folder, &error)) {
+        int code = 0;
+        const std::string& name = entry.name;
+        const auto [end, problem] = std::from_chars(name.data() + 1, name.data() + name.size(), code);
+        const bool fits = name.size() == 4 && name[0] == 'M' && problem == std::errc{} && end == name.data() + 4;
+        if (fits && code >= 100 && code <= 199 && files_.info(joined_path(folder, name)).executable)
+          m_.user_codes.set(static_cast<size_t>(code - 100));
+      }
+    }
+  }
+
   void add_call(std::string_view key, const Ini::Entry& entry, std::string name, size_t from, size_t size) {
     const std::string code = "o<" + name + "> call";
     const bool whole = entry.span.end - entry.span.begin != entry.value.size();
@@ -154,6 +182,11 @@ std::optional<uint32_t> parse_mask(std::string_view text) {
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), mask, base);
   if (problem != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return mask;
+}
+
+UserCode MachineSetup::user_code(int code) const {
+  if (user_codes.test(static_cast<size_t>(code - 100))) return UserCode::kThere;
+  return user_folders_known ? UserCode::kMissing : UserCode::kUnknown;
 }
 
 bool has_file(const MachineSetup& setup, const IniCall& call, const std::string& name) {

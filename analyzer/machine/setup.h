@@ -2,6 +2,7 @@
 // which subs are called from outside any program. Measured with `rs274 -i` (see docs/interpreter.md).
 #pragma once
 
+#include <bitset>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +33,17 @@ struct IniCall {
   Span span;
 };
 
+/// Whether a machine has the program of a code M100 to M199.
+enum class UserCode : uint8_t {
+  kThere,
+  kMissing,
+  kUnknown,  ///< a folder of the INI is not here
+};
+
 struct MachineSetup {
+  /// Of M100 to M199.
+  UserCode user_code(int code) const;
+
   std::string path;              ///< of the INI
   std::optional<uint32_t> mask;  ///< FEATURE or FEATURES
   const Ini::Entry* mask_entry = nullptr;
@@ -44,6 +55,8 @@ struct MachineSetup {
   bool has_remaps = false;         ///< codes on motion lines may run subs
   bool has_python = false;         ///< a called sub may be a Python function
   std::vector<IniFolder> folders;  ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
+  std::bitset<100> user_codes;     ///< from M100 on: those whose file is there and may be executed
+  bool user_folders_known = true;  ///< all folders in which such files are looked for are here
   std::vector<IniCall> calls;      ///< subs that the machine calls, without a program
   std::shared_ptr<const SearchPath> search_path;
   Ini ini;

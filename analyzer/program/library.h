@@ -29,10 +29,10 @@ class Library {
 
   /// The program in the file that a call found; an empty one if there is nothing that LinuxCNC could
   /// read (a folder, a device, a file that was deleted). Never null.
-  std::shared_ptr<const Program> load_called(const std::string& path);
+  std::shared_ptr<const Program> load_called(const std::string& path, const Profile& profile = {});
   /// The program in a file that is checked itself. It is kept if others may call it, that is, if it defines the sub with
   /// its own name.
-  std::shared_ptr<const Program> load(std::shared_ptr<const Source> source);
+  std::shared_ptr<const Program> load(std::shared_ptr<const Source> source, const Profile& profile = {});
 
   /// Where the files that a program calls are looked for: as the INI says, or without one in the program's own folder and
   /// those of `--sub-path`.
@@ -50,12 +50,12 @@ class Library {
     std::shared_ptr<const Program> program;
     bool called = false;
   };
-  std::shared_ptr<Slot> slot(const std::string& path, bool for_call);
+  std::shared_ptr<Slot> slot(const std::string& path, const std::string& key, bool for_call);
   const Files& files_;
   std::mutex mutex_;
   std::vector<std::string> unnamed_;  // of name_files(), until something is called: most runs need no names
   std::unordered_map<std::string, std::string> names_;  // after that, by file_key()
-  std::map<std::string, std::shared_ptr<Slot>> slots_;
+  std::map<std::string, std::shared_ptr<Slot>> slots_;  // by file_key() and, behind a NUL, WordsOfMachine::key()
   std::map<std::vector<std::string>, std::shared_ptr<const SearchPath>>
       search_paths_;  // without an INI, by their folders
   std::atomic<size_t> parsed_ = 0;

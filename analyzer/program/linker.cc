@@ -22,6 +22,7 @@ class Joiner {
     value0_ = static_cast<uint32_t>(out_.syntax.values.size());
     item0_ = static_cast<uint32_t>(out_.syntax.items.size());
     error0_ = static_cast<uint32_t>(out_.syntax.errors.size());
+    fault0_ = static_cast<uint32_t>(out_.syntax.motion_faults.size());
     expr0_ = static_cast<uint32_t>(out_.syntax.exprs.size());
     region0_ = static_cast<uint32_t>(out_.regions.size());
     block0_ = static_cast<uint32_t>(out_.blocks.size());
@@ -48,12 +49,22 @@ class Joiner {
     for (NameId id = 0; id < in.syntax.names.size(); ++id) names_.push_back(out_.syntax.names.intern(in.name(id)));
   }
 
+  /// By how much the place that Statement::first names has moved.
+  uint32_t first_moves(const Statement& s) const {
+    switch (s.kind) {
+      case LineKind::kUserCode: return 0;
+      case LineKind::kMachineCheck: return error0_;
+      case LineKind::kMotionCheck: return fault0_;
+      default: return s.has_items() ? item0_ : value0_;
+    }
+  }
+
   void syntax(const Syntax& in) {
     Syntax& out = out_.syntax;
     for (Statement s : in.statements) {
       s.label = name(s.label);
       s.label_expr = expr(s.label_expr);
-      s.first += s.has_items() ? item0_ : value0_;
+      s.first += first_moves(s);
       s.error = moved(s.error, error0_);
       out.statements.push_back(s);
     }
@@ -63,6 +74,10 @@ class Joiner {
       item.target = expr(item.target);
       item.target_name = name(item.target_name);
       out.items.push_back(item);
+    }
+    for (MotionFault fault : in.motion_faults) {
+      fault.error += error0_;
+      out.motion_faults.push_back(fault);
     }
     for (LineError error : in.errors) {
       error.read_from += expr0_;
@@ -109,7 +124,7 @@ class Joiner {
 
   Program& out_;
   std::vector<NameId> names_;
-  uint32_t statement0_ = 0, value0_ = 0, item0_ = 0, error0_ = 0, expr0_ = 0, region0_ = 0, block0_ = 0;
+  uint32_t statement0_ = 0, value0_ = 0, item0_ = 0, error0_ = 0, fault0_ = 0, expr0_ = 0, region0_ = 0, block0_ = 0;
 };
 
 }  // namespace
@@ -122,7 +137,7 @@ std::string_view called_label(std::string_view name, Version version) {
 Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes)
     : answers_(library.search_path(program->source->path(), profile), notes),
       library_(library),
-      block_delete_(profile.block_delete) {
+      profile_(profile) {
   const std::string path = program->source->path();
   by_path_.emplace(file_key(path), 0);
   files_.push_back({as_run(std::move(program)), 0, 0, true});
@@ -132,12 +147,12 @@ Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, L
 
 uint32_t Linked::add_file(const FoundFile& found) {
   const auto [entry, added] = by_path_.try_emplace(file_key(found.path), static_cast<uint32_t>(files_.size()));
-  if (added) files_.push_back({as_run(library_.load_called(found.path)), 0, 0, found.regular});
+  if (added) files_.push_back({as_run(library_.load_called(found.path, profile_)), 0, 0, found.regular});
   return entry->second;
 }
 
 std::shared_ptr<const Program> Linked::as_run(std::shared_ptr<const Program> program) const {
-  return block_delete_ ? without_deleted_lines(std::move(program)) : program;
+  return profile_.block_delete ? without_deleted_lines(std::move(program)) : program;
 }
 
 CallTarget Linked::target(const std::string& name) const {
@@ -192,6 +207,7 @@ void Linked::join() {
   for (size_t i = 0; i < files_.size(); ++i) joiner.append(*files_[i].program, i + 1 == files_.size());
   joined->syntax.percent = main.syntax.percent;
   joined->syntax.blank = main.syntax.blank;
+  joined->syntax.first_motion = main.syntax.first_motion;
   joined->sub_file = main.sub_file;
   joined->entry = main.entry == kNoName ? kNoName : joined->syntax.names.find(main.name(main.entry));
   index_labels(*joined);

@@ -62,7 +62,7 @@ class Linked {
   Answers answers_;
   std::shared_ptr<const Program> joined_;
   Library& library_;
-  bool block_delete_;
+  const Profile profile_;
 };
 
 /// The name of a call's label in the label table: from LinuxCNC 2.9 on, the part after the last `/`.

@@ -133,9 +133,9 @@ void build_structure(Program& program) {
 
 }  // namespace
 
-std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source) {
+std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source, const MachineWords& machine) {
   auto program = std::make_unique<Program>();
-  program->syntax = scan(*source);
+  program->syntax = scan(*source, machine);
   program->source = std::move(source);
   build_structure(*program);
   return program;
@@ -153,7 +153,17 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
     const bool read = error != nullptr && error->kind <= StopKind::kCommentUnclosed;
     if (!s.block_delete || read) {
       statements.push_back(s);
-    } else if (s.plain_code_follows && !statements.empty() && !statements.back().plain_code_follows) {
+      continue;
+    }
+    // What the plain lines behind it do is not told from what it does itself.
+    if (s.motion != kLeavesMotion) {
+      if (statements.empty()) {
+        out->syntax.first_motion = kLeavesAny;
+      } else {
+        statements.back().motion = kLeavesAny;
+      }
+    }
+    if (s.plain_code_follows && !statements.empty() && !statements.back().plain_code_follows) {
       statements.back().plain_code_follows = true;
       statements.back().first_plain_line = s.first_plain_line;
     }

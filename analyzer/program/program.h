@@ -87,7 +87,7 @@ struct Program {
 };
 
 /// Builds everything above from the bytes of one file.
-std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source);
+std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source, const MachineWords& machine = {});
 
 /// The program as LinuxCNC runs it when block delete is on: without the lines that begin with `/`. Only errors of
 /// comments and of a line's length are left of them (measured). The same program where there is no such line.

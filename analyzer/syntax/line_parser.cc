@@ -43,7 +43,7 @@ void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::
   if (is_foreign(line_[from])) to = from + foreign_run(line_.text(), from);
   s.error = static_cast<uint32_t>(out_.errors.size());
   out_.errors.push_back(
-      {kind, line_.span(from, to), std::move(message), item_begins_, static_cast<ExprId>(out_.exprs.size())});
+      {kind, line_.span(from, to), std::move(message), {}, item_begins_, static_cast<ExprId>(out_.exprs.size())});
 }
 
 size_t LineParser::skip_comments(size_t at, bool* any) const {
@@ -64,12 +64,14 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   s.offset = offset;
   s.length = static_cast<uint32_t>(raw.size());
   const StopKind comment = line_.assign(raw, offset);
+  has_words_ = false;
+  unsure_ = UINT32_MAX;
   s.nul = line_.has_nul();
   s.inner_cr = line_.has_inner_cr();
   if (comment != StopKind::kNone) {
     s.error = static_cast<uint32_t>(out_.errors.size());
     out_.errors.push_back({comment, line_.error(),
-                           comment == StopKind::kCommentNested ? "Nested comment found" : "Unclosed comment found"});
+                           comment == StopKind::kCommentNested ? "Nested comment found" : "Unclosed comment found", {}, 0, 0});
     return true;
   }
   line_begins_ = item_begins_ = static_cast<ExprId>(out_.exprs.size());
@@ -110,7 +112,9 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
     o_word(at, s);
     return true;
   }
-  return words(at, s) || s.nul || s.inner_cr;
+  const bool keep = words(at, s) || s.nul || s.inner_cr;
+  if (!keep) out_.exprs.erase(out_.exprs.begin() + line_begins_, out_.exprs.end());
+  return keep;
 }
 
 /// `has_letter`: the cursor is at the `o`, or what stands in its place; else it has been forgotten.

@@ -2,16 +2,26 @@
 #pragma once
 
 #include "analyzer/syntax/statement.h"
+#include "analyzer/syntax/word_line.h"
 
 namespace owlint {
 
 class LineParser {
  public:
-  explicit LineParser(Syntax& syntax) : out_(syntax) {}
+  explicit LineParser(Syntax& syntax, const MachineWords& machine = {})
+      : out_(syntax), machine_(machine), words_(machine_) {}
 
   /// Parses `raw` (without line feed) which begins at `offset`. Fills `*statement` and returns true if the line
-  /// is to be kept; its values, items and errors are then in the Syntax.
+  /// is to be kept; its values, items and errors are then in the Syntax. A line that is kept for none of them leaves
+  /// nothing there.
   bool parse(std::string_view raw, uint64_t offset, Statement* statement);
+  /// The words of the line that was parsed last: null for O-words, M98, and where reading has failed.
+  const WordLine* words() const { return has_words_ ? &words_ : nullptr; }
+  /// The error with which some machines stop at that line, others not; UINT32_MAX if there is none.
+  uint32_t unsure() const { return unsure_; }
+  /// Records a fault of the words against each other: returns its index in Syntax::errors.
+  uint32_t add_error(const Fault& fault);
+  static StopKind kind_of(WordFault fault);
   /// Whether a comment begins on the line that was parsed last.
   bool has_comment() const { return line_.has_comment(); }
 
@@ -29,6 +39,10 @@ class LineParser {
   void m99(ExpressionParser& in, Statement& s);
   bool all_words(ExpressionParser& in, Statement& s);
   bool word(ExpressionParser& in, Statement& s);
+  bool number_of(ExpressionParser& in, size_t from, ExprId* value, Statement& s);
+  void fail(Statement& s, const Fault& fault, size_t from, size_t to);
+  bool passes(Statement& s, const Fault& fault, size_t from, size_t to);
+  Span span_of_word(uint8_t word) const;
   void contour(Statement& s);
   bool m_code(ExprId value, size_t from, size_t to, Statement& s);
   void note_rest(size_t at, Statement& s);
@@ -52,7 +66,11 @@ class LineParser {
   static constexpr uint32_t kHasReturn = 1U << 31;
 
   Syntax& out_;
+  MachineWords machine_;
   LineText line_;
+  WordLine words_;
+  bool has_words_ = false;
+  uint32_t unsure_ = UINT32_MAX;  // an error with which some machines stop
   ExprId contour_sub_ = kNoExpr;  ///< the value of the line's Q word
   size_t contour_from_ = 0, contour_to_ = 0;
   bool cuts_contour_ = false;                  ///< the line has a G70, G71 or G72

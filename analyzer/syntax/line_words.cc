@@ -12,6 +12,8 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// Of an axis that the stand-alone interpreter does not have: refused before its value is read.
 bool foreign_letter(char c) { return c == 'u' || c == 'v' || c == 'w'; }
 
+bool begins_value(char c) { return is_digit(c) || (c != '\0' && std::string_view("+-.[#").find(c) != std::string_view::npos); }
+
 constexpr double kStopCodes[] = {0, 1, 2, 30, 60};
 
 /// G70, G71, G71.1, G71.2, G72, G72.1, G72.2.
@@ -112,7 +114,9 @@ void LineParser::unreadable(const ReadError& error, size_t from, Statement& s) {
   if (is_foreign(line_[error.from])) return fail(s, StopKind::kWordUnreadable, error.from, error.to, error.message);
   size_t to = from + 1;
   while (is_letter(line_[to])) ++to;
-  fail(s, StopKind::kWordUnreadable, from, std::max(to, error.to),
+  // `X`, and the first letter of `XY5`; three letters and more are text.
+  const bool word = to == from + 1 || (to == from + 2 && begins_value(line_[to]));
+  fail(s, word ? StopKind::kNumberMissing : StopKind::kWordUnreadable, from, std::max(to, error.to),
        foreign_letter(line_[from]) ? bad_character(line_[from]) : error.message);
 }
 
@@ -146,25 +150,84 @@ bool LineParser::assignment(ExpressionParser& in, Statement& s) {
   return true;
 }
 
+StopKind LineParser::kind_of(WordFault fault) {
+  switch (fault) {
+    case WordFault::kWordUnknown: return StopKind::kWordUnknown;
+    case WordFault::kNumberOutOfRange: return StopKind::kNumberOutOfRange;
+    case WordFault::kWordRepeated: return StopKind::kWordRepeated;
+    case WordFault::kCodeUnknown: return StopKind::kCodeUnknown;
+    case WordFault::kCodesConflict: return StopKind::kCodesConflict;
+    case WordFault::kWordUnused: return StopKind::kWordUnused;
+    case WordFault::kWordMissing: return StopKind::kWordMissing;
+    case WordFault::kAxisWords: return StopKind::kAxisWords;
+  }
+  return StopKind::kNone;
+}
+
+Span LineParser::span_of_word(uint8_t word) const {
+  if (word >= words_.size()) return {};
+  return {line_.begin() + words_[word].from, line_.begin() + words_[word].to};
+}
+
+/// A fault of the word at [from, to), which has been read.
+void LineParser::fail(Statement& s, const Fault& fault, size_t from, size_t to) {
+  if (s.error != UINT32_MAX) return;
+  fail(s, kind_of(fault.kind), from, to, fault.message);
+  out_.errors[s.error].other = span_of_word(fault.other);
+}
+
+uint32_t LineParser::add_error(const Fault& fault) {
+  Span span = span_of_word(fault.word);
+  if (fault.word == kNoWord) span = {line_.offset(0), line_.span(0, line_.size()).end};
+  out_.errors.push_back({kind_of(fault.kind), span, fault.message, span_of_word(fault.other), 0, 0});
+  return static_cast<uint32_t>(out_.errors.size() - 1);
+}
+
+/// Whether the line goes on behind a fault of the word at [from, to): only where some machines know the word.
+bool LineParser::passes(Statement& s, const Fault& fault, size_t from, size_t to) {
+  if (fault.certain) {
+    fail(s, fault, from, to);
+    return false;
+  }
+  if (unsure_ == UINT32_MAX) {
+    unsure_ = static_cast<uint32_t>(out_.errors.size());
+    out_.errors.push_back({kind_of(fault.kind), line_.span(from, to), fault.message, {}, 0, 0});
+  }
+  return true;
+}
+
+/// Reads the value of the word at `from`; false where it has none.
+bool LineParser::number_of(ExpressionParser& in, size_t from, ExprId* value, Statement& s) {
+  const char first = line_[in.cursor];
+  *value = in.value();
+  if (*value != kNoExpr) return true;
+  const ReadError& error = in.error();
+  if (first == '[' || first == '#') {
+    fail(s, StopKind::kExpression, error.from, error.to, error.message);
+  } else if (begins_value(first)) {
+    fail(s, StopKind::kNumberMalformed, from, std::max(error.to, from + 1), error.message);
+  } else {
+    unreadable(error, from, s);
+  }
+  return false;
+}
+
 bool LineParser::word(ExpressionParser& in, Statement& s) {
   const size_t from = in.cursor;
   const char letter = line_[from];
-  ++in.cursor;
-  const bool plain_number =
-      is_digit(line_[in.cursor]) || line_[in.cursor] == '.' || line_[in.cursor] == '-' || line_[in.cursor] == '+';
-  const ExprId value = in.value();
-  if (value == kNoExpr) {
-    const bool expression = line_[from + 1] == '[' || line_[from + 1] == '#' || plain_number;
-    if (expression) {
-      fail(s, StopKind::kExpression, in.error().from, in.error().to, in.error().message);
-    } else {
-      unreadable(in.error(), from, s);
-    }
+  const std::optional<Fault> letter_fault = words_.letter(letter);
+  if (letter_fault && letter_fault->certain && letter_fault->kind != WordFault::kWordUnknown) {
+    fail(s, *letter_fault, from, from + 1);
     return false;
   }
+  ++in.cursor;
+  ExprId value = kNoExpr;
+  if (!number_of(in, from, &value, s)) return false;
+  // The letter of an axis that is not there is refused before its value; but where that is no number it is a word of text.
+  if (letter_fault && letter_fault->kind == WordFault::kWordUnknown && !passes(s, *letter_fault, from, in.cursor)) return false;
   double number = 0;
-  if (letter == 'g' && literal_value(out_.exprs, value, &number))
-    cuts_contour_ = cuts_contour_ || is_contour_code(number);
+  const bool known = literal_value(out_.exprs, value, &number);
+  if (letter == 'g' && known) cuts_contour_ = cuts_contour_ || is_contour_code(number);
   if (letter == 'q') {
     contour_sub_ = value;
     contour_from_ = from;
@@ -172,9 +235,12 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   }
   if (is_letter(letter)) letters_ |= 1U << (letter - 'a');
   if (letter == 'm' && !m_code(value, from, in.cursor, s)) return false;
+  const auto end = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
+  if (const auto fault = words_.add({letter, known, number, relative(from), end}); fault && !passes(s, *fault, from, in.cursor))
+    return false;
   if (out_.exprs[value].op != Operator::kNumber) {
-    Item item{.value = value, .from = relative(from)};
-    item.to = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
+    Item item{.value = value, .from = relative(from), .letter = letter};
+    item.to = end;
     out_.items.push_back(item);
     ++s.item_count;
   }
@@ -268,7 +334,8 @@ bool LineParser::words(size_t at, Statement& s) {
   letters_ = 0;
   contour_sub_ = kNoExpr;
   cuts_contour_ = false;
-  all_words(in, s);
+  words_.clear();
+  has_words_ = all_words(in, s) && s.error == UINT32_MAX;
   if (cuts_contour_ && contour_sub_ != kNoExpr && s.kind == LineKind::kWords && s.error == UINT32_MAX) contour(s);
   return s.kind != LineKind::kWords || s.item_count > 0 || s.error != UINT32_MAX;
 }

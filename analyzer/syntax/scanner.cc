@@ -6,38 +6,12 @@
 
 #include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/motion_in_effect.h"
 #include "analyzer/syntax/statement.h"
 #include "analyzer/text/parallel.h"
 
 namespace owlint {
 namespace {
-
-enum Class : uint8_t {
-  kDull,       // cannot make a line matter
-  kMatters,    // the line goes to the parser
-  kParen,      // a comment: look for its end
-  kSemicolon,  // a comment to the end of the line
-  kM,          // M2, M30, M98, M99, or an M with a computed number
-  kQ,          // may name the contour of G70, G71 or G72
-};
-
-constexpr std::array<uint8_t, 256> make_classes() {
-  std::array<uint8_t, 256> classes{};
-  classes.fill(kMatters);
-  for (const char c : std::string_view(" \t\r+-.0123456789^@$")) classes[static_cast<unsigned char>(c)] = kDull;
-  for (char c = 'a'; c <= 'z'; ++c) {
-    classes[static_cast<unsigned char>(c)] = kDull;
-    classes[static_cast<unsigned char>(c - 'a' + 'A')] = kDull;
-  }
-  for (const char c : {'o', 'O'}) classes[static_cast<unsigned char>(c)] = kMatters;
-  for (const char c : {'m', 'M'}) classes[static_cast<unsigned char>(c)] = kM;
-  for (const char c : {'q', 'Q'}) classes[static_cast<unsigned char>(c)] = kQ;
-  classes['('] = kParen;
-  classes[';'] = kSemicolon;
-  return classes;
-}
-
-constexpr auto kClasses = make_classes();
 
 // Lines are skipped in stretches, and each stretch is let go when it is over: a file of gigabytes is never in
 // memory as a whole.
@@ -50,36 +24,7 @@ bool ends_in_nuls(std::string_view line) {
   return first <= kLineLimit && line.find_first_not_of('\0', first) == std::string_view::npos;
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-/// Whether the M at `at` may be an M2, M30, M98, M99 or a computed one.
-bool interesting_m(std::string_view line, size_t at) {
-  int number = 0;
-  bool digits = false;
-  for (++at; at < line.size(); ++at) {
-    const char c = line[at];
-    if (is_blank(c)) continue;
-    if (c == '.') return true;
-    if (c < '0' || c > '9') break;
-    digits = true;
-    number = number * 10 + (c - '0');
-    if (number > 999) return false;
-  }
-  return !digits || number == 2 || number == 30 || number == 98 || number == 99;
-}
-
-/// Whether the line may have a G70, G71 or G72, with whatever decimals.
-bool may_cut_contour(std::string_view line) {
-  for (size_t at = line.find_first_of("gG"); at != std::string_view::npos; at = line.find_first_of("gG", at + 1)) {
-    size_t digit = line.find_first_not_of(" \t0", at + 1);
-    if (digit == std::string_view::npos || line[digit] != '7') continue;
-    digit = line.find_first_not_of(" \t", digit + 1);
-    if (digit != std::string_view::npos && line[digit] >= '0' && line[digit] <= '2') return true;
-  }
-  return false;
-}
 
 struct LineView {
   bool too_long = false;  // longer than LinuxCNC reads; then nothing else is known
@@ -88,50 +33,29 @@ struct LineView {
   bool speaks = false;  // a comment that may hold a directive; not looked for in lines that matter
 };
 
+/// Looks at a line that is not plain. One with code goes to the parser, and of comments those that LinuxCNC refuses.
 LineView look(std::string_view line) {
   LineView view;
-  bool first = true;
   for (size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    switch (kClasses[static_cast<unsigned char>(c)]) {
-      case kDull:
-        if (is_blank(c)) {
-          if (c == '\r' && line.find_first_not_of(" \t\r\v\f", i) != std::string_view::npos) view.matters = true;
-          continue;
-        }
-        // A digit at the beginning, or two letters side by side: a zero for the letter O, a word of another language.
-        if (first && c >= '0' && c <= '9') view.matters = true;
-        if (i + 1 < line.size() && is_letter(c) && is_letter(line[i + 1])) view.matters = true;
-        break;
-      case kParen: {
-        const size_t close = line.find_first_of(std::string_view("()\0", 3), i + 1);
-        if (close == std::string_view::npos || line[close] != ')') {
-          view.matters = true;
-          view.code = true;
-          return view;
-        }
-        view.speaks = true;
-        i = close;
-        first = false;
-        continue;
-      }
-      case kSemicolon:
-        view.speaks = true;
-        if (line.find('\0', i) != std::string_view::npos) view.matters = true;
+    if (c == '(') {
+      const size_t close = line.find_first_of(std::string_view("()\0", 3), i + 1);
+      view.speaks = true;
+      if (close == std::string_view::npos || line[close] != ')') {
+        view.matters = view.code = true;
         return view;
-      case kM:
-        if (interesting_m(line, i)) view.matters = true;
-        break;
-      case kQ:
-        if (may_cut_contour(line)) view.matters = true;
-        break;
-      default:
-        if (!(first && c == '/')) view.matters = true;
-        break;
+      }
+      i = close;
+    } else if (c == ';') {
+      view.speaks = true;
+      if (line.find('\0', i) != std::string_view::npos) view.matters = true;
+      return view;
+    } else if (!is_blank(c)) {
+      view.matters = view.code = true;
+      return view;
+    } else if (c == '\r' && line.find_first_not_of(" \t\r\v\f", i) != std::string_view::npos) {
+      view.matters = true;
     }
-    view.code = true;
-    first = false;
-    if (view.matters) return view;
   }
   return view;
 }
@@ -212,6 +136,7 @@ std::vector<Stretch> cut(const Source& source) {
 struct Found {
   uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
   uint32_t plain_last = 0;
+  Motion plain_motion = Motion::kNone;  ///< that plain lines set last
   uint32_t line = 0;  ///< the line after them; at the end of the stretch the number of all lines
   bool over = false;  ///< no line comes after them: the end of the stretch
   LineView view;
@@ -222,11 +147,14 @@ struct Found {
 /// Reads a stretch and passes what it finds to `take`; plain lines are not stored.
 template <typename Take>
 void look_through(std::string_view bytes, const Stretch& stretch, const Take& take) {
-  const std::string_view until_end = bytes.substr(0, stretch.end);
+  // What comes after the last line feed of the file is not plain.
+  const std::string_view until_end = bytes.substr(0, bytes.substr(0, stretch.end).rfind('\n') + 1);
   uint32_t line = 0;
+  Taken taken = Taken::kNothing;
   for (size_t at = stretch.begin;;) {
-    const Passed passed = pass_plain_lines(until_end, at);
+    const Passed passed = pass_plain_lines(until_end, at, taken);
     Found found;
+    found.plain_motion = passed.motion;
     if (passed.first_code != 0) {
       found.plain_first = line + passed.first_code;
       found.plain_last = line + passed.last_code;
@@ -241,6 +169,7 @@ void look_through(std::string_view bytes, const Stretch& stretch, const Take& ta
     found.end = feed == nullptr ? stretch.end : static_cast<size_t>(feed - bytes.data());
     found.line = ++line;
     const std::string_view text = bytes.substr(at, found.end - at);
+    taken = taken_after(text, passed.taken);
     // The limit counts the line feed: a last line without one may be a character longer.
     const size_t limit = kLineLimit + (feed == nullptr ? 1 : 0);
     if (text.size() <= limit) {
@@ -256,13 +185,15 @@ void look_through(std::string_view bytes, const Stretch& stretch, const Take& ta
 /// Puts together what the stretches have, in their order, and parses the lines that matter.
 class Reader {
  public:
-  Reader(Syntax& out, std::string_view bytes) : out_(out), bytes_(bytes), parser_(out) {}
+  Reader(Syntax& out, std::string_view bytes, const MachineWords& machine)
+      : out_(out), bytes_(bytes), parser_(out, machine), motion_(out, parser_) {}
 
   void take(const Found& found) {
     if (found.plain_first != 0) {
       seen_first_ = true;
       note_plain(before_ + found.plain_first);
       out_.last_code = before_ + found.plain_last;
+      motion_.pass(found.plain_motion);
     }
     if (found.over) {
       before_ += found.line;
@@ -280,14 +211,18 @@ class Reader {
       statement.offset = found.begin;
       statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
       statement.error = static_cast<uint32_t>(out_.errors.size());
-      out_.errors.push_back({StopKind::kLineTooLong, {found.begin + kLineLimit, found.end}, "Command too long"});
+      out_.errors.push_back(
+          {StopKind::kLineTooLong, {found.begin + kLineLimit, found.end}, "Command too long", {}, 0, 0});
       out_.last_code = number;
     } else {
       const LineView& view = found.view;
       const bool code =
           view.code && line.find_first_not_of(std::string_view("\0 \t\r\v\f", 6)) != std::string_view::npos;
       if (code) out_.last_code = number;
-      if (view.matters || view.too_long) keep = parser_.parse(line, found.begin, &statement);
+      if (view.matters || view.too_long) {
+        keep = parser_.parse(line, found.begin, &statement);
+        keep = motion_.judge(statement, keep);
+      }
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
         const bool plain = !keep || (statement.error == UINT32_MAX && statement.has_items());
@@ -303,12 +238,22 @@ class Reader {
       }
       if (!keep && code) note_plain(number);
     }
-    if (!keep) return;
+    const WordLine* const words = found.view.matters && !too_long ? parser_.words() : nullptr;
+    const bool asks_machine = words != nullptr && (words->is_user_m() || parser_.unsure() != UINT32_MAX);
+    if (!keep && !asks_machine) return motion_.leave();
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;
     make_room(out_.statements, found.begin);
     make_room(out_.exprs, found.begin);
     make_room(out_.values, found.begin);
-    out_.statements.push_back(statement);
+    if (words != nullptr && parser_.unsure() != UINT32_MAX) ask(statement, LineKind::kMachineCheck, parser_.unsure());
+    if (keep) motion_.push(statement);
+    if (words != nullptr && words->is_user_m()) {
+      const Word& code = (*words)[words->word_of(MGroup::kUser)];
+      Statement& asks = ask(statement, LineKind::kUserCode, static_cast<uint32_t>(code.value + 0.5));
+      asks.keyword_from = code.from;
+      asks.keyword_to = code.to;
+    }
+    if (!keep) motion_.leave();
   }
 
   void finish() {
@@ -317,6 +262,18 @@ class Reader {
   }
 
  private:
+  /// A question to the flow about a line that may have no statement itself.
+  Statement& ask(const Statement& line, LineKind kind, uint32_t first) {
+    Statement asks;
+    asks.offset = line.offset;
+    asks.length = line.length;
+    asks.line = line.line;
+    asks.kind = kind;
+    asks.block_delete = line.block_delete;
+    asks.first = first;
+    return out_.statements.emplace_back(asks);
+  }
+
   void note_first_line(std::string_view line) {
     line = line.substr(0, line.find('\0'));  // where LinuxCNC's line ends
     const size_t first = line.find_first_not_of(" \t\r\v\f");
@@ -347,16 +304,17 @@ class Reader {
   Syntax& out_;
   std::string_view bytes_;
   LineParser parser_;
+  MotionInEffect motion_;
   uint32_t before_ = 0;      // lines in the stretches before
   bool seen_first_ = false;  // a line that is not blank
 };
 
 }  // namespace
 
-Syntax scan(const Source& source) {
+Syntax scan(const Source& source, const MachineWords& machine) {
   Syntax out;
   const std::string_view bytes = source.bytes();
-  Reader reader(out, bytes);
+  Reader reader(out, bytes, machine);
   const std::vector<Stretch> stretches = cut(source);
   const auto look_at = [&](size_t i, const auto& take) {
     const Span span{stretches[i].begin, stretches[i].end};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/expression.h"
 #include "analyzer/syntax/keyword.h"
 #include "analyzer/syntax/names.h"
@@ -25,6 +26,9 @@ enum class LineKind : uint8_t {
   kPercent,     // `%` alone on its line
   kContour,     // G70, G71 or G72 with Q: runs the sub of that number for the contour
   kWords,       // any other line that is kept
+  kUserCode,    // no line of its own: a line has M100 to M199, whose number is `first`, and whose word is the keyword
+  kMachineCheck,  // no line of its own: only some machines stop at the line, with the error
+  kMotionCheck, // no line of its own: what the words of a line need of the motion in effect before it
   kFileEnd,     // no line: where one file ends in a program joined from several
 };
 
@@ -38,6 +42,7 @@ struct Item {
   NameId target_name = kNoName;  ///< assignment to a named one
   LineByte from = 0;
   LineByte to = 0;
+  char letter = 0;  ///< of a word, small
 };
 
 /// A reading error: the interpreter's message, and the bytes that it is about.
@@ -45,13 +50,27 @@ struct LineError {
   StopKind kind = StopKind::kNone;
   Span span;
   std::string message;
+  /// Another word that it is about, such as the first of two codes of one group; empty if there is none.
+  Span other;
   /// What the interpreter has read of the unfinished word or setting before the error, in this order: it computes while it reads,
   /// so a name that is not there or a division by 0 among these is what it reports.
   ExprId read_from = 0, read_to = 0;
 };
 
+/// What stops a line of words if one of these motions is in effect before it.
+struct MotionFault {
+  MotionSet motions = 0;
+  uint32_t error = 0;  ///< into Syntax::errors
+  bool last = false;   ///< of its statement
+};
+
 using StatementId = uint32_t;
 inline constexpr StatementId kNoStatement = UINT32_MAX;
+
+/// How a statement's line, and the plain lines behind it, change the motion in effect: a Motion, or one of these.
+inline constexpr uint8_t kLeavesMotion = 63;  ///< not at all
+inline constexpr uint8_t kLeavesAny = 62;     ///< in a way that is not known
+static_assert(static_cast<uint8_t>(Motion::kNone) < kLeavesAny);
 
 /// Kept small (48 bytes): a program of nothing but O-words is as fast as memory is.
 struct Statement {
@@ -62,7 +81,7 @@ struct Statement {
   NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
   ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98, the Q of G71)
   uint32_t first =
-      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line
+      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kMotionCheck into Syntax::motion_faults
   uint32_t error = UINT32_MAX;    ///< into Syntax::errors; raised after the values before it
   uint32_t first_plain_line = 0;  ///< the first of the lines meant by plain_code_follows
 
@@ -79,6 +98,7 @@ struct Statement {
   bool refused : 1 = false;             ///< because of something before the O-word, the line is an error
   bool repeats : 1 = false;             ///< M98 with an L, its first value
   bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
+  uint8_t motion : 6 = kLeavesMotion;   ///< what is in effect before the next statement
 
   // Equal if there is no such part.
   LineByte label_from = 0, label_to = 0;      ///< with the `o`
@@ -120,6 +140,7 @@ struct Syntax {
   std::vector<ExprId> values;
   std::vector<Item> items;
   std::vector<LineError> errors;
+  std::vector<MotionFault> motion_faults;
   std::vector<Directive> directives;
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;
@@ -127,6 +148,7 @@ struct Syntax {
   uint32_t lines = 0;             ///< number of lines in the file
   uint32_t last_code = 0;         ///< the last line that is neither blank nor comment; 0 if there is none
   uint32_t first_plain_line = 0;  ///< the first code line before the first statement, 0 if none
+  uint8_t first_motion = kLeavesMotion;  ///< as Statement::motion, of the plain lines before the first statement
   bool percent = false;           ///< the file begins with `%`: another `%` ends it
   bool deletes_lines = false;     ///< a statement has block delete, `/` first on its line
   bool runs_python = false;       ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
@@ -135,7 +157,7 @@ struct Syntax {
   const LineError* error(const Statement& s) const { return s.error == UINT32_MAX ? nullptr : &errors[s.error]; }
 };
 
-/// Reads a whole file. Any bytes are accepted; nothing is reported here, only recorded.
-Syntax scan(const Source& source);
+/// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.
+Syntax scan(const Source& source, const MachineWords& machine = {});
 
 }  // namespace owlint

@@ -33,11 +33,22 @@ enum class StopKind : uint8_t {
   kLabelForgotten,   // `if [1]` without `o100`
   kLetterForgotten,  // `100 if [1]`, `<name> call`: without the `o`
   kWordUnreadable,   // a letter without a value: `GOTO 20`, `hello`
+  kWordUnknown,      // `U1` on a machine without that axis
+  kNumberMissing,    // `G1 X`
+  kNumberMalformed,  // `X1..2`, `F--5`
+  kNumberOutOfRange,
+  kWordRepeated,
+  kCodeUnknown,
+  kCodesConflict,
+  kWordUnused,
+  kWordMissing,
+  kAxisWords,
   kBlockDelete,
   kBadCharacter,
   kM98Behind,  // M98 that is not the line's first word
   kM99Jump,    // `M99 P…` in the main program
   // Found while a line is executed.
+  kUserCodeMissing,  // `M110`: no file of that name, as far as is known
   kM99Behind,  // the same of M99, in a sub
   kM99Rest,    // words behind M99, in a sub
   kSubNested,

@@ -90,7 +90,7 @@ class Disk : public Files {
   FileInfo info(const std::string& path) const override {
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) return {};
-    return {kind_of(info.st_mode), static_cast<uint64_t>(info.st_size), stamp_of(info)};
+    return {kind_of(info.st_mode), static_cast<uint64_t>(info.st_size), (info.st_mode & S_IXUSR) != 0, stamp_of(info)};
   }
 
   bool readable(const std::string& path) const override { return ::access(path.c_str(), R_OK) == 0; }

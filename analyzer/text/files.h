@@ -21,6 +21,7 @@ enum class FileKind : uint8_t { kNone, kFile, kFolder, kLink, kOther };
 struct FileInfo {
   FileKind kind = FileKind::kNone;  ///< kNone: there is nothing; never kLink
   uint64_t bytes = 0;
+  bool executable = false;  ///< its owner may execute it
   uint64_t stamp = 0;  ///< changes with the file's size, times or inode; 0: only its bytes tell whether it has changed
 };
 

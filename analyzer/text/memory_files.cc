@@ -98,7 +98,7 @@ std::shared_ptr<const Source> MemoryFiles::read(const std::string& path, std::st
 FileInfo MemoryFiles::info(const std::string& path) const {
   const Place at = find(path);
   if (at.node == nullptr) return {};
-  return {at.node->kind, at.node->text.size(), 0};
+  return {at.node->kind, at.node->text.size(), at.node->text.starts_with("#!"), 0};
 }
 
 bool MemoryFiles::readable(const std::string& path) const {

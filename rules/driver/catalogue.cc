@@ -17,13 +17,14 @@ namespace rules {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kGroupTitles = {"comments for owlint",
+constexpr std::array<std::string_view, 8> kGroupTitles = {"comments for owlint",
                                                           "LinuxCNC's documented O-word errors",
                                                           "blocks and calls",
                                                           "the line",
                                                           "files and machine configuration",
                                                           "hazards",
-                                                          "parameters"};
+                                                          "parameters",
+                                                          "words of a line"};
 
 std::string capital_letters(std::string_view text) {
   std::string out(text);

@@ -1,3 +1,4 @@
+#include "analyzer/program/machine_words.h"
 #include "analyzer/syntax/last_statement.h"
 #include "analyzer/text/memory_files.h"
 #include "rules/driver/variants.h"
@@ -224,7 +225,8 @@ ProgramReport lint(const std::shared_ptr<const Program>& program, const Profile&
                    Library& library, Role role) {
   std::shared_ptr<const Program> checked = program;
   if (role == Role::kSubFile && !program->sub_file && defines_own_name(*program)) {
-    std::shared_ptr<Program> copy = build_program(program->source);
+    const WordsOfMachine machine(profile);
+    std::shared_ptr<Program> copy = build_program(program->source, machine.words);
     treat_as_sub_file(*copy);
     checked = std::move(copy);
   }
@@ -239,7 +241,7 @@ ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const 
 FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, const LintOptions& options) {
   static const MemoryFiles none;
   Library library(none);
-  return lint(library.load(std::move(source)), profile, options, library).own;
+  return lint(library.load(std::move(source), profile), profile, options, library).own;
 }
 
 std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& options, Library& library) {

@@ -6,6 +6,7 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/look_alike.h"
+#include "rules/driver/words.h"
 
 namespace owlint::rules {
 
@@ -17,6 +18,18 @@ bool is_about_foreign(const Program& program, const Statement& s, StopKind kind)
   if (error == nullptr || error->kind != kind) return false;
   const std::string_view text = program.source->slice(error->span);
   return !text.empty() && is_foreign(text[0]);
+}
+
+/// Whether what looks like text, or like an O-word behind other words, is a word with a wrong number: `XY5`, `GO X1`, `X1O`.
+bool is_about_number(const Program& program, const Statement& s, StopKind kind) {
+  if (kind != StopKind::kWordUnreadable && kind != StopKind::kWordBefore) return false;
+  const LineError* error = program.syntax.error(s);
+  if (error == nullptr || error->kind != kind) return false;
+  uint64_t at = 0;
+  if (writes_o_for_zero(program, s, *error, &at) || writes_letter_for_one(program, s, *error)) return true;
+  // Of two letters, both are probably words.
+  const std::string text = small_letters(shown(*program.source, error->span));
+  return kind == StopKind::kWordUnreadable && text.size() <= 2 && keyword_of(text) == Keyword::kUnknown;
 }
 
 }  // namespace
@@ -33,7 +46,18 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kM98Number:
     case StopKind::kLabelForgotten:
     case StopKind::kLetterForgotten: return "OW306";
-    case StopKind::kWordUnreadable: return "OW318";
+    case StopKind::kWordUnreadable:
+    case StopKind::kWordUnknown: return "OW701";
+    case StopKind::kNumberMissing:
+    case StopKind::kNumberMalformed: return "OW702";
+    case StopKind::kNumberOutOfRange: return "OW703";
+    case StopKind::kWordRepeated: return "OW704";
+    case StopKind::kUserCodeMissing:
+    case StopKind::kCodeUnknown: return "OW705";
+    case StopKind::kCodesConflict: return "OW706";
+    case StopKind::kWordUnused: return "OW707";
+    case StopKind::kWordMissing: return "OW708";
+    case StopKind::kAxisWords: return "OW709";
     case StopKind::kM98NoTarget: return "OW208";
     case StopKind::kM98Words:
     case StopKind::kM98Behind:
@@ -113,7 +137,20 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
   if (s.inner_cr && stop.kind < StopKind::kSubNested) return "OW314";
   if (stop.kind == StopKind::kTrailingText && program.source->slice(s.rest_span()).starts_with("]")) return "OW303";
   if (is_about_foreign(program, s, stop.kind)) return "OW314";
+  if (is_about_number(program, s, stop.kind)) return "OW702";
   return code_of(stop.kind, s);
+}
+
+const LineError* word_error(const Input& in, const FlowStop& stop) {
+  const Syntax& syntax = in.program.syntax;
+  const Statement& s = in.program.at(stop.statement);
+  if (s.kind == LineKind::kMachineCheck) return &syntax.errors[s.first];
+  if (s.kind != LineKind::kMotionCheck) return syntax.error(s);
+  for (uint32_t i = s.first;; ++i) {
+    const MotionFault& fault = syntax.motion_faults[i];
+    if (syntax.errors[fault.error].message == stop.interpreter) return &syntax.errors[fault.error];
+    if (fault.last) return nullptr;
+  }
 }
 
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {
@@ -214,7 +251,7 @@ StatementId telling_call(const Program& program, const FlowStop& stop) {
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.stops = true;
   finding.reach = stop.reach;
-  finding.unproven = stop.unproven && !finding.help.starts_with("write `");
+  finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
   finding.interpreter = stop.interpreter;
   for (const Decision& decision : stop.path) {
     const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
@@ -334,32 +371,6 @@ std::string ordinal(size_t n) {
   const char* ending = "th";
   if (tens < 11 || tens > 13) ending = n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th";
   return std::to_string(n) + ending;
-}
-
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates, size_t limit) {
-  const std::string* best = nullptr;
-  size_t best_distance = std::min(limit, std::max<size_t>(1, word.size() / 3)) + 1;
-  for (const std::string& candidate : candidates) {
-    const size_t longer = std::max(word.size(), candidate.size());
-    if (longer - std::min(word.size(), candidate.size()) >= best_distance) continue;
-    // Optimal string alignment: a swapped pair of letters is one mistake.
-    std::vector<std::vector<size_t>> d(word.size() + 1, std::vector<size_t>(candidate.size() + 1));
-    for (size_t i = 0; i <= word.size(); ++i) d[i][0] = i;
-    for (size_t j = 0; j <= candidate.size(); ++j) d[0][j] = j;
-    for (size_t i = 1; i <= word.size(); ++i) {
-      for (size_t j = 1; j <= candidate.size(); ++j) {
-        d[i][j] =
-            std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (word[i - 1] == candidate[j - 1] ? 0 : 1)});
-        if (i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1]) {
-          d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-        }
-      }
-    }
-    if (d[word.size()][candidate.size()] >= best_distance) continue;
-    best_distance = d[word.size()][candidate.size()];
-    best = &candidate;
-  }
-  return best == nullptr ? std::string() : *best;
 }
 
 std::string free_label(const Input& in, NameId label) {

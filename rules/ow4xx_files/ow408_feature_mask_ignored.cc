@@ -29,8 +29,11 @@ void check_setup(const SetupInput& in, Reporter& out) {
   f.help = !keys.empty()                 ? "write " + keys + " instead, in `[RS274NGC]`"
       : (*in.setup.mask & kAllBits) == 0 ? "remove the line: none of its bits means anything"
                                          : "remove the line: all that it turns on is on by default";
-  // Joints have sections of their own since 2.8: with `[AXIS_0]` the machine may still run 2.7, which reads the mask.
-  const bool old = in.setup.ini.has_section("AXIS_0") && !in.profile.version_given;
+  // Joints have sections of their own since 2.8: with `[AXIS_0]` the machine may still run 2.7, which reads the mask. An INI of
+  // those times has no `VERSION` or one of its own, and what LinuxCNC then offers, `update_ini`, replaces the mask.
+  const Ini::Entry* version = in.setup.ini.find("EMC", "VERSION");
+  const bool of_2_7 = in.setup.ini.has_section("AXIS_0") || version == nullptr || !version->value.starts_with("1.");
+  const bool old = of_2_7 && !in.profile.version_given;
   if (keys.empty() || old) f.weight = Weight::kAside;
 }
 
@@ -53,6 +56,8 @@ If you gave no version, owlint applies the mask as documented, and reports this.
 G0 X10
 M2
 ; file: machine.ini
+[EMC]
+VERSION = 1.1
 [RS274NGC]
 FEATURES = 0x2
 )",
@@ -60,13 +65,16 @@ FEATURES = 0x2
 G0 X10
 M2
 ; file: machine.ini
+[EMC]
+VERSION = 1.1
 [RS274NGC]
 OWORD_NARGS = 1
 )",
             .fix =
                 R"(Write the keys that replaced the bits, and remove the mask. `INI_VARS` and `HAL_PIN_VARS` are on by
 default; a mask of only these two is an info, and so is
-one in an INI that LinuxCNC 2.8 does not start with (it has `[AXIS_0]` for the first joint).)",
+one in an INI of LinuxCNC 2.7: it has `[AXIS_0]` for the first joint, or no `VERSION = 1.…` in `[EMC]`, and 2.8 offers
+to convert it.)",
             .level_reason = "Warning: LinuxCNC starts and runs, without the features in the mask.",
             .interpreter = "",
             .options = "--ini machine.ini",

@@ -32,9 +32,10 @@ Finding& report_sub(const Program& p, const Hazard& h, Reporter& out) {
 
 Finding& report_end(const Program& p, const Hazard& h, Reporter& out) {
   const Region& region = p.regions[p.region_of[h.statement]];
-  Finding& f =
-      out.add(p.at(h.statement).head_span(),
-              "`" + p.head(h.statement) + "` ends `" + p.label_text(region.name) + "`: the lines below it do not run");
+  const std::string ends = "`" + p.head(h.statement) + "` ends `" + p.label_text(region.name) + "`";
+  Finding& f = out.add(p.at(h.statement).head_span(),
+                       in_block(p, h.statement) ? ends + " here, as a `return` does; the label is another sub's"
+                                                : ends + ": the lines below it do not run");
   const std::string own = p.label_text(region.name);
   f.help = "remove the line, or write `" + own + " return` to end the sub here";
   f.fixes.push_back({"write `" + own + " return`", false, {{p.at(h.statement).head_span(), own + " return"}}});
@@ -60,7 +61,8 @@ void check(const Input& in, Reporter& out) {
     relate(f, p, p.regions[region].opener, "the called sub begins here");
     f.reach = h.reach;
     f.runs_other = true;
-    f.unproven = h.unproven || (!sub && in_block(p, h.statement));  // it may be meant as a `return`
+    f.unproven = h.unproven;
+    f.uncertain = !sub && in_block(p, h.statement);  // it is meant as a `return`, as it seems
   }
 }
 

@@ -37,8 +37,24 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"Too many subroutine levels", "OW210"),
     (r"Fanuc 'O|'O\.\.\.\. ", "OW211"),
     (r"Found 'm98' code", "OW208"),
-    (r"Unknown m code used: M98|convert_stop\(\) from M99|Multiple \S+ words|Negative l word|P word with no", "OW217"),
+    (r"Unknown m code used: M98|convert_stop\(\) from M99", "OW217"),
+    # Of an M98 line, which LinuxCNC reads as one of words, the rule about such lines speaks; M99 is a code, too.
+    (r"Multiple .+ words on one line", "OW704 OW217"),
+    (r"Two g codes used from same modal group", "OW706"),
+    (r"Two m codes used from same modal group", "OW706 OW217"),
+    (r"Too many m codes|G4 not allowed with G2|Between G5\.2 and G5\.3|Bug bad g code modal group 0|Must use g0 or g1 with g53|"
+     r"Cannot use g53 incremental|R word is ambiguous", "OW706"),
+    (r"Negative l word", "OW703 OW217"),
+    (r"Negative (f word|h word|spindle speed|tool id|g code|m code)|G-code out of range|P value not an integer|P value out of range|"
+     r"P value must be|P value should be|R value must be within", "OW703"),
+    (r"Unknown g code used|Unknown m code used|M-code greater than", "OW705"),
+    (r"P word with no", "OW707 OW217"),
+    (r"^[A-Z] word with no|\$ \(spindle selection\) word with no|Cannot put an? [abc] in canned cycle|F word used with a g33", "OW707"),
+    (r"Dwell time missing|Line with G10 does not have|All axes missing with|S word missing with G96|K word missing with g33|"
+     r"P word missing with G76|I J or K words missing", "OW708"),
+    (r"Cannot use axis values|Cannot use two g codes that both|[Pp]olar coordinate", "OW709"),
     (r"Unknown control command", "OW301 OW314"),
+    (r"Left bracket missing after (unary|slash)", "OW302 OW303 OW701 OW702"),
     (r"Left bracket missing", "OW302"),
     (r"Unexpected character after O-word", "OW304 OW303 OW217"),
     (r"Named parameter .* not defined", "OW603"),
@@ -46,14 +62,15 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"divide by zero|Zero to negative power|[Nn]egative argument to|raise negative|Calculation resulted|out of range",
      "OW512 OW303 OW604"),
     (r"Unclosed expression|Unknown operation|Unknown word where|Slash missing|bad number format|"
-     r"Unknown operator|Bad number", "OW303 OW306 OW314 OW318"),
+     r"Unknown operator|Bad number", "OW303 OW306 OW314 OW701 OW702"),
     (r"comment found", "OW308"),
     (r"Command too long", "OW309"),
-    (r"No characters found in reading real value|Unknown word starting with", "OW306 OW303 OW318"),
-    (r"Non integer value", "OW306 OW303 OW512 OW217"),
-    (r"Bad character 'o'", "OW305"),
+    (r"No characters found in reading real value|Unknown word starting with", "OW306 OW303 OW701 OW702"),
+    (r"Non integer value", "OW703 OW306 OW303 OW512 OW217"),
+    (r"Bad character 'o'", "OW305 OW702"),
+    (r"Bad character '[uvwabcxyz]'", "OW701"),
     (r"Bad character '%'", "OW315 OW314"),
-    (r"Bad character", "OW303 OW305 OW306 OW307 OW313 OW314 OW318"),
+    (r"Bad character", "OW303 OW305 OW306 OW307 OW313 OW314"),
 )]
 
 

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Holds owlint against the measured outcomes of the probe programs, in all three modes.
+"""Holds owlint against the measured outcomes of the probe programs, in all modes that were measured.
 
-usage: probes.py --owlint build/release/owlint [FOLDER]
+usage: probes.py --owlint build/release/owlint [FOLDER...]
 
-FOLDER has outcomes.tsv and probes/; it lies beside the repository (../shared/interpreter) and not in it, so that
-without it there is nothing to do. Modes: default; warnonly (`--feature 0x20`); mask (the INI's FEATURE mask, which
-LinuxCNC 2.9 ignores).  Exit status 1 when owlint and an outcome disagree.
+A folder has outcomes.tsv, and the programs in probes/ or beside it: those of O-words and those of words.  They lie beside
+the repository (../shared/interpreter) and not in it, so that without them there is nothing to do. Modes: default; warnonly
+(`--feature 0x20`); mask (the INI's FEATURE mask, which LinuxCNC 2.9 ignores).  A stop that is not followed yet
+(not_followed.py) is counted.  Exit status 1 when owlint and an outcome disagree.
 """
 import argparse
 import csv
@@ -15,10 +16,12 @@ import tempfile
 
 from confirm import Claims, judge
 from linter import Linter
-from rs274 import Outcome
+from not_followed import not_followed
+from rs274 import AT_FILE_END, Outcome
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 BESIDE = os.path.normpath(os.path.join(HERE, "..", "..", "..", "shared", "interpreter"))
+WORDS = os.path.join(BESIDE, "words", "probes", "reading")
 SKIPPED = 77                # what ctest takes for "not run"
 
 
@@ -28,40 +31,72 @@ def outcomes_of(folder):
     with open(os.path.join(folder, "outcomes.tsv"), encoding="latin-1", newline="") as f:
         for row in csv.DictReader(f, delimiter="\t", quoting=csv.QUOTE_NONE):
             said = row["message"].split(":")[0]
+            # Of the end of the file, owlint speaks at the cause.
+            said = said if said.isdigit() else "" if AT_FILE_END.search(row["message"]) else row["line"]
             line = int(said) if said.isdigit() else 0
             by_mode.setdefault(row["mode"], {})[row["program"]] = Outcome(row["outcome"], line, row["message"])
     return by_mode
 
 
+def texts_of(folder, names):
+    """-> {name: text}"""
+    where = os.path.join(folder, "probes")
+    texts = {}
+    for name in names:
+        with open(os.path.join(where if os.path.isdir(where) else folder, name), encoding="latin-1", newline="") as f:
+            texts[name] = f.read()
+    return texts
+
+
+def problems_of(outcome, findings, text):
+    """-> (what owlint says wrongly, whether it stops for what is not followed yet)"""
+    claims = Claims(findings)
+    lines = text.split("\n")
+    at = lines[outcome.line - 1] if 0 < outcome.line <= len(lines) else ""
+    problems = list(judge(outcome, claims))
+    if problems and outcome.kind == "error" and not_followed(outcome.message, at):
+        problems = ["%s is claimed for every run on line %d, which stops with: %s" % (f["code"], outcome.line, outcome.message)
+                    for f in claims.always if outcome.line and f["start"]["line"] <= outcome.line]
+        return problems, True
+    return problems, False
+
+
+def compare(owlint, probes, folder):
+    """-> how many disagreements there are in one folder of probes"""
+    by_mode = outcomes_of(probes)
+    texts = texts_of(probes, by_mode["default"])
+    mask, empty = os.path.join(folder, "mask.ini"), os.path.join(folder, "machine.ini")
+    with open(mask, "w") as f:
+        f.write("[RS274NGC]\nFEATURES = 0x20\n")
+    linters = {"default": lambda: Linter(owlint, machine=empty),
+               "warnonly": lambda: Linter(owlint, warnonly=True, machine=empty),
+               "mask": lambda: Linter(owlint, arguments=("--linuxcnc", "2.9", "--ini", mask))}
+    wrong, others = 0, 0
+    for mode, outcomes in by_mode.items():
+        findings = linters[mode]().check(os.path.join(folder, "programs"), texts)
+        for name, outcome in sorted(outcomes.items()):
+            problems, other = problems_of(outcome, findings[name], texts[name])
+            others += other
+            for problem in problems:
+                wrong += 1
+                print("%s, %s: %s" % (name, mode, problem))
+    print("%s: %d probes in %d modes, %d disagreements, %d stops that are not followed yet" % (probes, len(texts), len(by_mode), wrong, others))
+    return wrong
+
+
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--owlint", required=True)
-    parser.add_argument("probes", nargs="?", default=BESIDE, metavar="FOLDER")
+    parser.add_argument("probes", nargs="*", default=[BESIDE, WORDS], metavar="FOLDER")
     options = parser.parse_args(argv)
-    if not os.path.exists(os.path.join(options.probes, "outcomes.tsv")):
-        print("probes.py: skipped, %s has no outcomes.tsv" % options.probes)
+    folders = [folder for folder in options.probes if os.path.exists(os.path.join(folder, "outcomes.tsv"))]
+    if not folders:
+        print("probes.py: skipped, %s has no outcomes.tsv" % " and ".join(options.probes))
         return SKIPPED
-    by_mode = outcomes_of(options.probes)
-    texts = {}
-    for name in by_mode["default"]:
-        with open(os.path.join(options.probes, "probes", name), encoding="latin-1", newline="") as f:
-            texts[name] = f.read()
     wrong = 0
-    with tempfile.TemporaryDirectory(prefix="owlint-probes-") as folder:
-        mask = os.path.join(folder, "mask.ini")
-        with open(mask, "w") as f:
-            f.write("[RS274NGC]\nFEATURES = 0x20\n")
-        empty = os.path.join(folder, "machine.ini")
-        linters = {"default": Linter(options.owlint, machine=empty),
-                   "warnonly": Linter(options.owlint, warnonly=True, machine=empty),
-                   "mask": Linter(options.owlint, arguments=("--linuxcnc", "2.9", "--ini", mask))}
-        for mode, linter in linters.items():
-            findings = linter.check(os.path.join(folder, "programs"), texts)
-            for name, outcome in sorted(by_mode[mode].items()):
-                for problem in judge(outcome, Claims(findings[name])):
-                    wrong += 1
-                    print("%s, %s: %s" % (name, mode, problem))
-    print("%d probes in %d modes, %d disagreements" % (len(texts), len(linters), wrong))
+    for probes in folders:
+        with tempfile.TemporaryDirectory(prefix="owlint-probes-") as folder:
+            wrong += compare(options.owlint, probes, folder)
     return 1 if wrong else 0
 
 

@@ -1,9 +1,11 @@
 """One slip of the pen in a program that somebody wrote: what fingers, habits from other controllers and English do.
 
-`slip(text, rng)` gives (what was done, the text with it).  Programs are bytes as latin-1.  roughen.py and mistakes.py make
+`slip(text, rng)` gives (what was done, the text with it); with `of_words`, mostly in a line of words (word_slips.py).  Programs are bytes as latin-1.  roughen.py and mistakes.py make
 mistakes for random programs; these are for real ones.
 """
 import re
+
+from word_slips import IN_WORDS, has_words
 
 KEYWORDS = ("sub", "endsub", "call", "do", "while", "endwhile", "repeat", "endrepeat", "if", "elseif", "else", "endif",
             "break", "continue", "return")
@@ -186,15 +188,20 @@ def _line(lines, rng):
     return rng.choice(some or range(len(lines)))
 
 
-def slip(text, rng):
-    """-> (what was done, the text with it); another text than the one given."""
+def slip(text, rng, of_words=0.0):
+    """-> (what was done, the text with it); another text than the one given.  `of_words`: how probably in a line of words."""
     newline = "\r\n" if "\r\n" in text else "\n"
     if not text.strip():
         return "begun", "please" + newline
     while True:
         lines = text.split(newline)
         at = _line(lines, rng)
-        if rng.random() < 0.6:
+        of_these = [at for at, line in enumerate(lines) if not _OWORD.match(line) and has_words(line)] if of_words and rng.random() < of_words else []
+        if of_these:
+            at = rng.choice(of_these)
+            change = rng.choices(*zip(*IN_WORDS))[0]
+            lines[at] = change(lines[at], rng) or lines[at]
+        elif rng.random() < 0.6:
             change = rng.choices(*zip(*IN_LINE))[0]
             lines[at] = change(lines[at], rng) or lines[at]
         else:

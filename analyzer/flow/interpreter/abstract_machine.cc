@@ -237,6 +237,7 @@ State AbstractMachine::resume(const State& caller, const State& exit, const Cont
   out.parameters.locals =
       fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;
   out.parameters.local_outcomes = fanuc ? PersistentMap() : caller.parameters.local_outcomes;
+  evaluator_.leave_motion(out.parameters, program_.at(caller.position).motion);
   return out;
 }
 

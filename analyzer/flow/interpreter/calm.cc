@@ -1,4 +1,5 @@
 #include "analyzer/flow/interpreter/calm.h"
+#include "analyzer/flow/domain/motion.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace {
 /// For each parameter, in which stretch it was last noted: forgets all of them by counting on.
 class Marks {
  public:
-  explicit Marks(size_t names) : numbers_(kLastNumber + 1), names_(names) {}
+  explicit Marks(size_t names) : numbers_(kMotionKey + 1), names_(names) {}
   uint32_t& operator[](ParameterId p) { return p.named ? names_[p.id] : numbers_[p.id]; }
 
  private:
@@ -203,6 +204,7 @@ class CalmBuilder {
       const Statement& s = program_.at(id);
       if (s.kind == LineKind::kWords) {
         note_words(s);
+        note_motion(s);
         continue;
       }
       for (uint32_t i = 0; i < s.value_count; ++i) {
@@ -217,7 +219,13 @@ class CalmBuilder {
       } else {
         note_block(id, stretch);
       }
+      note_motion(s);
     }
+  }
+
+  void note_motion(const Statement& s) {
+    if (s.motion != kLeavesMotion && !program_.syntax.motion_faults.empty())
+      note_write({kMotionKey, false}, branches_.empty());
   }
 
   void note_words(const Statement& s) {

@@ -1,4 +1,5 @@
 #include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/domain/motion.h"
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,21 @@ void Evaluator::expect_from_python(Parameters& p) {
   }
 }
 
+ValueId Evaluator::motion(const Parameters& in) const {
+  const ValueId value = in.globals.get(kMotionKey);
+  return value < kFirstConstant ? kUnknown : value;
+}
+
+void Evaluator::set_motion(Parameters& p, Motion motion) {
+  if (!syntax_.motion_faults.empty()) p.globals.set(pool_, kMotionKey, values_.intern(motion_number(motion)));
+}
+
+void Evaluator::leave_motion(Parameters& p, uint8_t leaves) {
+  if (leaves == kLeavesMotion || syntax_.motion_faults.empty()) return;
+  if (leaves != kLeavesAny) return set_motion(p, static_cast<Motion>(leaves));
+  p.globals.set(pool_, kMotionKey, kUnknown);
+}
+
 void Evaluator::forget_numbers(Parameters& p) {
   for (const uint32_t number : tracked_.numbers()) set_number(p, number, kUnknown);
   p.local_outcomes = {};
@@ -120,6 +136,7 @@ bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
 }
 
 void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& parameters) {
+  if (!p.named && p.id == kMotionKey) return leave_motion(parameters, kLeavesAny);
   const auto value = [&](uint32_t key, bool global) {
     return certain ? kUnknown : values_.join((global ? parameters.globals : parameters.locals).get(key), kUnknown);
   };
@@ -304,7 +321,11 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
         if (out.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? out : may;
       }
     }
-    const Evaluation value = evaluate(item.value, reading, how);
+    Evaluation value = evaluate(item.value, reading, how);
+    if (item.letter != 0 && values_.is_constant(value.value)) {
+      value.message = refused_number(item.letter, values_.value(value.value));
+      if (value.message != nullptr) value.fails = StopKind::kNumberOutOfRange;
+    }
     if (value.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? value : may;
     if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) {
       may.may_fail = value.may_fail;

@@ -52,6 +52,8 @@ struct AbstractMachine::Step {
     }
     next.position = position;
     next.branch = decided ? Branch::kNone : branch;
+    const bool goes_on = position == here + 1 && next.skip == kNoLabel && next.defining == kNoName && !next.seek;
+    if (goes_on) m.evaluator_.leave_motion(next.parameters, s.motion);
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
     out.successor(std::move(next));
   }
@@ -59,6 +61,13 @@ struct AbstractMachine::Step {
 
   void stop(StopKind kind, std::string message, StatementId other = kNoStatement, std::string detail = {}) {
     out.stop(state, {kind, other, std::move(message), std::move(detail)});
+  }
+  /// Stops on some of the runs that are followed here as one, or on some machines.
+  void may_stop(StopKind kind, std::string message) {
+    const bool mixed = state.mixed;
+    state.mixed = true;
+    stop(kind, std::move(message));
+    state.mixed = mixed;
   }
   void hazard(HazardKind kind, StatementId other = kNoStatement) { out.hazard(state, HazardReport::of(kind, other)); }
   void stop_error() {
@@ -219,6 +228,9 @@ struct AbstractMachine::Step {
   void run();
   void plain();
   void m98();
+  void motion_check();
+  void user_code();
+  void machine_check();
   void call_elsewhere(FullLabel sub);
   bool times_called(const Evaluation& of_l, int* times);
   void m99();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analyzer/flow/interpreter/step.h"
+#include "analyzer/flow/domain/motion.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -37,6 +38,9 @@ void AbstractMachine::Step::plain() {
   }
   if (s.kind == LineKind::kM98) return m98();
   if (skipping) return next_line();
+  if (s.kind == LineKind::kMotionCheck) return motion_check();
+  if (s.kind == LineKind::kUserCode) return user_code();
+  if (s.kind == LineKind::kMachineCheck) return machine_check();
   if (s.kind == LineKind::kAbort) return context.contour ? next_line() : out.end(state);
   if (s.kind == LineKind::kPercent) return stop(StopKind::kBadCharacter, "Bad character '%' used");
   if (s.kind == LineKind::kM99 && called()) return m99();
@@ -67,6 +71,39 @@ void AbstractMachine::Step::plain() {
     if (!resolve_label()) return;
     if (label != kNoLabel) return call(1, false);
     Evaluator::call_outside(state.parameters);
+  }
+  next_line();
+}
+
+/// Without the machine's INI it is not known which codes it has.
+void AbstractMachine::Step::user_code() {
+  const std::string code = "M" + std::to_string(s.first);
+  const UserCode known = m.profile_.setup == nullptr ? UserCode::kUnknown : m.profile_.setup->user_code(static_cast<int>(s.first));
+  if (known == UserCode::kMissing) return stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
+  if (known == UserCode::kUnknown) may_stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
+  next_line();
+}
+
+void AbstractMachine::Step::machine_check() {
+  const LineError& what = m.program_.syntax.errors[s.first];
+  may_stop(what.kind, what.message);
+  next_line();
+}
+
+/// What is not known of the motion is no claim: a file that others call may be entered with any.
+void AbstractMachine::Step::motion_check() {
+  const ValueId motion = m.evaluator_.motion(state.parameters);
+  if (motion == kUnknown || context.contour) return next_line();
+  const bool known = m.values_.is_constant(motion);
+  const MotionSet in_effect = motions_at_ends(m.values_.range(motion));
+  for (uint32_t i = s.first;; ++i) {
+    const MotionFault& fault = m.program_.syntax.motion_faults[i];
+    if ((fault.motions & in_effect) != 0) {
+      const LineError& what = m.program_.syntax.errors[fault.error];
+      if (known) return stop(what.kind, what.message);
+      may_stop(what.kind, what.message);
+    }
+    if (fault.last) break;
   }
   next_line();
 }

@@ -166,6 +166,7 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
     // Measured: with L0 the call is made and simply goes on with the next line, inside; M99 comes back to that line.
     State inside = enter;
     inside.position = here + 1;
+    m.evaluator_.leave_motion(inside.parameters, s.motion);
     out.call(state, std::move(inside), callee, 1);
     if (repeats == 0) return;
   }

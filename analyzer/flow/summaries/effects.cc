@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/flow/domain/parameters.h"
+#include "analyzer/flow/domain/motion.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -12,6 +12,7 @@ namespace {
 void add_line(const Program& program, const Statement& s, Effects& effects) {
   if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) effects.jumps = true;
   if (s.is(Keyword::kIf)) effects.tests = true;
+  if (s.motion != kLeavesMotion) effects.globals.insert(kMotionKey);
   for (uint32_t i = 0; i < s.item_count; ++i) {
     const Item& item = program.syntax.items[s.first + i];
     if (item.target_name != kNoName) {

@@ -1,0 +1,73 @@
+#include "analyzer/program/machine_words.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "analyzer/machine/setup.h"
+#include "analyzer/text/source.h"
+
+namespace owlint {
+namespace {
+
+/// Up to 2.9 as in the interpreter that everything is measured with.
+Release release_of(const Profile& profile) {
+  return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10;
+}
+
+/// The axis letters of `[TRAJ]COORDINATES`; X, Y and Z if it has none (measured).
+uint32_t axes_of(const MachineSetup& setup) {
+  const Ini::Entry* const coordinates = setup.ini.find("TRAJ", "COORDINATES");
+  const std::string letters = coordinates == nullptr ? std::string() : small_letters(coordinates->value);
+  uint32_t axes = 0;
+  for (const char c : letters) {
+    if (c >= 'a' && c <= 'z') axes |= letter_set({&c, 1}) & kAxisLetters;
+  }
+  return axes == 0 ? letter_set("xyz") : axes;
+}
+
+/// M codes that stay what they are, whatever an INI maps to them (measured).
+bool keeps_its_meaning(int code) {
+  constexpr int kKept[] = {2, 3, 4, 5, 7, 8, 19, 30, 48, 49, 50, 51, 52, 53, 70, 71, 72, 73, 98, 99};
+  return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199) || code >= 1000;
+}
+
+/// `REMAP=M400 modalgroup=10 …`: nothing for T, S and F, which are words of every line.
+void add_remap(std::string_view line, std::vector<RemappedCode>& out) {
+  const std::string text = small_letters(line);
+  if (text.empty() || (text[0] != 'm' && text[0] != 'g')) return;
+  double number = 0;
+  const auto [end, problem] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
+  if (problem != std::errc{} || number < 0 || number >= 1000) return;
+  int group = 10;
+  if (const size_t at = text.find("modalgroup="); at != std::string::npos)
+    std::from_chars(text.data() + at + 11, text.data() + text.size(), group);
+  if (text[0] == 'g') {
+    int32_t tenths = 0;
+    if (g_tenths(number, &tenths) && tenths < 1000) out.push_back({'g', static_cast<int16_t>(tenths), MGroup::kUser});
+  } else if (!keeps_its_meaning(static_cast<int>(number)) && group >= 4 && group <= 10) {
+    out.push_back({'m', static_cast<int16_t>(number), static_cast<MGroup>(group)});
+  }
+}
+
+}  // namespace
+
+WordsOfMachine::WordsOfMachine(const Profile& profile) {
+  words.release = release_of(profile);
+  words.unsure = profile.setup == nullptr;
+  if (words.unsure) return;
+  words.axes = axes_of(*profile.setup);
+  for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) add_remap(remap->value, remapped);
+  words.remapped = remapped;
+}
+
+std::string WordsOfMachine::key() const {
+  std::string key = std::to_string(static_cast<int>(words.release)) + ' ' + std::to_string(words.axes) + (words.unsure ? "?" : "");
+  for (const RemappedCode& code : remapped) {
+    key += ' ';
+    key += code.letter;
+    key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group));
+  }
+  return key;
+}
+
+}  // namespace owlint

@@ -1,0 +1,24 @@
+// Which codes and axes the words of a program have on its machine: the table of codes, and what the INI adds to it and takes away.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analyzer/machine/profile.h"
+#include "analyzer/syntax/codes.h"
+
+namespace owlint {
+
+struct WordsOfMachine {
+  explicit WordsOfMachine(const Profile& profile);
+  WordsOfMachine(const WordsOfMachine&) = delete;
+  WordsOfMachine& operator=(const WordsOfMachine&) = delete;
+
+  /// Equal for machines on which all lines of words are read alike.
+  std::string key() const;
+
+  std::vector<RemappedCode> remapped;
+  MachineWords words;  ///< refers to `remapped`
+};
+
+}  // namespace owlint

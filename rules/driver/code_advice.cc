@@ -1,0 +1,137 @@
+// Codes that LinuxCNC does not have: what they do on other controllers, and codes that are typed nearly the same.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+/// Codes from `first` to `last` of another controller.
+struct OtherCode {
+  char letter;
+  int first, last;        ///< G codes in tenths
+  std::string_view what;  ///< empty: each controller has something else
+  std::string_view instead;
+};
+
+constexpr std::string_view kOutput =
+    "switch an output of the machine with `M64 P0` and `M65 P0`, or write a program M100";
+constexpr std::string_view kOwn = "functions of the machine's own are programs M100 to M199";
+constexpr std::string_view kMacro = "call a sub: `o<name> call [1] [2]`";
+constexpr std::string_view kMeasure = "probe with `G38.2`, and set the offset with `G10 L1` or `G43.1`";
+constexpr std::string_view kSystems = "LinuxCNC has nine coordinate systems: G54 to G59, G59.1, G59.2 and G59.3";
+constexpr std::string_view kPolar = "write a polar position as `@` (distance) and `^` (angle) in a move: `G1 @10 ^45`";
+constexpr std::string_view kPocket = "write the circles with `G2` or `G3`, or call a sub that does";
+constexpr std::string_view kScale = "LinuxCNC cannot scale: multiply the positions, or scale in the CAM program";
+constexpr std::string_view kTap = "`G33.1` with `K` taps with the spindle synchronized";
+
+constexpr std::array kOtherCodes = std::to_array<OtherCode>({
+    {'g', 90, 119, "data input on Fanuc", "set offsets with `G10`"},
+    {'g', 120, 139, "circular pocket milling on Haas", kPocket},
+    {'g', 150, 169, "polar positions on Fanuc", kPolar},
+    {'g', 220, 239, "a limit of travel on Fanuc", "the limits are in the machine's INI"},
+    {'g', 270, 279, "a check of the reference position on Fanuc", "`G28` moves to the stored position"},
+    {'g', 282, 289, "homing on other controllers", "home the machine on its screen; `G28.1` stores a position"},
+    {'g', 290, 299, "a return from the reference position on Fanuc", "write the move with `G0`"},
+    {'g', 310, 319, "a move that a probe ends, on Fanuc", "probe with `G38.2`"},
+    {'g', 320, 329, "a thread on Fanuc", "`G33` with `K` cuts one pass, `G76` all of them"},
+    {'g', 340, 349, "a thread of variable lead on Fanuc", "LinuxCNC has threads of constant lead: `G33`"},
+    {'g', 360, 379, "tool measuring on Fanuc", kMeasure},
+    {'g', 440, 449, "a negative tool length offset on Fanuc", "write `G43`, with the length in the tool table"},
+    {'g', 500, 519, "scaling on Fanuc", kScale},
+    {'g', 541, 549, "a further coordinate system on Fanuc", kSystems},
+    {'g', 600, 609, "positioning from one side on Fanuc", "`G61` follows the exact path"},
+    {'g', 620, 639, "a feed mode on Fanuc", "`G61` follows the exact path, `G64` rounds corners"},
+    {'g', 650, 679, "a macro call on Fanuc", kMacro},
+    {'g', 680, 699, "rotation of the coordinate system on Fanuc", "rotate with `G10 L2 P0 R30`, and back with `R0`"},
+    {'g', 750, 759, "a grooving cycle on Fanuc", "write the moves, or call a sub"},
+    {'g', 770, 799, "a turning cycle on Fanuc", "write the moves, or use `G71` or `G76`"},
+    {'g', 841, 849, "rigid tapping on other controllers", kTap},
+    {'g', 1100, 1299, "a coordinate system on Haas", kSystems},
+    {'g', 1500, 1509, "a pocket cycle on Haas", "call a sub that mills the pocket"},
+    {'g', 1540, 1549, "a coordinate system on Haas", kSystems},
+    {'g', 1870, 1879, "the accuracy of the path on Haas", "`G64 P0.01` rounds corners within a tolerance"},
+    {'m', 10, 11, "the clamp of an axis on other controllers", kOutput},
+    {'m', 12, 12, "", kOwn},
+    {'m', 13, 13, "spindle clockwise with coolant on other controllers", "write `M3 M8`"},
+    {'m', 14, 14, "spindle counterclockwise with coolant on other controllers", "write `M4 M8`"},
+    {'m', 17, 17, "the end of a sub on Siemens",
+     "write `o<name> endsub`, or `M99` for a sub that begins with O and a number"},
+    {'m', 18, 18, "motors off on other controllers", "switch the machine off on its screen"},
+    {'m', 20, 28, "", kOwn},
+    {'m', 29, 29, "rigid tapping on Fanuc", kTap},
+    {'m', 31, 37, "", kOwn},
+    {'m', 40, 44, "a gear of the spindle on other controllers", kOutput},
+    {'m', 88, 89, "coolant through the spindle on Haas", "`M7` and `M8` switch coolant on, `M9` off"},
+    {'m', 97, 97, "a call of a sub in the same program on Haas", "call a sub: `o100 call`, or `M98 P100`"},
+});
+
+std::string text_of(char letter, int number) { return (letter == 'g' ? g_name(number) : m_name(number)).substr(1); }
+
+bool exists(char letter, std::string_view digits, Release release) {
+  if (digits.empty() || digits.front() == '.' || digits.back() == '.') return false;
+  if (digits.size() > 1 && (digits.front() == '0' || digits.ends_with(".0"))) return false;
+  const auto whole = digits.substr(0, digits.find('.'));
+  int number = 0;
+  for (const char c : whole) number = number * 10 + (c - '0');
+  if (letter == 'm')
+    return digits.find('.') == std::string_view::npos && number < code::kM100 && m_code(number) != nullptr;
+  number *= 10;
+  if (whole.size() < digits.size()) {
+    if (digits.size() - whole.size() != 2) return false;
+    number += digits.back() - '0';
+  }
+  return g_code(number, release) != nullptr;
+}
+
+/// Codes that differ by one slip of the fingers, the likeliest kind of slip first.
+std::vector<std::string> near_codes(char letter, const std::string& digits, Release release) {
+  std::vector<std::string> kinds[3];
+  const auto add = [&](size_t kind, const std::string& other) {
+    if (exists(letter, other, release) && std::ranges::find(kinds[kind], other) == kinds[kind].end())
+      kinds[kind].push_back(other);
+  };
+  for (size_t i = 0; i < digits.size(); ++i) {
+    if (digits[i] == '.') continue;
+    // A key pressed twice, a neighbouring key, a key too many.
+    const std::string without = digits.substr(0, i) + digits.substr(i + 1);
+    if (i > 0 && digits[i] == digits[i - 1]) add(0, without);
+    for (const int step : {-1, 1}) {
+      std::string other = digits;
+      other[i] = static_cast<char>(other[i] + step);
+      if (other[i] >= '0' && other[i] <= '9') add(1, other);
+    }
+    add(2, without);
+  }
+  for (const std::vector<std::string>& kind : kinds) {
+    if (!kind.empty() && kind.size() <= 2) return kind;
+  }
+  return {};
+}
+
+}  // namespace
+
+CodeAdvice advice_for_code(char letter, int number, Release release) {
+  const auto* other = std::ranges::find_if(kOtherCodes, [&](const OtherCode& code) {
+    return code.letter == letter && number >= code.first && number <= code.last;
+  });
+  const GCode* later = letter == 'g' ? g_code(number, Release::k2_10) : nullptr;
+  if (later != nullptr && release < later->since) {
+    return {"a code of LinuxCNC 2.10 and later", "use `G5`, `G5.1` or `G5.2`, or check for 2.10: `--linuxcnc 2.10`"};
+  }
+  if (other != kOtherCodes.end() && !other->what.empty())
+    return {std::string(other->what), std::string(other->instead)};
+  CodeAdvice advice;
+  for (const std::string& near : near_codes(letter, text_of(letter, number), release)) {
+    advice.help +=
+        fmt::format("{}`{}{}`", advice.help.empty() ? "did you mean " : " or ", letter == 'g' ? 'G' : 'M', near);
+  }
+  if (!advice.help.empty()) advice.help += "?";
+  if (other != kOtherCodes.end()) advice.help += (advice.help.empty() ? "" : " ") + std::string(other->instead);
+  return advice;
+}
+
+}  // namespace owlint::rules

@@ -1,0 +1,98 @@
+// OW701 word-unknown: text, a word of another language, or the letter of an axis that the machine lacks.
+// Depends on: a word is a letter and a value; anything else on a line is an error when the line is executed. The letter of an
+// axis that is not in [TRAJ]COORDINATES is a bad character; rs274 without an INI has X Y Z A B C.
+#include <algorithm>
+
+#include "rules/driver/idioms.h"
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+void text_outside_comment(const Input& in, const FlowStop& stop, const std::string& text, Finding& f) {
+  f.message = "`" + text + "` is not a G-code word: a word is a letter and a number";
+  f.help = "write text in a comment: `(text)`";
+  explain_idiom(in, stop.statement, f);
+}
+
+void missing_axis(const Input& in, char letter, const std::string& word, Finding& f) {
+  const std::string axis = capital(letter);
+  if (in.profile.setup == nullptr) {
+    f.message = "`" + word + "` is a word of the " + axis + " axis, which most machines do not have";
+    f.help = "name the machine's INI (`--ini`), so that owlint knows its axes";
+    f.unproven = true;
+    f.group = axis;  // a program for such a machine has it on every line
+    return;
+  }
+  const Ini::Entry* axes = in.profile.setup->ini.find("TRAJ", "COORDINATES");
+  f.message = "`" + word + "` is a word of the " + axis + " axis, which this machine does not have";
+  f.help = "its axes are " + (axes == nullptr || axes->value.empty() ? std::string("X Y Z") : axes->value) +
+      ", as `COORDINATES` in `[TRAJ]` says";
+  if (axes != nullptr && !axes->value.empty()) f.related.push_back({axes->span, "the machine's axes", axes->source});
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const WordStop at = word_stop(in, stop);
+    Finding& f = out.add(at.span, "");
+    if (stop.kind == StopKind::kWordUnknown) {
+      const char letter = at.letter != 0 ? at.letter : small_letters(at.word.substr(0, 1))[0];
+      missing_axis(in, letter, at.word, f);
+    } else {
+      text_outside_comment(in, stop, std::string(in.program.source->slice(at.span)), f);
+    }
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw701{
+    .code = "OW701",
+    .name = "word-unknown",
+    .summary = "text, a word of another language, or a word of an axis that the machine lacks",
+    .group = Group::kWords,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A line with text outside a comment, or with words of another control or of BASIC: `GOTO 20`, `END1`,
+`GOSUB`, `THEN`, a title above the program. owlint says what LinuxCNC has instead.
+
+Also a word of an axis that the machine does not have: `U5` where `[TRAJ]COORDINATES` is `XYZ`. Without
+an INI owlint knows no axes: then it warns of `U`, `V` and `W`, which foam cutters have and few other
+machines, and says nothing of `A`, `B` and `C`.)",
+            .why = R"(A word is a letter and a value. The interpreter stops when it executes such a line, with `Unknown
+word where unary operation could be` or `Unknown word starting with e`; at the letter of a missing
+axis with `Bad character 'u' used`. In a skipped branch there is no message.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+G0 X10 Y10 Z5
+GOTO 90
+G1 Z-2 F80
+N90 G0 Z5
+M2
+)",
+            .good = R"(G21 G90
+G0 X10 Y10 Z5
+o100 if [#5070 EQ 1]
+  G1 Z-2 F80
+o100 endif
+G0 Z5
+M2
+)",
+            .fix =
+                R"(Write text in a comment. Replace a jump by an `if` or a loop, and a loop of another control by `o100
+while`. Name the machine's INI with `--ini`, or keep it above the program's folder, so that owlint knows
+the axes.)",
+            .level_reason =
+                "Error if a run gets here: the program stops. Warning for `U`, `V` and `W` without an INI: the "
+                "machine may have them. Where no run gets, owlint says nothing.",
+            .interpreter = "Unknown word where unary operation could be",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,159 @@
+// OW702 number-malformed: a word without a number, or with one that is wrongly written.
+// Depends on: a number is a sign, digits and one point at most, with a digit; blanks do not count. What follows it begins a
+// new word. Errors in `[ ]` and in settings are OW303's.
+#include <algorithm>
+
+#include "rules/driver/idioms.h"
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+/// From the word's letter on to the line's end, as the interpreter sees it.
+std::string rest_of(const Input& in, const FlowStop& stop, const WordStop& at) {
+  const Statement& s = in.program.at(stop.statement);
+  return shown(*in.program.source, {at.span.begin, std::max(at.span.begin, s.end())});
+}
+
+/// `X1O`, `GO X1`.
+bool letter_for_zero(const Input& in, const FlowStop& stop, Finding& f) {
+  const Program& p = in.program;
+  const Statement& s = p.at(stop.statement);
+  const LineError* error = word_error(in, stop);
+  uint64_t o = 0;
+  if (error == nullptr || !writes_o_for_zero(p, s, *error, &o)) return false;
+  // The whole word: back to its letter, on over digits.
+  const auto byte = [&](uint64_t at) { return p.source->slice({at, at + 1})[0]; };
+  const auto of_number = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; };
+  Span word{o, o + 1};
+  while (word.begin > s.offset && of_number(byte(word.begin - 1))) --word.begin;
+  if (word.begin > s.offset) --word.begin;
+  while (word.end < s.end() && (of_number(byte(word.end)) || byte(word.end) == 'O' || byte(word.end) == 'o'))
+    ++word.end;
+  std::string right(p.source->slice(word));
+  std::ranges::replace(right, 'o', '0');
+  std::ranges::replace(right, 'O', '0');
+  f.span = word;
+  f.message = "`" + std::string(p.source->slice(word)) + "` has the letter O in place of a zero";
+  f.help = "write `" + right + "`";
+  Edit edit{word, right};
+  const bool good = runs_with(p, s, edit);
+  f.fixes = {{f.help, good, {std::move(edit)}, true}};
+  return true;
+}
+
+/// `Gl X5`: an l or an i in place of a 1.
+bool letter_for_one(const Input& in, const FlowStop& stop, Finding& f) {
+  const Program& p = in.program;
+  const LineError* error = word_error(in, stop);
+  if (error == nullptr || !writes_letter_for_one(p, p.at(stop.statement), *error)) return false;
+  f.span = {error->span.begin, error->span.begin + 2};
+  const std::string written(p.source->slice(f.span));
+  f.message = "`" + written + "` has a letter in place of a number";
+  f.help = "write `" + written.substr(0, 1) + "1`";
+  f.fixes = {{f.help, false, {{f.span, written.substr(0, 1) + "1"}}, true}};
+  return true;
+}
+
+void malformed(const WordStop& at, const std::string& letter, const std::string& rest, Finding& f) {
+  const auto points = [](std::string_view text) {
+    const size_t end = std::min(text.find_first_not_of("0123456789.+-", 1), text.size());
+    return std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '.');
+  };
+  if (points(rest) > 1) {
+    const size_t end = std::min(rest.find_first_not_of("0123456789.+-", 1), rest.size());
+    f.message = "`" + rest.substr(0, end) + "` has two decimal points";
+    f.help = "remove one of them";
+    return;
+  }
+  const char next = rest.size() > 1 ? rest[1] : '\0';
+  if (next == '-' || next == '+') {
+    f.message = "`" + rest.substr(0, 2) + "` is a sign without a number";
+    f.help = "write the number after it";
+  } else if (next == '.') {
+    f.message = "`" + rest.substr(0, 2) + "` is a point without a digit";
+    f.help = "write `" + letter + "0`, or the digits";
+  } else if (next == '=') {
+    f.message = "`" + letter + "` and its number need no `=`";
+    f.help = "write the number right after `" + letter + "`";
+  } else {
+    f.message = "the value of `" + at.word + "` cannot be read";
+    f.help = "write a number, `#` and a parameter, or a calculation in `[ ]`";
+  }
+}
+
+Finding& report(const Input& in, Reporter& out, const FlowStop& stop) {
+  const WordStop at = word_stop(in, stop);
+  Finding& f = out.add(at.span, "");
+  if (letter_for_zero(in, stop, f)) return f;
+  const std::string rest = rest_of(in, stop, at);
+  const std::string letter = rest.substr(0, 1);
+  if (letter_for_one(in, stop, f)) return f;
+  const std::string_view written =
+      in.program.source->slice({at.span.begin, std::max(at.span.begin, in.program.at(stop.statement).end())});
+  const size_t behind = written.find_first_not_of(" \t", 1);
+  if (behind != std::string_view::npos && written[behind] == '(') {
+    f.message = "a comment between `" + letter + "` and its number";
+    f.help = "write the comment behind the number";
+  } else if (stop.kind != StopKind::kNumberMalformed || rest.size() < 2 || rest[1] == ';') {
+    f.message = "`" + letter + "` has no number";
+    f.help = "write a number after `" + letter + "`, or remove it";
+    if (rest.size() > 1 && std::string_view(",*/").find(rest[1]) != std::string_view::npos)
+      f.help = "write a number in place of `" + rest.substr(1, 1) + "`";
+    if (rest.size() > 1 && rest[1] == '=') malformed(at, letter, rest, f);
+  } else {
+    malformed(at, letter, rest, f);
+  }
+  explain_idiom(in, stop.statement, f);
+  return f;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) { return &report(in, out, stop); });
+}
+
+}  // namespace
+
+extern const Rule kOw702{
+    .code = "OW702",
+    .name = "number-malformed",
+    .summary = "a word without a number, or with one that is wrongly written",
+    .group = Group::kWords,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A letter without a number (`G1 X Y5`), a number with two points (`X1.2.5`), a sign alone (`Z-`), or the
+letter O in place of a zero (`GO X1`, `X1O`).)",
+            .why = R"(LinuxCNC reads the word when it executes the line, and stops there: with `No characters found in
+reading real value` at the end of the line, `Unknown word where unary operation could be` before
+another word, `bad number format (trailing characters) parsing '1.2.5'` at a second point. Nothing of
+the line is executed.
+
+Blanks within a number do not count: `X1 0` is X10. There is no exponent either: `X1E5` is the two
+words X1 and E5.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G1 Z-2.0.5 F80
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90
+G0 X10 Y10 Z5
+G1 Z-2.05 F80
+G0 Z5
+M2
+)",
+            .fix =
+                R"(Write the number. `--fix` replaces the letter O by a zero; of two points, only you know which one is
+meant.)",
+            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .interpreter = "bad number format (trailing characters) parsing '-2.0.5'",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,136 @@
+// OW705 code-unknown: a G or M code that this version does not have and the machine does not define.
+// Depends on: the table of codes; a remap in the INI defines M codes up to M999 and G codes as motions. M100 to M199 are
+// programs in PROGRAM_PREFIX or USER_M_PATH, which LinuxCNC looks for when it starts, and says so only when one is executed.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+constexpr int kUserFirst = 100;
+constexpr int kUserLast = 199;
+constexpr int kRemappedLast = 999;
+
+/// The number of the code, in tenths for a G code; -1 where it is computed.
+int number_of(const WordStop& at, std::string_view interpreter) {
+  constexpr int kTenths = 10;
+  if (at.letter == 'g' && at.value) return static_cast<int>(std::lround(*at.value * kTenths));
+  const size_t m = interpreter.rfind('M');
+  if (m == std::string_view::npos || m + 1 >= interpreter.size()) return -1;
+  int number = 0;
+  for (const char c : interpreter.substr(m + 1)) {
+    if (c < '0' || c > '9' || number > kRemappedLast) return kRemappedLast + 1;
+    number = number * 10 + (c - '0');
+  }
+  return number;
+}
+
+/// M100 to M199: a program of the machine.
+void user_code(const Input& in, const std::string& name, Finding& f) {
+  if (in.profile.setup == nullptr) {
+    f.message =
+        fmt::format("`{0}` runs a program of the machine named `{0}`; owlint was not told of the machine", name);
+    f.help = "name the machine's INI (`--ini`), so that owlint can look for it";
+    f.unproven = true;
+    f.group = name;
+    return;
+  }
+  std::string folders;
+  for (const IniFolder& folder : in.profile.setup->folders) {
+    if (folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH")
+      folders += (folders.empty() ? "`" : ", `") + folder.text + "`";
+  }
+  f.message = fmt::format("`{0}` runs a program of the machine named `{0}`, and this machine has none", name);
+  f.help = folders.empty()
+      ? "put an executable file of that name into a folder that `PROGRAM_PREFIX` or `USER_M_PATH` names"
+      : "put an executable file of that name into " + folders + ": there LinuxCNC looks for it";
+}
+
+void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
+  const bool m = f.interpreter.find("m code") != std::string::npos || f.interpreter.starts_with("M-code");
+  const std::string name = number < 0 || number > kRemappedLast ? at.word : m ? m_name(number) : g_name(number);
+  const std::string written = at.value || at.letter == 0 ? at.word : name;
+  const CodeAdvice advice = number < 0 ? CodeAdvice{} : advice_for_code(m ? 'm' : 'g', number, release_of(in.profile));
+  f.message = "`" + written + "` is not a code of LinuxCNC";
+  if (!at.value && number >= 0) f.message = "`" + at.word + "` is " + name + ", which is not a code of LinuxCNC";
+  if (!advice.what.empty()) f.message = "`" + written + "` is " + advice.what + "; LinuxCNC does not have it";
+  f.help = advice.help.empty() ? "write the code that is meant, or remove it" : advice.help;
+  if (!m || number <= kUserLast) return;
+  f.message += in.profile.setup == nullptr ? ", unless the machine's INI remaps it" : ", and the INI does not remap it";
+  f.help = number > kRemappedLast ? "M codes end at M199, remapped ones at M999"
+      : in.profile.setup == nullptr
+      ? "name the machine's INI (`--ini`), so that owlint knows its codes"
+      : fmt::format("define it with `REMAP = {} modalgroup=10 ngc=name` in `[RS274NGC]`", name);
+  f.unproven = in.profile.setup == nullptr && number <= kRemappedLast;
+  if (f.unproven) f.group = name;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const WordStop at = word_stop(in, stop);
+    Finding& f = out.add(at.span, "");
+    f.interpreter = stop.interpreter;
+    const int number = number_of(at, stop.interpreter);
+    const bool m = f.interpreter.find("m code") != std::string::npos;
+    if (m && number >= kUserFirst && number <= kUserLast) {
+      user_code(in, m_name(number), f);
+    } else {
+      unknown(in, at, number, f);
+    }
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw705{
+    .code = "OW705",
+    .name = "code-unknown",
+    .summary = "a G or M code that LinuxCNC does not have and the machine does not define",
+    .group = Group::kWords,
+    .level = Severity::kError,
+    .page =
+        {
+            .what = R"(A G or M code that is not in LinuxCNC's table, such as `M17`, `G12` or `G65`. Of codes that other
+controllers have, owlint says what LinuxCNC has instead; of others, which codes are typed nearly the
+same. docs/codes.md lists all codes.
+
+An INI can add codes with `REMAP`, and M100 to M199 are programs that the machine's owner adds. With the
+machine's INI (`--ini`) owlint knows them. Without it, a code that only some machines have is a warning.)",
+            .why =
+                R"(LinuxCNC stops when it reads the line, with `Unknown g code used`, `Unknown m code used: M17` or `M-code
+greater than 199: M428`. Nothing of the line is executed. M100 to M199 are read without an error, and
+`Unknown m code used: M110` comes when the line is executed and there is no such program.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+G0 X10 Y10 Z5
+M13 S1000
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90
+G0 X10 Y10 Z5
+M3 M8 S1000
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+            .fix =
+                R"(Write the code that LinuxCNC has for it. If the machine has a remap or a program for the code, name its
+INI.)",
+            .level_reason =
+                "Error: the program stops. Warning for M100 and above without an INI: the machine may have them. "
+                "Where no run gets, owlint says nothing.",
+            .interpreter = "Unknown m code used: M13",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,111 @@
+// OW707 word-unused: a word that no code on the line takes, nor the motion in effect.
+// Depends on: the table of words and codes; axis words are OW709's, F, S and T need no code. P-1 and Q-1 count as none. A
+// remapped code on the line switches the check off.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+/// The codes that take a word.
+CodeSet takers(char letter, Release release) {
+  CodeSet codes;
+  for (const LineCheck& check : line_checks(release)) {
+    const bool unused = check.kind == LineCheck::kUnused || check.kind == LineCheck::kUnusedUnlessMinusOne;
+    if (unused && check.letters == letter_set({&letter, 1})) codes = codes | check.codes;
+  }
+  return codes;
+}
+
+/// `X1E5`: no exponent, but a word.
+bool is_exponent(const WordStop& at) {
+  const auto word = std::ranges::find(at.line, at.span.begin, [](const WrittenWord& w) { return w.span.begin; });
+  return at.letter == 'e' && word != at.line.end() && word != at.line.begin() && std::prev(word)->value &&
+      std::prev(word)->span.end == at.span.begin;
+}
+
+void explain(const WordStop& at, Release release, Finding& f) {
+  const std::string letter = capital(at.letter);
+  if (f.interpreter.starts_with("Cannot put a")) {
+    f.message = "`" + at.word + "` cannot stand in a drilling cycle" +
+        (at.other_word.empty() ? ": one is in effect here" : ", `" + at.other_word + "`");
+    f.help = "turn the axis on a line before it, with `G0`" +
+        std::string(at.other_word.empty() ? ", or end the cycle with `G80`" : "");
+  } else if (f.interpreter.starts_with("F word used")) {
+    f.message = "`" + at.word + "` cannot stand in a thread, " +
+        (at.other_word.empty() ? "and `G33` or `G33.1` is in effect" : "`" + at.other_word + "`");
+    f.help = "remove it: the speed of the spindle and the pitch `K` are the feed";
+  } else if (is_exponent(at)) {
+    f.message = "`" + at.word + "` is a word of its own: numbers have no exponent";
+    f.help = "write the number with all its digits";
+  } else if (at.letter == 0) {
+    f.message = "a word on this line has no use";
+    f.help = "remove it, or add the code that takes it";
+  } else {
+    f.message = "`" + at.word + "` has no use here: no code on this line takes it";
+    f.help = fmt::format("remove it, or add its code: `{}` belongs to {}", letter,
+                         spoken(takers(at.letter, release), release, "or"));
+  }
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const WordStop at = word_stop(in, stop);
+    Finding& f = out.add(at.span, "");
+    f.interpreter = stop.interpreter;
+    explain(at, release_of(in.profile), f);
+    relate_word(f, at);
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw707{
+    .code = "OW707",
+    .name = "word-unused",
+    .summary = "a word that no code on the line takes",
+    .group = Group::kWords,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A word that stands with no code that takes it: `G1 X5 P2`, `H1` without `G43`, `R2` alone. An arc, a
+cycle or another motion that is in effect from a line before also counts, but only if the line moves.
+Also what a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)",
+            .why =
+                R"(LinuxCNC stops with `P word with no G2 G3 G4 ... to use it` and the like. The lists in these messages are
+not exact; owlint's come from runs of the interpreter, and docs/codes.md has them. Nothing of the line
+is executed.
+
+`F`, `S` and `T` may stand alone. `Q-1` counts as no `Q`.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G1 Z-2 F80
+H1
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90
+G0 X10 Y10 Z5
+G1 Z-2 F80
+G43 H1
+G0 Z5
+M2
+)",
+            .fix =
+                R"(Remove the word, or write the code that is missing. In a modal cycle or arc, check that the mode is still
+in effect: `G0` or `G80` between two holes ends it.)",
+            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .interpreter = "H word with no G43 or G76 to use it",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,125 @@
+// OW708 word-missing: a code without a word that it needs.
+// Depends on: G4 needs P, G10 L, G96 S, G33 and G33.1 K, G76 P I J K, G52 and G92 and most motions an axis word. P-1 counts
+// as no P. What a motion needs when it moves (radius, depth) is found later, by the interpreter and by other rules.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+struct Needed {
+  std::string_view interpreter;
+  std::string_view code;
+  std::string_view message;  ///< behind the code
+  std::string_view help;
+};
+
+constexpr Needed kNeeded[] = {
+    {"Dwell time missing", "G4", "needs the time as `P`", "write `P0.5` for half a second"},
+    {"S word missing with G96", "G96", "needs the surface speed as `S` on its line",
+     "write `S` and the speed, in meters or feet per minute"},
+    {"K word missing with g33", "G33", "needs the pitch as `K`", "write `K` and the travel per revolution"},
+    {"P word missing with G76", "G76", "needs the pitch as `P`", "write `P` and the travel per revolution"},
+    {"All axes missing with g52", "G52", "needs an axis word", "write the axes that it is about, such as `X0`"},
+    {"All axes missing with motion", "the motion", "needs an axis word", "write where it goes"},
+};
+
+void g10(const WordStop& at, Finding& f) {
+  f.help = "`L2` and `L20` set a coordinate system, `L1`, `L10` and `L11` an entry of the tool table";
+  f.message = at.other_word.empty() ? "`G10` needs an `L` that says what it sets"
+                                    : "`" + at.other_word + "` is nothing that `G10` can set";
+}
+
+/// I, J and K are one message.
+void g76(const WordStop& at, const std::string& code, Finding& f) {
+  std::string missing;
+  constexpr std::pair<char, std::string_view> kWords[] = {
+      {'i', "the thread's crest as `I`"}, {'j', "the first cut's depth as `J`"}, {'k', "the full depth as `K`"}};
+  for (const auto& [letter, what] : kWords) {
+    if (at.find(letter) == nullptr) missing += (missing.empty() ? "" : " and ") + std::string(what);
+  }
+  f.message = code + " needs " + (missing.empty() ? "`I`, `J` and `K`" : missing);
+  f.help = "write it on this line";
+}
+
+void explain(const WordStop& at, Finding& f) {
+  // Where the code is not on the line, it is the motion in effect.
+  const bool on_line = at.letter == 'g';
+  if (f.interpreter.starts_with("Line with G10")) return g10(at, f);
+  if (f.interpreter.starts_with("I J or K")) return g76(at, on_line ? "`" + at.word + "`" : "`G76`", f);
+  const auto* needed =
+      std::ranges::find_if(kNeeded, [&](const Needed& n) { return f.interpreter.starts_with(n.interpreter); });
+  if (needed == std::end(kNeeded)) {
+    f.message = "`" + at.word + "` lacks a word that it needs";
+    return;
+  }
+  const std::string code = on_line ? "`" + at.word + "`"
+      : needed->code[0] == 'G'     ? fmt::format("`{}`", needed->code)
+                                   : std::string(needed->code);
+  f.message = fmt::format("{}{} {}", code, on_line ? "" : ", which is in effect,", needed->message);
+  f.help = needed->help;
+  if (const WrittenWord* p = at.find('p'); p != nullptr && f.interpreter.starts_with("Dwell"))
+    f.help = "`P-1` counts as no `P`: " + f.help;
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const WordStop at = word_stop(in, stop);
+    Finding& f = out.add(at.span, "");
+    f.interpreter = stop.interpreter;
+    explain(at, f);
+    if (at.other.end > at.other.begin) {  // the wrong L of a G10
+      f.span = at.other;
+      f.related.push_back({at.span, "`" + at.word + "` is here", nullptr});
+    }
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw708{
+    .code = "OW708",
+    .name = "word-missing",
+    .summary = "a code without a word that it needs",
+    .group = Group::kWords,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A code without a word that it needs on its line: `G4` without `P`, `G10` without `L`, `G96` without `S`,
+`G33` without `K`, `G76` without `P`, `I`, `J` and `K`, `G92` or a cycle without an axis word.)",
+            .why =
+                R"(LinuxCNC stops before it does anything of the line, with `Dwell time missing with g4`, `All axes missing
+with motion code` and the like. `G0` and `G1` may stand without an axis word: then they only set the mode.
+
+`S` from a line before does not count for `G96`. `P-1` counts as no `P`. docs/codes.md lists what every
+code needs.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+G0 X10 Y10 Z5
+G4
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90
+G0 X10 Y10 Z5
+G4 P0.5
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+            .fix = R"(Write the word on the line of its code.)",
+            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .interpreter = "Dwell time missing with g4",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,102 @@
+// OW709 axis-words-conflict: axis words with no code that uses them, or with two.
+// Depends on: G10, G28, G30, G52 and G92 take the axis words of their line, and so does a motion, from the line or in effect.
+// At the start, and behind G80, none is in effect. @ and ^ are for motions in the XY plane.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+void explain(const WordStop& at, Finding& f) {
+  const std::string& said = f.interpreter;
+  const std::string word = "`" + at.word + "`";
+  if (said.starts_with("Cannot use two g codes")) {
+    f.message = fmt::format("{} and {} cannot stand on one line: both take its axis words", word,
+                            at.other_word.empty() ? "another code" : "`" + at.other_word + "`");
+    f.help = "write them on two lines";
+  } else if (said.starts_with("Cannot use axis values with g80")) {
+    f.message = "`G80` ends the motion mode, and " + word + " is on its line";
+    f.help = "write `G80` on a line of its own, and the move with its code, such as `G0`";
+  } else if (said.starts_with("Cannot use axis values without")) {
+    f.message = word + " stands with nothing that moves: no G0, G1 or other motion is on this line or in effect here";
+    f.help = "write `G0` or `G1` on this line";
+  } else if (said.starts_with("Polar coordinates can only")) {
+    f.message = word + " is a polar word, which only a motion takes" +
+        (at.other_word.empty() ? "" : ", not `" + at.other_word + "`");
+    f.help = "write `X` and `Y`";
+  } else if (said.find("except in G17") != std::string::npos) {
+    f.message = word + " is a polar word, and another plane than XY is in effect";
+    f.help = "write `G17` on a line before";
+  } else if (said.find("lacking X or Y") != std::string::npos) {
+    f.message = word + " is a polar word, and the machine has no X or no Y axis";
+    f.help = "write the axes that the machine has";
+  } else if (said.starts_with("Cannot specify both")) {
+    const std::string other = at.other_word.empty() ? said.substr(said.size() - 6, 1) : at.other_word;
+    f.message = fmt::format("{} and `{}` cannot stand on one line: a position is polar or not", word, other);
+    f.help = "write `X` and `Y`, or `@` and `^`";
+  } else {
+    f.message = word + " has no code that uses it";
+    f.help = "write `G0` or `G1` on this line";
+  }
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const WordStop at = word_stop(in, stop);
+    Finding& f = out.add(at.span, "");
+    f.interpreter = stop.interpreter;
+    explain(at, f);
+    relate_word(f, at);
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw709{
+    .code = "OW709",
+    .name = "axis-words-conflict",
+    .summary = "axis words with no code that uses them, or with two",
+    .group = Group::kWords,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(`X`, `Y`, `Z` and the other axes on a line that neither has a code for them nor stands behind one that is
+still in effect: the first line of a program, or a line behind `G80`. Or axis words that two codes of
+the line want: `G28 G1 X5`. Also `@` and `^` where they cannot stand.)",
+            .why =
+                R"(LinuxCNC stops with `Cannot use axis values without a g code that uses them`, `Cannot use axis values with
+g80` or `Cannot use two g codes that both use axis values`. Nothing of the line is executed.
+
+What is in effect depends on the way to the line. `rs274`, which owlint follows, starts with no motion in
+effect; on a machine `M2` of the program before leaves `G1` in effect, so such a line can move at feed
+rate there.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+G81 X10 Y10 Z-5 R2 F80
+G80
+X20 Y20
+M2
+)",
+            .good = R"(G21 G90
+G81 X10 Y10 Z-5 R2 F80
+G80
+G0 X20 Y20
+M2
+)",
+            .fix = R"(Write the code on the line: `G0` for a rapid move, `G1` for a cut.)",
+            .level_reason =
+                "Error if a run gets here with no motion in effect: the program stops. Where no run gets, owlint "
+                "says nothing.",
+            .interpreter = "Cannot use axis values without a g code that uses them",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,338 @@
+// OW710 comment-command-malformed: a comment that is meant to do something, and does nothing or something else.
+// Depends on (measured): the word comes first in the comment, in any case, and the comma right after it. Of several comments
+// on a line only the last one acts; behind `;` and on the lines of O-words and M98 none does. PROBEOPEN and PROBECLOSE are in
+// capitals. `%d`, `%f` and `%.3f` are formats, all else with `%` is shown as it is; so is `#[`. There are 5601 parameters.
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "analyzer/syntax/last_statement.h"
+#include "rules/driver/words.h"
+
+namespace owlint::rules {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+struct Command {
+  enum Form : uint8_t { kText, kShows, kFile, kBare, kCapitals };
+
+  std::string_view word;
+  Form form;
+};
+
+constexpr std::array kCommands = std::to_array<Command>({
+    {"msg", Command::kText},
+    {"debug", Command::kShows},
+    {"print", Command::kShows},
+    {"log", Command::kShows},
+    {"abort", Command::kShows},
+    {"logopen", Command::kFile},
+    {"logappend", Command::kFile},
+    {"logclose", Command::kBare},
+    {"py", Command::kBare},
+    {"pyrun", Command::kFile},
+    {"pyreload", Command::kBare},
+    {"probeopen", Command::kCapitals},
+    {"probeclose", Command::kCapitals},
+});
+
+/// A comment that begins with the word of a command.
+struct Comment {
+  const Command* command = nullptr;
+  Span span;              ///< with its brackets
+  Span word;              ///< the command's word
+  std::string_view rest;  ///< behind it
+  uint64_t rest_at = 0;
+
+  bool has_comma() const { return rest.starts_with(','); }
+  /// Whether it acts, if its place on the line lets it.
+  bool acts(const Source& source) const {
+    switch (command->form) {
+      case Command::kBare: return true;
+      case Command::kCapitals:
+        return source.slice(word).find_first_of("abcdefghijklmnopqrstuvwxyz") == std::string_view::npos;
+      default: return has_comma();
+    }
+  }
+};
+
+/// Whether a text shows a parameter: `#5`, `#<name>`.
+bool has_parameter(std::string_view text) {
+  for (size_t at = text.find('#'); at != std::string_view::npos && at + 1 < text.size(); at = text.find('#', at + 1)) {
+    if (is_digit(text[at + 1]) || text[at + 1] == '<') return true;
+  }
+  return false;
+}
+
+class Checker {
+ public:
+  Checker(const Input& in, Reporter& out) : in_(in), out_(out), source_(*in.program.source), text_(source_.bytes()) {}
+
+  void run() {
+    for (size_t at = next_comment(0); at < text_.size();) {
+      const size_t feed = text_.rfind('\n', at);
+      const size_t begin = feed == std::string_view::npos ? 0 : feed + 1;
+      const size_t end = std::min(text_.find('\n', at), text_.size());
+      line(begin, end);
+      at = next_comment(end);
+    }
+  }
+
+ private:
+  /// A file of gigabytes is never in memory as a whole.
+  size_t next_comment(size_t at) const {
+    constexpr size_t kStretch = 4 << 20;
+    while (at < text_.size()) {
+      const size_t end = std::min(text_.size(), at + kStretch);
+      const size_t found = text_.substr(at, end - at).find('(');
+      if (found != std::string_view::npos) return at + found;
+      if (text_.size() > kStretch) source_.let_go({at, end});
+      at = end;
+    }
+    return at;
+  }
+
+  void line(size_t begin, size_t end) {
+    std::vector<Comment> found;
+    size_t last = 0;  // where the last comment begins
+    bool code = false;
+    size_t at = begin;
+    for (; at < end && text_[at] != ';'; ++at) {
+      if (text_[at] != '(') {
+        code = code || (!is_blank(text_[at]) && text_[at] != '\r');
+        continue;
+      }
+      const size_t close = text_.substr(0, end).find(')', at);
+      if (close == std::string_view::npos) return;  // OW308
+      last = at;
+      if (const Comment comment = comment_at(at, close); comment.command != nullptr) found.push_back(comment);
+      at = close;
+    }
+    const StatementId above = last_statement(in_.program.syntax, end);
+    const bool on_line = above != kNoStatement && in_.program.at(above).offset >= begin;
+    id_ = on_line ? above : kNoStatement;
+    if (on_line && in_.program.syntax.error(in_.program.at(above)) != nullptr) return;
+    for (const Comment& comment : found) report(comment, comment.span.begin == last);
+    // A line that begins with `;` is one that somebody has taken out.
+    if (at < end && code) behind_semicolon(at, end);
+  }
+
+  Comment comment_at(size_t open, size_t close) const {
+    size_t from = open + 1;
+    while (from < close && is_blank(text_[from])) ++from;
+    size_t to = from;
+    while (to < close && is_letter(text_[to])) ++to;
+    const std::string word = small_letters(text_.substr(from, to - from));
+    const auto* command = std::ranges::find(kCommands, word, &Command::word);
+    if (command == kCommands.end()) return {};
+    return {command, {open, close + 1}, {from, to}, text_.substr(to, close - to), to};
+  }
+
+  Finding& add(Span span, std::string message, std::string help) {
+    Finding& f = out_.add(span, std::move(message));
+    f.help = std::move(help);
+    if (id_ != kNoStatement) f.reach = in_.flow.reach(id_);
+    return f;
+  }
+
+  std::string written(const Comment& comment) const { return std::string(source_.slice(comment.word)); }
+
+  void report(const Comment& comment, bool last) {
+    if (!comment.acts(source_)) return inactive(comment);
+    const bool bare_word = comment.command->form == Command::kBare && !comment.has_comma();
+    if (bare_word && comment.rest.find_first_not_of(" \t") != std::string_view::npos) return;  // prose: `(py chart)`
+    if (!last) {
+      add(comment.span, "this comment does nothing: only the last comment of a line acts",
+          "write it on a line of its own, or behind the other comments");
+    } else if (id_ != kNoStatement && never_acts(in_.program.at(id_).kind)) {
+      add(comment.span,
+          fmt::format("this comment does nothing: comments do not act on the line of {}",
+                      in_.program.at(id_).kind == LineKind::kOWord ? "an O-word" : "`M98`"),
+          "write it on a line of its own");
+    } else if (comment.command->form == Command::kShows) {
+      shows(comment);
+    } else if (comment.command->form == Command::kText) {
+      verbatim(comment);
+    }
+  }
+
+  static bool never_acts(LineKind kind) { return kind == LineKind::kOWord || kind == LineKind::kM98; }
+
+  /// Its comma is missing, or not in its place.
+  void inactive(const Comment& comment) {
+    const std::string word = written(comment);
+    const size_t behind = std::min(comment.rest.find_first_not_of(" \t"), comment.rest.size());
+    if (behind == comment.rest.size()) return;
+    if (comment.command->form == Command::kCapitals) {
+      std::string capitals;
+      for (const char c : comment.command->word) capitals += capital(c);
+      Finding& f = add(comment.word, fmt::format("`{}` does nothing: LinuxCNC knows it in capital letters only", word),
+                       fmt::format("write `{}`", capitals));
+      f.fixes.push_back({f.help, false, {{comment.word, capitals}}});
+      return;
+    }
+    const char next = comment.rest[behind];
+    Edit edit{{comment.rest_at, comment.rest_at + behind}, ","};
+    if (next == ',') {
+      edit.text.clear();
+      add(comment.word, fmt::format("a blank before the comma: `({} ,` is an ordinary comment", word),
+          fmt::format("write `({},`", word))
+          .fixes.push_back({fmt::format("write `({},`", word), false, {std::move(edit)}});
+      return;
+    }
+    const bool colon = next == ':' && behind == 0;
+    const bool apart =
+        behind > 0 && (is_letter(next) || is_digit(next) || next == '#' || next == '"' || is_foreign(next));
+    if (!colon && !apart) return;
+    // Words of English, too: only with a parameter they are surely meant.
+    if (comment.command->form == Command::kShows && !has_parameter(comment.rest)) return;
+    if (colon) edit.span.end = comment.rest_at + 1;
+    edit.text = colon ? "," : ", ";
+    Finding& f = add(comment.word, fmt::format("`({}` has no comma: this is an ordinary comment", word),
+                     fmt::format("write `({},` and the text", word));
+    f.fixes.push_back({fmt::format("write `({},`", word), false, {std::move(edit)}});
+  }
+
+  /// What a text with parameters in it does not do.
+  void shows(const Comment& comment) {
+    const std::string_view rest = comment.rest;
+    for (size_t i = 1; i < rest.size(); ++i) {
+      const uint64_t at = comment.rest_at + i;
+      if (rest[i] == '%') {
+        format(rest.substr(i), at);
+      } else if (rest[i] == '#') {
+        i += parameter(rest.substr(i), at);
+      }
+    }
+  }
+
+  /// `%5.2f` and the like.
+  void format(std::string_view text, uint64_t at) {
+    size_t to = std::min(text.find_first_not_of("0123456789.", 1), text.size());
+    if (to == text.size() || !is_letter(text[to])) return;
+    const std::string_view body = text.substr(1, to - 1);
+    const char letter = text[to];
+    const bool number = letter == 'd' || letter == 'f' || letter == 'i' || letter == 'g' || letter == 'e' ||
+        letter == 's' || letter == 'u';
+    const bool known = (letter == 'd' && body.empty()) || (letter == 'f' && body.empty()) ||
+        (letter == 'f' && body.size() == 2 && body[0] == '.' && is_digit(body[1]));
+    if (known || !number || (to + 1 < text.size() && is_letter(text[to + 1]))) return;
+    ++to;
+    add({at, at + to}, fmt::format("`{}` is no format: LinuxCNC shows it as it is", text.substr(0, to)),
+        "the formats are `%d`, `%f` and `%.0f` to `%.9f`, and stand before the parameter");
+  }
+
+  /// How many bytes of it need no second look.
+  size_t parameter(std::string_view text, uint64_t at) {
+    const char next = text.size() > 1 ? text[1] : '\0';
+    if (next == '[') {
+      add({at, at + 2}, "`#[` is shown as it is: comments do not compute",
+          "compute it into a parameter on a line before");
+    } else if (next == '<' && text.find('>') == std::string_view::npos) {
+      add({at, at + text.size()}, "the name has no `>`: LinuxCNC shows something else in its place", "write `#<name>`");
+    } else if (is_digit(next)) {
+      const size_t to = std::min(text.find_first_not_of("0123456789", 1), text.size());
+      constexpr size_t kDigits = 4;
+      const bool over = to > kDigits + 1 || (to == kDigits + 1 && text.substr(1, kDigits) > "5601");
+      if (over && next != '0')
+        add({at, at + to},
+            fmt::format("LinuxCNC shows `######` for `{}`: the last parameter is #5601", text.substr(0, to)),
+            "write the number of a parameter");
+      return to - 1;
+    }
+    return 0;
+  }
+
+  /// MSG shows its text as it is. `#3` may be the number of a tool there, a name is a parameter.
+  void verbatim(const Comment& comment) {
+    const size_t name = comment.rest.find("#<");
+    if (name == std::string_view::npos) return;
+    const size_t to = std::min(comment.rest.find('>', name), comment.rest.size() - 1) + 1;
+    Finding& f = add({comment.rest_at + name, comment.rest_at + to},
+                     fmt::format("`({},` shows `{}` as it is, not its value", written(comment),
+                                 comment.rest.substr(name, to - name)),
+                     "write `(DEBUG,` in place of it: that shows values");
+    f.fixes.push_back({"write `(DEBUG,`", false, {{comment.word, "DEBUG"}}});
+  }
+
+  /// `G0 X1 ; (MSG, …)`.
+  void behind_semicolon(size_t at, size_t end) {
+    const size_t open = text_.find_first_not_of("; \t", at);
+    if (open >= end || text_[open] != '(') return;
+    const size_t close = text_.substr(0, end).find(')', open);
+    if (close == std::string_view::npos) return;
+    const Comment comment = comment_at(open, close);
+    if (comment.command == nullptr || !comment.has_comma()) return;
+    Finding& f = add(comment.span, "this comment does nothing: it stands behind `;`", "remove the `;`");
+    f.weight = Weight::kAside;  // it may have been taken out on purpose
+  }
+
+  const Input& in_;
+  Reporter& out_;
+  const Source& source_;
+  std::string_view text_;
+  StatementId id_ = kNoStatement;  ///< on the line at hand
+};
+
+void check(const Input& in, Reporter& out) { Checker(in, out).run(); }
+
+}  // namespace
+
+extern const Rule kOw710{
+    .code = "OW710",
+    .name = "comment-command-malformed",
+    .summary = "a comment that is meant to act, such as MSG or PRINT, and does not",
+    .group = Group::kWords,
+    .level = Severity::kWarning,
+    .page =
+        {
+            .what =
+                R"(A comment that looks like a command and is none: `(MSG text)` without the comma, `(ABORT ,text)` with a
+blank before it, `(probeopen file)` in small letters. A command in a place where comments do not act: not
+the last comment of its line, on the line of an O-word or of `M98`, behind `;`. A format that LinuxCNC
+does not know (`%5.2f`), a parameter above #5601, `#[...]` in a `(DEBUG,...)` or `(PRINT,...)`, or
+`#<name>` in a `(MSG,...)`.
+
+`DEBUG`, `PRINT`, `LOG` and `ABORT` are English words, too: without a comma they are reported only if a
+parameter follows.)",
+            .why =
+                R"(There is no message. What was to be shown, logged or to stop the program does not happen, or the text has
+`%5.2f` or `######` in it. `(MSG,...)` shows `#<name>` as it is; `(DEBUG,...)` shows the value.
+
+The word comes first, in small or capital letters, and the comma right after it. The formats `%d`, `%f`
+and `%.3f` hold from where they stand to the end of the text.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+G0 X10 Y10 Z5
+(MSG turn the part over)
+M0
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90
+G0 X10 Y10 Z5
+(MSG, turn the part over)
+M0
+G1 Z-2 F80
+G0 Z5
+M2
+)",
+            .fix =
+                R"(Write the comma right after the word, and the comment on a line of its own. If it is an ordinary comment,
+begin it with another word.)",
+            .level_reason = "Warning: the program runs, but not as its author thinks. Info for a command behind `;`, "
+                            "where it may have been "
+                            "put to take it out.",
+            .interpreter = "",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,122 @@
+"""What owlint says of a program held against how it ended in rs274: one verdict for slipped.py and words.py.
+
+A verdict is a Disagreement, one of COUNTED, one of the kinds of not_followed.py, or None where owlint says what happens.
+"""
+import re
+from dataclasses import dataclass
+
+import bundle
+import rs274
+from claims import Claims, said_by
+from messages import EOF, codes_of, same_words
+from not_followed import GEOMETRY, general, in_a_contour, not_followed
+
+SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other words", "not always", "crash"
+UNKNOWABLE, ENDLESS = "unknowable", "endless"
+COUNTED = (UNKNOWABLE, ENDLESS)
+
+_COMMENT = re.compile(r"\([^)]*\)?|;.*")
+# Errors of reading that no value of a parameter makes.
+_WITHOUT_VALUES = re.compile(r"Bad character|Bad format unsigned|bad number format|No characters found|Unknown word|Unclosed|Nested comment|Unknown operation|Left bracket|"
+                             r"Slash missing|Equal sign|Command too long|Named parameter not terminated|Multiple [^pq ]+ words|Expected [#\]]")
+# Those of words that a value makes.
+_OF_VALUES = re.compile(r"Negative \w+ (word|code|tool)|Negative (spindle|tool)|Non integer|out of range|P value|R value|Dwell time missing|Line with G10|Multiple [pq] words|"
+                        r"Unknown [gm] code|M-code greater|Two [gm] codes|Parameter (number|is readonly)")
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    kind: str
+    what: str           # what the interpreter says, or which claim is wrong
+
+    @property
+    def key(self):
+        """What must stay the same while a program is shrunk."""
+        return self.kind, general(self.what)
+
+
+@dataclass
+class Checked:
+    """A program as owlint has seen it."""
+    texts: dict         # name -> text
+    findings: list      # each with the `path` of its file
+    fixed: bool = False
+
+
+def judge(outcome, checked, program, block_delete):
+    """The verdict of one run."""
+    claims = Claims(checked.findings, block_delete)
+    # A remap's file is checked for itself: what is said of it holds when its code is used.
+    mine = lambda findings: [f for f in findings if f["path"] == bundle.MAIN or "REMAP" not in program.text]
+    claims.always, claims.errors = mine(claims.always), mine(claims.errors)
+    if outcome.kind == "hang":
+        if claims.always:
+            return Disagreement(NOT_ALWAYS, "%s: it never ends" % claims.always[0]["code"])
+        return None if claims.endless else ENDLESS
+    if outcome.kind == "crash":
+        return None if claims.crashes else Disagreement(CRASH, outcome.message)
+    if outcome.kind == "ok":
+        wrong = claims.always or claims.errors
+        return Disagreement(NOT_ALWAYS, "%s: `%s`: it runs" % (wrong[0]["code"], wrong[0].get("interpreter", ""))) if wrong else None
+    there = [(f, claim) for f in claims.stops for claim in said_by(f) if is_there(f, claim, outcome, checked.texts, program.mode)]
+    met = [f for f, claim in there if same_words(outcome.message, claim.get("interpreter", ""))]
+    if met:
+        wrong = [f for f in claims.always if f not in met]
+        return Disagreement(NOT_ALWAYS, "%s: `%s`: it stops before: `%s`" % (wrong[0]["code"], wrong[0].get("interpreter", ""), outcome.message)) if wrong else None
+    everything = "\n".join(checked.texts.values())
+    kind = GEOMETRY if in_a_contour(outcome.message, outcome.text, everything) else not_followed(outcome.message, outcome.text)
+    # Before what is not followed, every error of the line's words comes; the search for a contour's sub comes behind.
+    other = [(f, claim) for f, claim in there if not kind or f in claims.always and f["code"] != "OW208"]
+    if not other and kind:
+        return kind
+    if is_unknowable(outcome, checked):
+        return UNKNOWABLE
+    if other:
+        return Disagreement(WORDS, "%s: `%s` is `%s`" % (other[0][1]["code"], other[0][1].get("interpreter", ""), outcome.message))
+    return Disagreement(ELSEWHERE if claims.stops else SILENT, outcome.message)
+
+
+def is_there(finding, claim, outcome, texts, mode):
+    """Whether a claim is about the line at which it stopped.  Where the message names its file, it may be at the cause."""
+    line = claim["start"]["line"]
+    if rs274.AT_FILE_END.search(outcome.message) or outcome.message.startswith("File:") or "levels" in outcome.message:
+        return same_words(outcome.message, claim.get("interpreter", ""))
+    # Under OWORD_WARNONLY the number may be that of a warning.
+    numbered = re.match(r"\d+: ", outcome.message) and mode != "warnonly"
+    lines = texts.get(finding["path"], "").split("\n")
+    said = lines[line - 1].strip().split("\0")[0].strip() if line <= len(lines) else ""
+    if re.match(r"O[\d.]+ CALL$", outcome.text):      # what G71 makes of its Q
+        return same_words(outcome.message, claim.get("interpreter", ""))
+    fits = said.startswith(outcome.text) if outcome.message == "Command too long" else said == outcome.text
+    return fits and (not numbered or line == outcome.line)
+
+
+def is_unknowable(outcome, checked):
+    """Whether it stops for what was in the machine before the program."""
+    everything = "".join(checked.texts.values())
+    if _WITHOUT_VALUES.match(outcome.message):
+        return False
+    # The value of a parameter whose number is computed.
+    if re.search(r"#\s*[#\[]", outcome.text) or (codes_of(outcome.message) & {"OW208"} and re.search(r"(?i)[oq]\s*#\s*[#\[]", everything)):
+        return True
+    # A part of a program that ngcgui makes.
+    in_remap = "REMAP" in everything and outcome.message.startswith(("EOF in file", "Fanuc 'O"))      # files that a remap names are checked for themselves
+    if in_remap or re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "(not_a_subfile)" in everything or "[PYTHON]" in everything:
+        return True
+    # The value of a name that is not there, when a definition is skipped, is whatever is in memory.
+    if outcome.message.startswith("Calculation resulted in") and re.search(r"(?i)#<_value>", outcome.text):
+        return True
+    codes = codes_of(outcome.message)
+    of_the_line = codes & {"OW512", "OW604", "OW217"} or _OF_VALUES.match(outcome.message) or re.match(r"(?i)/?(n\d+\s*)?o[#\[]", outcome.text)
+    # Of the end of the file it is not said which label was sought.
+    where = outcome.text if of_the_line else "".join(re.findall(r"(?i)[oq]\s*[#[].*", everything)) if codes & {EOF, "OW208"} or not outcome.line else ""
+    where += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), everything))
+    # Outside of subs no number is an argument.
+    outside = re.sub(r"(?ims)^\s*o[^\n]*?sub\b.*?endsub", "", _COMMENT.sub("", everything))
+    of_machine = "".join(re.findall(r"(?i)[oq]\s*[#[].*", outside)) if codes & {EOF, "OW208"} else ""
+    of_machine += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), outside))
+    main = checked.texts[bundle.MAIN]
+    before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", _COMMENT.sub("", main)))[0]
+    own = 30 if re.search(r"(?i)o(<[^<>\n]*>|[\d.]+|\[.*?\])\s*sub\b", main) else 0     # the last number that is an argument
+    numbers = [n for n in re.findall(r"#(\d+)", where) if int(n) > own] + re.findall(r"#(\d+)", of_machine)
+    return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in numbers)
