@@ -1,6 +1,4 @@
-#include "analyzer/syntax/last_statement.h"
-#include "analyzer/text/memory_files.h"
-#include "rules/driver/variants.h"
+#include "rules/driver/lint.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,8 +7,12 @@
 
 #include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/flow/summaries/data_flow.h"
+#include "analyzer/flow/verdicts/analyze.h"
+#include "analyzer/syntax/last_statement.h"
+#include "analyzer/text/memory_files.h"
 #include "rules/driver/folding.h"
 #include "rules/driver/unreached.h"
+#include "rules/driver/variants.h"
 
 namespace owlint {
 namespace {

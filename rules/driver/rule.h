@@ -14,6 +14,7 @@
 #include "analyzer/findings/suppression.h"
 #include "analyzer/flow/flow.h"
 #include "analyzer/machine/profile.h"
+#include "analyzer/program/linker.h"
 #include "analyzer/program/program.h"
 #include "analyzer/syntax/nature.h"
 #include "analyzer/text/paths.h"

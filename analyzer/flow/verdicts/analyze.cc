@@ -1,4 +1,5 @@
-// The way into the flow room: analyses a program and hands out the results, file by file.
+#include "analyzer/flow/verdicts/analyze.h"
+
 #include "analyzer/flow/engine/iteration.h"
 #include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/flow/verdicts/verdicts.h"
