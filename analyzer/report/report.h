@@ -4,10 +4,12 @@
 #include <ostream>
 #include <vector>
 
+#include "analyzer/findings/file_report.h"
 #include "analyzer/text/printable.h"
-#include "rules/driver/lint.h"
 
 namespace owlint {
+
+class Library;
 
 inline constexpr std::string_view kToolName = "owlint";
 inline constexpr std::string_view kToolVersion = OWLINT_VERSION;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/program/library.h"
 #include "analyzer/report/formats.h"
 #include "analyzer/report/snippet.h"
 #include "analyzer/text/width.h"
@@ -167,10 +168,10 @@ std::string summary_text(const Summary& summary) {
 
 void write_statistics(std::ostream& out, const std::vector<FileReport>& files, const Library& library) {
   std::map<std::string_view, std::pair<size_t, std::string_view>> counts;
-  FlowStatistics flow;
+  Effort flow;
   for (const FileReport& file : files) {
-    flow.steps += file.statistics.steps;
-    flow.merges += file.statistics.merges;
+    flow.steps += file.effort.steps;
+    flow.merges += file.effort.merges;
     for (const Finding& f : file.findings) {
       ++counts[f.code].first;
       counts[f.code].second = f.rule;

@@ -141,7 +141,8 @@ class Check {
     out.only_definitions = program->regions.size() > 1 && does_nothing(*program);
     out.role_matters = !program->sub_file && defines_own_name(*program);
     out.own = check_file(linked.files()[0].program, flow[0], linked, true);
-    out.own.statistics = flow[0].statistics;
+    const FlowStatistics& statistics = flow[0].statistics;
+    out.own.effort = {statistics.steps, statistics.merges, statistics.recalled};
     for (size_t i = 1; i < linked.files().size(); ++i) {
       const LinkedFile& file = linked.files()[i];
       out.calls.push_back(file.program->source->path());

@@ -4,6 +4,7 @@
 
 #include "analyzer/findings/fixing.h"
 #include "analyzer/report/formats.h"
+#include "rules/driver/lint.h"
 
 using namespace owlint;
 
