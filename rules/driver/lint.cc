@@ -37,9 +37,8 @@ bool moves_lines(const Program& program, const Fix& fix) {
 /// How much a rule's findings in a file matter: little if the file is no LinuxCNC program, which one rule reports.
 Weight weight_of(const Rule& rule, const Nature& nature) {
   if (nature.kind == Nature::kProgram || rule.group == Group::kLinter) return Weight::kFull;
-  if (nature.kind == Nature::kOtherController)
-    return rule.code == rules::kOtherController ? Weight::kFull : Weight::kAside;
-  return rule.code == "OW314" ? Weight::kFull : Weight::kRemark;
+  if (nature.kind == Nature::kOtherController) return rule.other_controller ? Weight::kFull : Weight::kAside;
+  return rule.any_file ? Weight::kFull : Weight::kRemark;
 }
 
 void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy,
@@ -105,11 +104,12 @@ std::vector<Suppression> suppressions_of(const Program& program) {
 
 void put_in_order(std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
-  // In a file for another controller that is said first.
   const auto key = [](const Finding& f) {
-    return std::tuple(f.code != rules::kOtherController, f.span.begin, f.span.end, f.code, std::string_view(f.message));
+    return std::tuple(f.span.begin, f.span.end, f.code, std::string_view(f.message));
   };
   std::ranges::stable_sort(findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+  // In a file for another controller that is said first.
+  std::stable_partition(findings.begin(), findings.end(), [](const Finding& f) { return rule_of(f).other_controller; });
 }
 
 namespace {
@@ -174,7 +174,7 @@ class Check {
     if (!own) {
       // Of a called file only what this program's calls lead to; the rest is reported when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
-        return !f.stops && !f.never_ends && !f.runs_other && find_rule(f.code)->group != Group::kHazards;
+        return !f.stops && !f.never_ends && !f.runs_other && rule_of(f).group != Group::kHazards;
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);

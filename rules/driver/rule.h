@@ -112,6 +112,11 @@ struct Rule {
   bool of_programs = false;                  ///< true of programs only: not reported for files that others call
   bool of_callers = false;  ///< known from the calling program, if the run has it: not reported for the called file
   bool fades = false;       ///< its lines never run: editors show them faded
+  bool any_file = false;    ///< counts as much in a file that is no program at all
+  bool other_controller = false;  ///< says that a file is for another controller: the rest of the file is then a remark
+  bool leaves_out = false;        ///< its lines never run: speaks for the mistakes in them
+  bool label_reused = false;      ///< its stops are at a label that another block has
+  bool label_shared = false;      ///< about a label that another block has, where no run stops
 };
 
 /// Collects a rule's findings. The rule sets position, words and what the interpreter does; code and severity come from the
@@ -135,6 +140,8 @@ class Reporter {
 const std::vector<const Rule*>& catalogue();
 /// By code or name, in any case; null if there is none.
 const Rule* find_rule(std::string_view code_or_name);
+/// The rule that made a finding.
+const Rule& rule_of(const Finding& finding);
 /// Whether at least one code begins with `prefix`.
 bool known_prefix(std::string_view prefix);
 /// The code that a text means, wherever users write codes: `OW104` for `ow104` and `if-label-reused`, `OW1` for `ow1`; empty

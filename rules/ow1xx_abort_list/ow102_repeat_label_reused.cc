@@ -64,6 +64,7 @@ local to a sub, so another sub may use the same number.)",
             .options = "",
         },
     .check = check,
+    .label_reused = true,
 };
 
 }  // namespace owlint::rules

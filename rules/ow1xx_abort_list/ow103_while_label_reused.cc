@@ -66,6 +66,7 @@ M2
             .options = "",
         },
     .check = check,
+    .label_reused = true,
 };
 
 }  // namespace owlint::rules

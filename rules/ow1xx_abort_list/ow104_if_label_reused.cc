@@ -62,6 +62,7 @@ of blocks are local to a sub, so another sub may use the same number.)",
             .options = "",
         },
     .check = check,
+    .label_reused = true,
 };
 
 }  // namespace owlint::rules

@@ -94,6 +94,7 @@ M2
             .options = "",
         },
     .check = check,
+    .label_shared = true,
 };
 
 }  // namespace owlint::rules

@@ -137,6 +137,7 @@ should run only sometimes, put it into an `if`.)",
     .check = check,
     .of_programs = true,
     .fades = true,
+    .leaves_out = true,
 };
 
 }  // namespace owlint::rules
