@@ -1,6 +1,6 @@
 // OW104 if-label-reused: an `if` whose label already belongs to another block of the same scope.
 // Depends on: an `if` with a label from another line is an error, even if that other block was skipped.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

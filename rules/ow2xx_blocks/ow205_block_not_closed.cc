@@ -3,7 +3,7 @@
 // file; if it is true, it goes on and does not look for an end.
 #include <algorithm>
 
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

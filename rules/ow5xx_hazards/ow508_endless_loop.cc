@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "analyzer/syntax/line_parser.h"
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

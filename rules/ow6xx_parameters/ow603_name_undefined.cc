@@ -8,7 +8,7 @@
 #include "analyzer/machine/predefined.h"
 #include "analyzer/machine/remap_names.h"
 #include "analyzer/syntax/look_alike.h"
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <tuple>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

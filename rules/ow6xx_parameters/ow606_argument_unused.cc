@@ -2,7 +2,7 @@
 // Depends on: arguments are #1 to #30 of the sub, and nothing else sees them.
 #include <bit>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

@@ -2,7 +2,7 @@
 // Depends on: a definition is skipped; its lines run only in a call.
 #include <algorithm>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

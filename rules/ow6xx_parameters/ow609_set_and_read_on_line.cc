@@ -3,7 +3,7 @@
 // (measured: `#1=5`, then `#1=6 G0 X#1` moves to 5).
 #include <algorithm>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

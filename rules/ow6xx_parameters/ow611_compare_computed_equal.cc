@@ -1,7 +1,7 @@
 // OW611 compare-computed-equal: `EQ` or `NE` on values that are computed with fractions.
 // Depends on: EQ is true for numbers that differ by less than 0.0001 (measured); sums of fractions drift by less or
 // more than that.
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

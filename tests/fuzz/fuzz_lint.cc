@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 #include "analyzer/report/formats.h"
 #include "rules/driver/lint.h"
 

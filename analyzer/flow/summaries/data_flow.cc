@@ -189,14 +189,14 @@ const std::vector<FixedCondition>& DataFlow::fixed() const {
   if (!fixed_) {
     fixed_.emplace();
     if (too_large_) return *fixed_;
-    const Settings settings(program_);
+    const Presets presets(program_);
     for (RegionId region = 0; region < program_.regions.size(); ++region) {
       look(region);
       const auto tests = [this](StatementId id) {
         return program_.at(id).is(Keyword::kIf) || program_.at(id).is(Keyword::kWhile);
       };
       if (std::ranges::none_of(statements_[region], tests) || !flow_of(region).known()) continue;
-      find_fixed_conditions(program_, flow_of(region), settings, limits_, *fixed_);
+      find_fixed_conditions(program_, flow_of(region), presets, limits_, *fixed_);
     }
     std::ranges::stable_sort(*fixed_, {}, &FixedCondition::statement);
   }

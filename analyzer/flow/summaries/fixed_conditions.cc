@@ -15,9 +15,9 @@ using Ranges = std::vector<Range>;
 /// Ranges of the parameters that a sub compares, line by line until nothing changes.
 class Solver {
  public:
-  Solver(const Program& program, const ControlFlow& flow, const Settings& settings, const Limits& limits)
+  Solver(const Program& program, const ControlFlow& flow, const Presets& presets, const Limits& limits)
       : program_(program), exprs_(program.syntax.exprs), flow_(flow), limits_(limits) {
-    find_compared(settings);
+    find_compared(presets);
   }
 
   bool solve() {
@@ -50,12 +50,12 @@ class Solver {
     return (key & ~kGlobalKey) >= kFirstVolatileNumber ? kComputedKey : key;
   }
 
-  void find_compared(const Settings& settings) {
+  void find_compared(const Presets& presets) {
     std::vector<double> numbers;
     for (const auto& node : flow_.nodes()) {
       if (node.tests) collect(program_.syntax.values[program_.at(node.statement).first], numbers);
     }
-    std::erase_if(keys_, [&](ParameterKey key) { return key == kComputedKey || settings.has(key); });
+    std::erase_if(keys_, [&](ParameterKey key) { return key == kComputedKey || presets.has(key); });
     std::ranges::sort(keys_);
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     thresholds_ = Thresholds(std::move(numbers), limits_.thresholds);
@@ -221,7 +221,7 @@ StatementId earlier_branch(const Program& program, StatementId id, const Limits&
 
 }  // namespace
 
-Settings::Settings(const Program& program) {
+Presets::Presets(const Program& program) {
   std::vector<std::pair<ParameterKey, bool>> assigned;  // and whether to a number
   for (const Item& item : program.syntax.items) {
     if (!assigns(item)) continue;
@@ -238,11 +238,11 @@ Settings::Settings(const Program& program) {
   }
 }
 
-bool Settings::has(ParameterKey key) const { return std::ranges::binary_search(keys_, key); }
+bool Presets::has(ParameterKey key) const { return std::ranges::binary_search(keys_, key); }
 
-void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings,
+void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Presets& presets,
                            const Limits& limits, std::vector<FixedCondition>& out) {
-  Solver solver(program, flow, settings, limits);
+  Solver solver(program, flow, presets, limits);
   const bool solved = solver.solve();
   for (NodeId id = 0; id < flow.nodes().size(); ++id) {
     const auto& node = flow.nodes()[id];

@@ -1,4 +1,4 @@
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 #include <algorithm>
 #include <cmath>
