@@ -150,7 +150,7 @@ void LineParser::m98(ExpressionParser& in, Statement& s) {
 void LineParser::m99(ExpressionParser& in, Statement& s) {
   note_rest(in.cursor + kFanucCode, s);
   letters_ = 0;
-  if (!word(in, s) || !all_words(in, s) || s.error != UINT32_MAX) return;
+  if (!word(in, s) || !all_words(in, s) || s.has_error()) return;
   // With nothing else on the line, no mode takes the P.
   constexpr uint32_t kM = 1U << ('m' - 'a');
   constexpr uint32_t kP = 1U << ('p' - 'a');

@@ -269,8 +269,8 @@ bool LineParser::words(size_t at, Statement& s) {
   contour_sub_ = kNoExpr;
   cuts_contour_ = false;
   all_words(in, s);
-  if (cuts_contour_ && contour_sub_ != kNoExpr && s.kind == LineKind::kWords && s.error == UINT32_MAX) contour(s);
-  return s.kind != LineKind::kWords || s.item_count > 0 || s.error != UINT32_MAX;
+  if (cuts_contour_ && contour_sub_ != kNoExpr && s.kind == LineKind::kWords && !s.has_error()) contour(s);
+  return s.kind != LineKind::kWords || s.item_count > 0 || s.has_error();
 }
 
 }  // namespace owlint

@@ -290,7 +290,7 @@ class Reader {
       if (view.matters || view.too_long) keep = parser_.parse(line, found.begin, &statement);
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
-        const bool plain = !keep || (statement.error == UINT32_MAX && statement.has_items());
+        const bool plain = !keep || (!statement.has_error() && statement.has_items());
         const std::string_view comment = plain ? acting_comment(line) : "";
         out_.runs_python = out_.runs_python || (plain && runs_python(line, comment));
         if (plain && begins(comment, "abort,")) {

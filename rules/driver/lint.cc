@@ -206,7 +206,7 @@ class Check {
     for (const LinkedFile& file : linked.files()) {
       const Program& p = *file.program;
       for (const Call& call : p.calls) {
-        if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+        if (call.callee == kNoName || call.target != kNoRegion) continue;
         if (linked.target(p.name(call.callee)).file == CallTarget::kNotFound)
           names.push_back(p.label_text(call.callee));
       }

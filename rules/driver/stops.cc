@@ -309,7 +309,7 @@ std::string misread_words(const Program& program, StatementId line) {
   const Statement& s = program.at(line);
   const std::string where = "line " + std::to_string(s.line);
   if (s.name_open) return "the name on " + where + " has no `>`";
-  if (s.error == UINT32_MAX) return "`" + program.label_at(line) + "` on " + where + " has no keyword";
+  if (!s.has_error()) return "`" + program.label_at(line) + "` on " + where + " has no keyword";
   if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown)
     return "`" + std::string(spelling(s.keyword)) + "` on " + where + " has no label";
   return "LinuxCNC does not read " + where + " as `" + std::string(spelling(meant_by(program, line).keyword)) + "`";

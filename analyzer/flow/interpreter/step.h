@@ -152,7 +152,7 @@ struct AbstractMachine::Step {
     reads.no_value = kUnassigned;
   }
 
-  ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first + i]; }
+  ExprId value(uint32_t i) const { return m.program_.syntax.values_of(s)[i]; }
 
   /// The condition of `if`, `elseif`, `while`; false if it stops.
   bool condition(Truth* truth, double* number = nullptr) {

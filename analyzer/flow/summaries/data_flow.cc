@@ -130,8 +130,8 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
   // Numbers are anybody's: what the sub leaves in them is lost, which is another rule's, or the operator's. A name for
   // something that has a number or a name already is a remark as well.
   const auto never_read = [&](size_t line, const Write& write) {
-    const Operator value =
-        program_.syntax.exprs[program_.syntax.items[program_.at(statement(line)).first + write.item].value].op;
+    const Item& item = program_.syntax.items_of(program_.at(statement(line)))[write.item];
+    const Operator value = program_.syntax.exprs[item.value].op;
     return !is_own_number(write.key) && value != Operator::kParameter && value != Operator::kNamed;
   };
   const auto overwritten = [&](size_t line, const Write& write) {

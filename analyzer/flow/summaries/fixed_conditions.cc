@@ -53,7 +53,7 @@ class Solver {
   void find_compared(const Presets& presets) {
     std::vector<double> numbers;
     for (const auto& node : flow_.nodes()) {
-      if (node.tests) collect(program_.syntax.values[program_.at(node.statement).first], numbers);
+      if (node.tests) collect(program_.syntax.values_of(program_.at(node.statement)).front(), numbers);
     }
     std::erase_if(keys_, [&](ParameterKey key) { return key == kComputedKey || presets.has(key); });
     std::ranges::sort(keys_);
@@ -65,8 +65,7 @@ class Solver {
   void collect(ExprId condition, std::vector<double>& numbers) {
     const Expr& expr = exprs_[condition];
     if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
-      collect(expr.left(), numbers);
-      collect(expr.right(), numbers);
+      for_each_operand(expr, [&](ExprId operand) { collect(operand, numbers); });
     } else if (is_comparison(expr.op)) {
       for (const auto& [side, other] : {std::pair(expr.left(), expr.right()), std::pair(expr.right(), expr.left())}) {
         double number = 0;
@@ -107,8 +106,7 @@ class Solver {
   void execute(const Statement& s, Ranges& ranges) const {
     if (s.is(Keyword::kCall)) return forget(ranges, true);
     const Ranges before = s.item_count > 1 ? ranges : Ranges();
-    for (uint32_t i = 0; i < s.item_count; ++i) {
-      const Item& item = program_.syntax.items[s.first + i];
+    for (const Item& item : program_.syntax.items_of(s)) {
       if (!assigns(item)) continue;
       const ParameterKey key = key_of_target(program_.syntax, item);
       if (key == kComputedKey) {
@@ -174,7 +172,7 @@ class Solver {
       }
       for (const bool truth : {true, false}) {
         branch_ = now_;
-        if (branch(program_.syntax.values[s.first], truth, branch_))
+        if (branch(program_.syntax.values_of(s).front(), truth, branch_))
           arrive(id, node.next[truth ? 0 : 1], branch_, widen);
       }
     }
@@ -206,7 +204,7 @@ bool same(const ExprPool& exprs, ExprId a, ExprId b) {
 StatementId earlier_branch(const Program& program, StatementId id, const Limits& limits) {
   if (!program.at(id).is(Keyword::kElseif)) return kNoStatement;
   const BlockId block = program.block_of[id];
-  const auto condition = [&](StatementId at) { return program.syntax.values[program.at(at).first]; };
+  const auto condition = [&](StatementId at) { return program.syntax.values_of(program.at(at)).front(); };
   const auto fits = [&](StatementId at) {
     return program.at(at).value_count > 0 && same(program.syntax.exprs, condition(at), condition(id));
   };
@@ -248,7 +246,7 @@ void find_fixed_conditions(const Program& program, const ControlFlow& flow, cons
     const auto& node = flow.nodes()[id];
     if (!node.tests) continue;
     const Statement& s = program.at(node.statement);
-    const ExprId condition = program.syntax.values[s.first];
+    const ExprId condition = program.syntax.values_of(s).front();
     if (const StatementId earlier = earlier_branch(program, node.statement, limits); earlier != kNoStatement) {
       out.push_back({node.statement, false, earlier});
       continue;
