@@ -89,7 +89,7 @@ struct FlowStatistics {
 
 namespace flow {
 class KnownCalls;
-class Trace;
+class Reachability;
 struct LearnedCall;
 struct Structure;
 }  // namespace flow
@@ -100,8 +100,8 @@ struct FlowResult {
   std::vector<bool> executed;   ///< by statement: some run executes it (and does not only skip it)
   bool ends = false;            ///< some run gets to a program end without an error
   FlowStatistics statistics;
-  std::shared_ptr<const flow::Trace> trace;
-  StatementId first = 0;                                    ///< number of this file's first statement in the trace
+  std::shared_ptr<flow::Reachability> reachability;         ///< of all files; remembers what reach() was asked
+  StatementId first = 0;                                    ///< number of this file's first statement there
   std::shared_ptr<const flow::Structure> structure;         ///< of this file's own lines, if it was analysed alone
   std::shared_ptr<std::vector<flow::LearnedCall>> learned;  ///< calls for KnownCalls, if there are any
 

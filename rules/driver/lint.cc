@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "analyzer/flow/engine/known_calls.h"
@@ -169,8 +170,10 @@ class Check {
     std::vector<Suppression> suppressions = suppressions_of(*program);
     const Index index(*program, flow);
     const flow::DataFlow data(*program, flow.structure);
+    std::unordered_set<long> given_numbers;
     const SeverityPolicy policy = policy_of(profile_, options_);
-    run_rules({*program, flow, profile_, linked, suppressions, index, data, false}, options_, policy, report.findings);
+    run_rules({*program, flow, profile_, linked, suppressions, index, data, given_numbers, false}, options_, policy,
+              report.findings);
     if (!own) {
       // Of a called file only what this program's calls lead to; the rest is reported when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
@@ -180,7 +183,8 @@ class Check {
     apply_suppressions(*program->source, suppressions, report.findings);
     rules::fold_consequences(*program, flow, report.findings);
     if (own)
-      run_rules({*program, flow, profile_, linked, suppressions, index, data, true}, options_, policy, report.findings);
+      run_rules({*program, flow, profile_, linked, suppressions, index, data, given_numbers, true}, options_, policy,
+                report.findings);
     for (Finding& f : report.findings) {
       if (f.source == nullptr) f.scope = scope_of(*program, f.span.begin);
     }

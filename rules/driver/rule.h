@@ -53,9 +53,8 @@ struct Index {
   std::vector<StatementId> stray_parts;  ///< parts and ends of blocks that belong to no block, or close one by mistake
   std::vector<StatementId> odd_lines;    ///< with an open name, a NUL, a carriage return inside, or a bad character
   std::vector<NameId> foreign_names;     ///< names with characters that are not ASCII
-  std::vector<StatementId> several_items;          ///< lines that assign a parameter and do more
-  std::vector<StatementId> tests;                  ///< `if`, `elseif` and `while` with a condition
-  mutable std::unordered_set<long> given_numbers;  ///< labels that fixes already take
+  std::vector<StatementId> several_items;  ///< lines that assign a parameter and do more
+  std::vector<StatementId> tests;          ///< `if`, `elseif` and `while` with a condition
   std::vector<std::pair<StatementId, StatementId>>
       shared_labels;  ///< first lines of blocks in one region: the first with a label, and a later one
 
@@ -74,7 +73,8 @@ struct Input {
   const std::vector<Suppression>& suppressions;
   const Index& index;
   const flow::DataFlow& data;
-  bool suppressions_applied = false;  ///< the second round, for rules about suppressions themselves
+  std::unordered_set<long>& given_numbers;  ///< labels that fixes already take
+  bool suppressions_applied = false;        ///< the second round, for rules about suppressions themselves
 };
 
 /// What a check of the machine's INI may look at.

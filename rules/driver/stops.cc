@@ -371,7 +371,7 @@ std::string free_label(const Input& in, NameId label) {
   for (long number = first; number < first + kTries; ++number) {
     const NameId id = program.syntax.names.find(std::to_string(number));
     const bool used = id != kNoName && id < program.by_label.size() && !program.by_label[id].empty();
-    if (!used && in.index.given_numbers.insert(number).second) return "o" + std::to_string(number);
+    if (!used && in.given_numbers.insert(number).second) return "o" + std::to_string(number);
   }
   return {};
 }
