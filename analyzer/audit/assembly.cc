@@ -103,10 +103,10 @@ void assemble(Store& store, std::vector<Item>& items, const std::set<std::string
     outcome.fresh = changes.fresh;
     outcome.gone = changes.gone;
   }
-  const Summary summary = summarize(result.reports);
-  outcome.errors = summary.errors;
-  outcome.warnings = summary.warnings;
-  outcome.infos = summary.infos;
+  const Totals totals = totals_of(result.reports);
+  outcome.errors = totals.errors;
+  outcome.warnings = totals.warnings;
+  outcome.infos = totals.infos;
   outcome.notes.insert(outcome.notes.end(), result.notes.begin(), result.notes.end());
   Facts::sweep(db);
   db.exec("DELETE FROM machine");

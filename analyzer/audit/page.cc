@@ -315,7 +315,7 @@ class Page {
     const Program& p = *linked.files()[0].program;
     std::set<size_t> called;
     for (const Call& call : p.calls) {
-      if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+      if (call.callee == kNoName || call.target != kNoRegion) continue;
       const CallTarget target = linked.target(p.name(call.callee));
       if (target.file == CallTarget::kNotFound) continue;
       const auto to = number_.find(file_key(linked.files()[target.file].program->source->path()));

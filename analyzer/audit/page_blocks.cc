@@ -58,7 +58,7 @@ class Drawn {
               {"line", line_of(call.statement)},
               {"scope", call.caller},
               {"to", nullptr}};
-    if (call.target != UINT32_MAX) {
+    if (call.target != kNoRegion) {
       json["to"] = {{"file", number_(program_.source->path())},
                     {"line", line_of(program_.regions[call.target].opener)}};
     } else if (call.callee != kNoName) {

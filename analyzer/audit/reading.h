@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analyzer/audit/store.h"
-#include "rules/driver/lint.h"
+#include "analyzer/findings/file_report.h"
 
 namespace owlint::audit {
 

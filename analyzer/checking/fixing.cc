@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 #include "analyzer/text/memory_files.h"
 #include "analyzer/text/paths.h"
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "rules/driver/lint.h"
+#include "analyzer/findings/file_report.h"
+#include "analyzer/text/files.h"
 
 namespace owlint::checking {
 

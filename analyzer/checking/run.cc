@@ -16,7 +16,7 @@ namespace {
 
 /// Of a file that some program of the run calls, what depends on the caller is known from there.
 void drop_guesses(FileReport& report) {
-  std::erase_if(report.findings, [](const Finding& f) { return f.unproven || find_rule(f.code)->of_callers; });
+  std::erase_if(report.findings, [](const Finding& f) { return f.unproven || rule_of(f).of_callers; });
 }
 
 /// Whether a file lies in a folder that its machine has for subs.
@@ -33,7 +33,7 @@ bool among_subs(const std::string& path, const Settings& settings) {
 /// What is true of a program only: a file that is called and lacks its sub is none either, nor is one of definitions
 /// among the machine's subs.
 void drop_ends(FileReport& report) {
-  std::erase_if(report.findings, [](const Finding& f) { return find_rule(f.code)->of_programs; });
+  std::erase_if(report.findings, [](const Finding& f) { return rule_of(f).of_programs; });
 }
 
 }  // namespace

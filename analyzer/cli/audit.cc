@@ -324,10 +324,9 @@ int audit_show_command(const AuditLine& line) {
       return kUsage;
     }
     if (format.for_people && !line.check.quiet) {
-      const Summary summary = summarize(reports);
+      const Totals totals = totals_of(reports);
       std::cerr << fmt::format("run {}: {} in {} with findings\n", named.run,
-                               counts(summary.errors, summary.warnings, summary.infos),
-                               plural(summary.files, "program"));
+                               counts(totals.errors, totals.warnings, totals.infos), plural(totals.files, "program"));
     }
     return kClean;
   });

@@ -18,7 +18,7 @@
 #include "analyzer/cli/changed.h"
 #include "analyzer/cli/commands.h"
 #include "analyzer/findings/baseline.h"
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 #include "analyzer/findings/suppression.h"
 #include "analyzer/report/formats.h"
 #include "analyzer/text/memory_files.h"
@@ -243,9 +243,9 @@ class Check {
       complain(fmt::format("cannot write {}: {}", line_.output, std::strerror(errno)));
       return false;
     }
-    const Summary summary = summarize(result_.reports);
-    if (!format.for_people || line_.quiet || summary.files == 0) return true;
-    std::cerr << summary_text(summary) << '\n';
+    const Totals totals = totals_of(result_.reports);
+    if (!format.for_people || line_.quiet || totals.files == 0) return true;
+    std::cerr << totals_text(totals) << '\n';
     Fixable fixable;
     for (const FileReport& report : result_.reports) {
       const Fixable one = count_fixable(report.findings);

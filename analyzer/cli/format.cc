@@ -7,7 +7,7 @@
 #include "analyzer/checking/diff.h"
 #include "analyzer/checking/walk.h"
 #include "analyzer/cli/commands.h"
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 #include "analyzer/format/indent.h"
 #include "analyzer/lsp/server.h"
 #include "analyzer/text/files.h"

@@ -1,6 +1,6 @@
 // The flow room: a model of LinuxCNC's O-word state machine that follows every branch. It finds the lines at which the
 // interpreter stops, on some run or on every run, the lines that no run reaches, and the branches that lead to a line.
-// How it works is described in README.md; this header is what rules see.
+// How it works is described in README.md; this header is what rules see, and verdicts/analyze.h makes it.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "analyzer/flow/limits.h"
-#include "analyzer/machine/profile.h"
-#include "analyzer/program/linker.h"
+#include "analyzer/program/program.h"
 #include "analyzer/text/reach.h"
 
 namespace owlint {
@@ -91,7 +89,7 @@ struct FlowStatistics {
 
 namespace flow {
 class KnownCalls;
-class Trace;
+class Reachability;
 struct LearnedCall;
 struct Structure;
 }  // namespace flow
@@ -102,8 +100,8 @@ struct FlowResult {
   std::vector<bool> executed;   ///< by statement: some run executes it (and does not only skip it)
   bool ends = false;            ///< some run gets to a program end without an error
   FlowStatistics statistics;
-  std::shared_ptr<const flow::Trace> trace;
-  StatementId first = 0;                                    ///< number of this file's first statement in the trace
+  std::shared_ptr<flow::Reachability> reachability;         ///< of all files; remembers what reach() was asked
+  StatementId first = 0;                                    ///< number of this file's first statement there
   std::shared_ptr<const flow::Structure> structure;         ///< of this file's own lines, if it was analysed alone
   std::shared_ptr<std::vector<flow::LearnedCall>> learned;  ///< calls for KnownCalls, if there are any
 
@@ -117,16 +115,5 @@ enum class Detail : uint8_t {
   kCoarse,    ///< as in a very large program; for tests
   kStepwise,  ///< the same line by line, without skipping stretches; kCoarse is tested against it
 };
-
-/// Runs the machine through all files of `linked`, and adds files whose names only the run knows. One result for each
-/// file, in the order of `linked.files()`; statement numbers are those of the file's own program. `known`: calls from
-/// earlier analyses; remember() adds those of this one. `limits`: how much is kept apart and looked at.
-std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail = Detail::kBySize,
-                                     flow::KnownCalls* known = nullptr, const flow::Limits& limits = {});
-
-/// Call this when you need nothing more from a result of analyze_flow() with `known`: it keeps the calls for the next
-/// analysis. Returns false if you asked about lines that were not analysed: then the answers are not valid, nothing is
-/// known any more, and the analysis must be made again.
-bool remember(const FlowResult& result, flow::KnownCalls& known);
 
 }  // namespace owlint

@@ -1,6 +1,6 @@
 // Every budget of the flow analysis. What lies beyond one is joined, assumed or left out on the safe side: a stop becomes
 // `maybe`, a condition may go both ways, a finding about values is not made. The defaults are what owlint uses; tests pass
-// small ones. README's section "Limits" names some of these figures (tests/unit/limits_test.cc compares). Limits of
+// small ones. README's section "Limits" names some of these figures (tests/unit/flow/limits_test.cc compares). Limits of
 // LinuxCNC itself, such as the depth of calls, are not here but where the machine is modelled.
 #pragma once
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 #include "analyzer/findings/suppression.h"
 #include "analyzer/lsp/features.h"
 #include "analyzer/report/pages.h"

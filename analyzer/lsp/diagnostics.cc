@@ -18,7 +18,7 @@ std::string page_of(std::string_view code) {
 }
 
 /// Lines that nothing can reach are shown faded.
-bool is_unnecessary(const Finding& f) { return find_rule(f.code)->fades; }
+bool is_unnecessary(const Finding& f) { return rule_of(f).fades; }
 
 Json related_json(const Document& document, const Finding& f) {
   Json out = Json::array();

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/lsp/parameters.h"
+#include "analyzer/lsp/parameter_uses.h"
 #include "analyzer/program/program.h"
 #include "analyzer/text/paths.h"
 

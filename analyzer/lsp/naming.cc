@@ -272,7 +272,7 @@ void Naming::require_no_computed_number(const std::string& name) const {
     // M98 leaves #1 to #30 as they are: the sub of another file has the same ones.
     for (const Call& call : in->program().calls) {
       const Statement& s = in->program().at(call.statement);
-      if (s.kind == LineKind::kM98 && call.target == UINT32_MAX)
+      if (s.kind == LineKind::kM98 && call.target == kNoRegion)
         refuse("`M98` on " + place(*in, s.offset) + " leaves `#" + name + "` to its sub");
     }
     const NameId own = in->program().syntax.names.find(small_letters(stem_of(in->path())));

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "analyzer/lsp/parameters.h"
+#include "analyzer/lsp/parameter_uses.h"
 #include "analyzer/lsp/workspace.h"
 
 namespace owlint::lsp {

@@ -108,7 +108,7 @@ Json document_link(Workspace& workspace, const Json& params) {
   const Program& p = document.program();
   Json out = Json::array();
   for (const Call& call : p.calls) {
-    if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+    if (call.callee == kNoName || call.target != kNoRegion) continue;
     const std::string path = workspace.called_file(document, p.name(call.callee));
     if (path.empty()) continue;
     out.push_back({{"range", document.range(p.at(call.statement).label_span())},

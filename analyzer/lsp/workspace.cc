@@ -182,7 +182,7 @@ std::vector<const Document*> Workspace::documents_run_with(const Document& from)
     const Program& p = all[i]->program();
     const auto folders = p.calls.empty() ? nullptr : search_path(*all[i]);
     for (const Call& call : p.calls) {
-      if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+      if (call.callee == kNoName || call.target != kNoRegion) continue;
       const auto file = folders->find(p.name(call.callee));
       const Document* called = file && file->regular ? document_of_path(file->path) : nullptr;
       if (called == nullptr) continue;
@@ -272,7 +272,7 @@ void Workspace::read_all() {
     if (p.calls.empty()) continue;
     const auto folders = search_path(*document);
     for (const Call& call : p.calls) {
-      if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+      if (call.callee == kNoName || call.target != kNoRegion) continue;
       const auto called = folders->find(p.name(call.callee));
       if (called && called->regular && file_key(called->path) != file_key(path))
         called_files_->insert(file_key(called->path));

@@ -159,7 +159,7 @@ class Matcher {
     Meant meant = meant_by(program_, id);
     // Without any keyword it can only be meant as the end.
     const Statement& s = program_.at(id);
-    if (s.error == UINT32_MAX && !s.name_open && block(open_.back()).kind != Keyword::kDo)
+    if (!s.has_error() && !s.name_open && block(open_.back()).kind != Keyword::kDo)
       meant = {end_of(block(open_.back()).kind), true, s.label, "", s.head_span(), 0};
     const Keyword opener = meant.keyword == Keyword::kWhile ? Keyword::kDo : opener_of(meant.keyword);
     if (opener == Keyword::kUnknown || meant.label != block(open_.back()).label) return;

@@ -174,7 +174,7 @@ std::unordered_map<NameId, StatementId> misread_subs(const Program& program) {
       if (s.is(Keyword::kEndsub) && s.label != kNoName) out.emplace(s.label, without_label);
       without_label = kNoStatement;
     }
-    if (s.error == UINT32_MAX && !s.name_open) continue;
+    if (!s.has_error() && !s.name_open) continue;
     const Meant meant = meant_by(program, id);
     if (meant.keyword != Keyword::kSub) continue;
     if (!meant.has_label)

@@ -16,6 +16,7 @@ namespace owlint {
 using RegionId = uint32_t;
 using BlockId = uint32_t;
 inline constexpr RegionId kMainRegion = 0;
+inline constexpr RegionId kNoRegion = UINT32_MAX;
 inline constexpr BlockId kNoBlock = UINT32_MAX;
 
 /// The main program, or the lines of one sub definition from its `sub` to its `endsub`. Labels of blocks are local
@@ -28,8 +29,8 @@ struct Region {
       kNoStatement;  ///< an `endsub` before that one: ends the definition when the interpreter skips it
   StatementId likely_end =
       kNoStatement;  ///< what was probably meant: an `endsub` with another label, or one that LinuxCNC does not read
-  BlockId enclosing = UINT32_MAX;  ///< the block of the main program around the definition
-  StatementId last = 0;            ///< one past the last statement that belongs to it
+  BlockId enclosing = kNoBlock;  ///< the block of the main program around the definition
+  StatementId last = 0;          ///< one past the last statement that belongs to it
 };
 
 /// One `if`, `while`, `do` or `repeat` with everything that belongs to it.
@@ -49,8 +50,8 @@ struct Block {
 struct Call {
   StatementId statement = 0;
   RegionId caller = kMainRegion;
-  NameId callee = kNoName;       ///< kNoName: computed at run time
-  RegionId target = UINT32_MAX;  ///< the region of the callee's first definition in this file
+  NameId callee = kNoName;      ///< kNoName: computed at run time
+  RegionId target = kNoRegion;  ///< the region of the callee's first definition in this file
 };
 
 /// `o100` or `o<name>`, as a machinist would write the label.

@@ -80,7 +80,7 @@ std::string scope_id(size_t file, RegionId region) {
 
 /// Where a call leads: a scope of this file, or of the file that it finds.
 std::string callee_id(const Linked& linked, size_t file, const Call& call) {
-  if (call.target != UINT32_MAX) return scope_id(file, call.target);
+  if (call.target != kNoRegion) return scope_id(file, call.target);
   const Program& p = *linked.files()[file].program;
   if (call.callee == kNoName) return {};
   const CallTarget target = linked.target(p.name(call.callee));
@@ -274,12 +274,12 @@ Json graph_of(const Linked& linked, size_t file) {
   graph["calls"] = Json::array();
   for (const Call& call : p.calls) {
     const CallTarget target =
-        call.callee == kNoName || call.target != UINT32_MAX ? CallTarget{} : linked.target(p.name(call.callee));
+        call.callee == kNoName || call.target != kNoRegion ? CallTarget{} : linked.target(p.name(call.callee));
     graph["calls"].push_back(
         {{"line", p.at(call.statement).line},
          {"from", call.caller},
          {"label", call.callee == kNoName ? Json(nullptr) : Json(printable(p.name(call.callee)))},
-         {"to", call.target == UINT32_MAX ? Json(nullptr) : Json(call.target)},
+         {"to", call.target == kNoRegion ? Json(nullptr) : Json(call.target)},
          {"file",
           target.file == CallTarget::kNotFound ? Json(nullptr)
                                                : Json(as_utf8(linked.files()[target.file].program->source->path()))}});

@@ -73,9 +73,9 @@ void write_json(std::ostream& out, const std::vector<FileReport>& files) {
     for (const Finding& f : file.findings) entry["findings"].push_back(finding_json(*file.source, f));
     report["files"].push_back(std::move(entry));
   }
-  const Summary summary = summarize(files);
+  const Totals totals = totals_of(files);
   report["summary"] = {
-      {"files", summary.files}, {"errors", summary.errors}, {"warnings", summary.warnings}, {"infos", summary.infos}};
+      {"files", totals.files}, {"errors", totals.errors}, {"warnings", totals.warnings}, {"infos", totals.infos}};
   out << report.dump(2) << '\n';
 }
 

@@ -4,15 +4,17 @@
 #include <ostream>
 #include <vector>
 
+#include "analyzer/findings/file_report.h"
 #include "analyzer/text/printable.h"
-#include "rules/driver/lint.h"
 
 namespace owlint {
+
+class Library;
 
 inline constexpr std::string_view kToolName = "owlint";
 inline constexpr std::string_view kToolVersion = OWLINT_VERSION;
 
-struct Summary {
+struct Totals {
   size_t files = 0;
   size_t errors = 0;
   size_t warnings = 0;
@@ -22,10 +24,10 @@ struct Summary {
   size_t total() const { return errors + warnings + infos; }
 };
 
-Summary summarize(const std::vector<FileReport>& files);
+Totals totals_of(const std::vector<FileReport>& files);
 
 /// `2 errors, 1 warning in 3 files`.
-std::string summary_text(const Summary& summary);
+std::string totals_text(const Totals& totals);
 
 /// `owlint-report-1`, see share/owlint-report-1.schema.json.
 void write_json(std::ostream& out, const std::vector<FileReport>& files);

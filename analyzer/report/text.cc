@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/program/library.h"
 #include "analyzer/report/formats.h"
 #include "analyzer/report/snippet.h"
 #include "analyzer/text/width.h"
@@ -131,19 +132,19 @@ class Writer {
 
 }  // namespace
 
-void Summary::count(const Finding& finding) {
+void Totals::count(const Finding& finding) {
   if (finding.severity == Severity::kError) ++errors;
   if (finding.severity == Severity::kWarning) ++warnings;
   if (finding.severity == Severity::kInfo) ++infos;
 }
 
-Summary summarize(const std::vector<FileReport>& files) {
-  Summary summary;
-  summary.files = files.size();
+Totals totals_of(const std::vector<FileReport>& files) {
+  Totals totals;
+  totals.files = files.size();
   for (const FileReport& file : files) {
-    for (const Finding& finding : file.findings) summary.count(finding);
+    for (const Finding& finding : file.findings) totals.count(finding);
   }
-  return summary;
+  return totals;
 }
 
 void write_text(std::ostream& out, const FileReport& file, const ReportStyle& style) {
@@ -151,26 +152,26 @@ void write_text(std::ostream& out, const FileReport& file, const ReportStyle& st
   for (const Finding& f : file.findings) writer.finding(file, f);
 }
 
-std::string summary_text(const Summary& summary) {
+std::string totals_text(const Totals& totals) {
   const auto count = [](size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
-  const std::string files = count(summary.files, "file");
-  if (summary.total() == 0) return fmt::format("nothing found in {}", files);
+  const std::string files = count(totals.files, "file");
+  if (totals.total() == 0) return fmt::format("nothing found in {}", files);
   std::string text;
   const auto add = [&](size_t n, std::string_view what) {
     if (n > 0) text += (text.empty() ? "" : ", ") + count(n, what);
   };
-  add(summary.errors, "error");
-  add(summary.warnings, "warning");
-  add(summary.infos, "info");
+  add(totals.errors, "error");
+  add(totals.warnings, "warning");
+  add(totals.infos, "info");
   return text + " in " + files;
 }
 
 void write_statistics(std::ostream& out, const std::vector<FileReport>& files, const Library& library) {
   std::map<std::string_view, std::pair<size_t, std::string_view>> counts;
-  FlowStatistics flow;
+  Effort flow;
   for (const FileReport& file : files) {
-    flow.steps += file.statistics.steps;
-    flow.merges += file.statistics.merges;
+    flow.steps += file.effort.steps;
+    flow.merges += file.effort.merges;
     for (const Finding& f : file.findings) {
       ++counts[f.code].first;
       counts[f.code].second = f.rule;

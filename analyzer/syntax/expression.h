@@ -108,6 +108,19 @@ static_assert(sizeof(Expr) == 16);
 /// All expressions of a program, in one array; an operand always comes before its operator.
 using ExprPool = std::vector<Expr>;
 
+/// Calls `visit` for the operands of an expression, not for theirs. Whoever goes on to theirs goes no deeper than a line is long.
+template <typename Visit>
+void for_each_operand(const Expr& expr, const Visit& visit) {
+  if (expr.left() != kNoExpr) visit(expr.left());
+  if (expr.right() != kNoExpr) visit(expr.right());
+}
+
+/// Whether `fits` is true of an operand.
+template <typename Fits>
+bool any_operand(const Expr& expr, const Fits& fits) {
+  return (expr.left() != kNoExpr && fits(expr.left())) || (expr.right() != kNoExpr && fits(expr.right()));
+}
+
 /// An error in a part of a line: the interpreter's message, and the normalised characters that it is about.
 struct ReadError {
   StopKind kind = StopKind::kNone;

@@ -135,7 +135,7 @@ class Words {
 
 /// Whether an O-word, M98 or M99 is whole, and no line that begins or ends a sub.
 bool whole(const Statement& s) {
-  if (s.error != UINT32_MAX || s.name_open || s.rest_to > s.rest_from) return false;
+  if (s.has_error() || s.name_open || s.rest_to > s.rest_from) return false;
   if (s.kind == LineKind::kM98 || s.kind == LineKind::kM99) return true;
   return s.kind == LineKind::kOWord && !s.opens_sub() && !s.is(Keyword::kEndsub);
 }
@@ -147,7 +147,7 @@ bool surely_refused(std::string_view text) {
   Syntax syntax;
   Statement s;
   LineParser(syntax).parse(text, 0, &s);
-  return s.error != UINT32_MAX;
+  return s.has_error();
 }
 
 bool surely_runs(std::string_view text) {
@@ -158,7 +158,7 @@ bool surely_runs(std::string_view text) {
   const bool kept = parser.parse(text, 0, &s);
   if (s.nul || s.inner_cr || s.block_delete) return false;
   if (kept && (s.kind == LineKind::kOWord || s.kind == LineKind::kM98 || s.kind == LineKind::kM99)) return whole(s);
-  if (s.error != UINT32_MAX || s.kind == LineKind::kPercent) return false;
+  if (s.has_error() || s.kind == LineKind::kPercent) return false;
   LineText line;
   line.assign(text, 0);
   return Words(line).all_good();

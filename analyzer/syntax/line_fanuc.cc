@@ -151,7 +151,7 @@ void LineParser::m99(ExpressionParser& in, Statement& s) {
   note_rest(in.cursor + kFanucCode, s);
   letters_ = 0;
   words_.clear();
-  if (!word(in, s) || !all_words(in, s) || s.error != UINT32_MAX) return;
+  if (!word(in, s) || !all_words(in, s) || s.has_error()) return;
   has_words_ = true;
   // With nothing else on the line, no mode takes the P.
   constexpr uint32_t kM = 1U << ('m' - 'a');

@@ -39,7 +39,7 @@ bool literal_value(const ExprPool& pool, ExprId id, double* value) {
 LineByte LineParser::relative(size_t at) const { return static_cast<LineByte>(line_.offset(at) - line_.begin()); }
 
 void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message) {
-  if (s.error != UINT32_MAX) return;  // the first error on a line is the one that the interpreter reports
+  if (s.has_error()) return;  // the first error on a line is the one that the interpreter reports
   if (is_foreign(line_[from])) to = from + foreign_run(line_.text(), from);
   s.error = static_cast<uint32_t>(out_.errors.size());
   out_.errors.push_back(
@@ -65,7 +65,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   s.length = static_cast<uint32_t>(raw.size());
   const StopKind comment = line_.assign(raw, offset);
   has_words_ = false;
-  unsure_ = UINT32_MAX;
+  unsure_ = kNoError;
   s.nul = line_.has_nul();
   s.inner_cr = line_.has_inner_cr();
   if (comment != StopKind::kNone) {
@@ -191,7 +191,7 @@ void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
   ExpressionParser in(line_, out_.exprs, out_.names, &out_.split_numbers);
   in.cursor = at;
   label(in, s, has_letter);
-  if (s.error != UINT32_MAX) return;
+  if (s.has_error()) return;
 
   const std::string_view rest = line_.text().substr(in.cursor);
   s.keyword_from = s.keyword_to = relative(in.cursor);
@@ -239,7 +239,7 @@ void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
       break;
     default: break;
   }
-  if (s.error != UINT32_MAX) return;
+  if (s.has_error()) return;
   const size_t rest_at = skip_comments(in.cursor, &comments);
   s.comment |= comments;
   if (rest_at < line_.size()) {
@@ -253,7 +253,7 @@ void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
 void LineParser::recover(size_t at, Statement& s, bool has_letter) {
   const size_t errors = out_.errors.size();
   const uint32_t error = s.error;
-  s.error = UINT32_MAX;
+  s.error = kNoError;
   s.item_count = 0;
   out_.errors[error].read_from = line_begins_;
   o_word(at, s, has_letter);

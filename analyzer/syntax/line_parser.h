@@ -70,7 +70,7 @@ class LineParser {
   LineText line_;
   WordLine words_;
   bool has_words_ = false;
-  uint32_t unsure_ = UINT32_MAX;  // an error with which some machines stop
+  uint32_t unsure_ = kNoError;  // an error with which some machines stop
   ExprId contour_sub_ = kNoExpr;  ///< the value of the line's Q word
   size_t contour_from_ = 0, contour_to_ = 0;
   bool cuts_contour_ = false;                  ///< the line has a G70, G71 or G72

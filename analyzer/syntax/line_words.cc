@@ -171,7 +171,7 @@ Span LineParser::span_of_word(uint8_t word) const {
 
 /// A fault of the word at [from, to), which has been read.
 void LineParser::fail(Statement& s, const Fault& fault, size_t from, size_t to) {
-  if (s.error != UINT32_MAX) return;
+  if (s.has_error()) return;
   fail(s, kind_of(fault.kind), from, to, fault.message);
   out_.errors[s.error].other = span_of_word(fault.other);
 }
@@ -189,7 +189,7 @@ bool LineParser::passes(Statement& s, const Fault& fault, size_t from, size_t to
     fail(s, fault, from, to);
     return false;
   }
-  if (unsure_ == UINT32_MAX) {
+  if (unsure_ == kNoError) {
     unsure_ = static_cast<uint32_t>(out_.errors.size());
     out_.errors.push_back({kind_of(fault.kind), line_.span(from, to), fault.message, {}, 0, 0});
   }
@@ -335,9 +335,9 @@ bool LineParser::words(size_t at, Statement& s) {
   contour_sub_ = kNoExpr;
   cuts_contour_ = false;
   words_.clear();
-  has_words_ = all_words(in, s) && s.error == UINT32_MAX;
-  if (cuts_contour_ && contour_sub_ != kNoExpr && s.kind == LineKind::kWords && s.error == UINT32_MAX) contour(s);
-  return s.kind != LineKind::kWords || s.item_count > 0 || s.error != UINT32_MAX;
+  has_words_ = all_words(in, s) && !s.has_error();
+  if (cuts_contour_ && contour_sub_ != kNoExpr && s.kind == LineKind::kWords && !s.has_error()) contour(s);
+  return s.kind != LineKind::kWords || s.item_count > 0 || s.has_error();
 }
 
 }  // namespace owlint

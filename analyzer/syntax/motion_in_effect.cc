@@ -71,7 +71,7 @@ bool MotionInEffect::judge(Statement& statement, bool keep) {
     in_effect_ = kAnyMotion;
     return true;
   }
-  return keep || statement.error != UINT32_MAX || !faults_.empty();
+  return keep || statement.has_error() || !faults_.empty();
 }
 
 void MotionInEffect::push(const Statement& statement) {

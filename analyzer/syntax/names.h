@@ -69,7 +69,8 @@ class Names {
 
   static size_t slot(std::string_view text) {
     if (text.empty()) return 0;
-    return (text.size() * 5 + static_cast<unsigned char>(text.front()) * 3U + static_cast<unsigned char>(text.back())) %
+    return (text.size() * 5 + size_t{3} * static_cast<unsigned char>(text.front()) +
+            static_cast<unsigned char>(text.back())) %
         kRecent;
   }
 

@@ -225,7 +225,7 @@ class Reader {
       }
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
-        const bool plain = !keep || (statement.error == UINT32_MAX && statement.has_items());
+        const bool plain = !keep || (!statement.has_error() && statement.has_items());
         const std::string_view comment = plain ? acting_comment(line) : "";
         out_.runs_python = out_.runs_python || (plain && runs_python(line, comment));
         if (plain && begins(comment, "abort,")) {
@@ -239,13 +239,13 @@ class Reader {
       if (!keep && code) note_plain(number);
     }
     const WordLine* const words = found.view.matters && !too_long ? parser_.words() : nullptr;
-    const bool asks_machine = words != nullptr && (words->is_user_m() || parser_.unsure() != UINT32_MAX);
+    const bool asks_machine = words != nullptr && (words->is_user_m() || parser_.unsure() != kNoError);
     if (!keep && !asks_machine) return motion_.leave();
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;
     make_room(out_.statements, found.begin);
     make_room(out_.exprs, found.begin);
     make_room(out_.values, found.begin);
-    if (words != nullptr && parser_.unsure() != UINT32_MAX) ask(statement, LineKind::kMachineCheck, parser_.unsure());
+    if (words != nullptr && parser_.unsure() != kNoError) ask(statement, LineKind::kMachineCheck, parser_.unsure());
     if (keep) motion_.push(statement);
     if (words != nullptr && words->is_user_m()) {
       const Word& code = (*words)[words->word_of(MGroup::kUser)];

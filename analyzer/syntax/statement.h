@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ struct LineError {
   ExprId read_from = 0, read_to = 0;
 };
 
+inline constexpr uint32_t kNoError = UINT32_MAX;
+
 /// What stops a line of words if one of these motions is in effect before it.
 struct MotionFault {
   MotionSet motions = 0;
@@ -82,7 +85,7 @@ struct Statement {
   ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98, the Q of G71)
   uint32_t first =
       0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kMotionCheck into Syntax::motion_faults
-  uint32_t error = UINT32_MAX;    ///< into Syntax::errors; raised after the values before it
+  uint32_t error = kNoError;      ///< into Syntax::errors; raised after the values before it
   uint32_t first_plain_line = 0;  ///< the first of the lines meant by plain_code_follows
 
   LineKind kind = LineKind::kWords;
@@ -107,6 +110,7 @@ struct Statement {
   uint8_t value_count = 0;              ///< of values from `first` on
   uint8_t item_count = 0;               ///< of items from `first` on
 
+  bool has_error() const { return error != kNoError; }
   bool is(Keyword k) const { return kind == LineKind::kOWord && keyword == k; }
   bool opens_sub() const { return is(Keyword::kSub) || is(Keyword::kBare); }
   bool has_m99() const { return kind == LineKind::kM99 || kind == LineKind::kM99Behind; }
@@ -154,7 +158,13 @@ struct Syntax {
   bool runs_python = false;       ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
   bool blank = false;             ///< nothing but blank lines: LinuxCNC refuses to open it
 
-  const LineError* error(const Statement& s) const { return s.error == UINT32_MAX ? nullptr : &errors[s.error]; }
+  const LineError* error(const Statement& s) const { return s.has_error() ? &errors[s.error] : nullptr; }
+  std::span<const ExprId> values_of(const Statement& s) const {
+    return s.value_count == 0 ? std::span<const ExprId>() : std::span(values).subspan(s.first, s.value_count);
+  }
+  std::span<const Item> items_of(const Statement& s) const {
+    return s.item_count == 0 ? std::span<const Item>() : std::span(items).subspan(s.first, s.item_count);
+  }
 };
 
 /// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.

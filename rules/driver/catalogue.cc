@@ -56,6 +56,10 @@ const Rule* find_rule(std::string_view code_or_name) {
   return nullptr;
 }
 
+const Rule& rule_of(const Finding& finding) {
+  return **std::ranges::lower_bound(catalogue(), finding.code, {}, &Rule::code);
+}
+
 bool known_prefix(std::string_view prefix) {
   return std::ranges::any_of(catalogue(), [prefix](const Rule* rule) { return rule->code.starts_with(prefix); });
 }

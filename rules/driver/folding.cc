@@ -9,8 +9,6 @@ namespace owlint::rules {
 namespace {
 
 constexpr size_t kNone = SIZE_MAX;
-constexpr std::string_view kLabelShared = "OW214";
-constexpr std::string_view kCodeAfterEnd = "OW316";  // speaks for what is in that code
 
 /// A finding about one line of a block: the opener, a part, the end, a jump.
 struct Part {
@@ -46,7 +44,7 @@ class Folding {
 
   /// The line of a block that a finding is about; none for other findings.
   StatementId block_line(const Finding& f) const {
-    const Group group = find_rule(f.code)->group;
+    const Group group = rule_of(f).group;
     if (f.source != nullptr || (group != Group::kAbortList && group != Group::kBlocks)) return kNoStatement;
     const StatementId id = last_statement(p_.syntax, f.span.begin);
     if (id == kNoStatement) return kNoStatement;
@@ -85,15 +83,13 @@ class Folding {
   }
 
   /// A stop at a label that another block has already.
-  static bool label_reused(const Finding& f) {
-    return f.stops && (f.code == "OW102" || f.code == "OW103" || f.code == "OW104");
-  }
+  static bool label_reused(const Finding& f) { return f.stops && rule_of(f).label_reused; }
 
   /// One more block with a label at which a run stops, or that no run reaches, is the same mistake.
   void fold_unreached(const Part& part) {
     const Part& speaker = speaks_.at(label_of(part.statement));
     const bool same_label =
-        label_reused(finding(speaker)) && (label_reused(finding(part)) || finding(part).code == kLabelShared);
+        label_reused(finding(speaker)) && (label_reused(finding(part)) || rule_of(finding(part)).label_shared);
     if (unreached(finding(part)) || same_label) fold(part.finding, speaker.finding);
   }
 
@@ -118,7 +114,7 @@ class Folding {
     const auto wrong_body = std::ranges::find_if(findings_, &Finding::runs_other);
     if (wrong_body == findings_.end()) return;
     for (const Part& part : parts_) {
-      const bool follows = finding(part).unproven && find_rule(finding(part).code)->group == Group::kAbortList;
+      const bool follows = finding(part).unproven && rule_of(finding(part)).group == Group::kAbortList;
       if (follows && into_[part.finding] == kNone)
         into_[part.finding] = static_cast<size_t>(wrong_body - findings_.begin());
     }
@@ -157,7 +153,7 @@ class Folding {
       if (flow_.executed[id]) executed[region] = id;
     }
     std::ranges::sort(candidates, {}, [&](size_t i) {
-      return std::tuple(findings_[i].code != kCodeAfterEnd, findings_[i].span.begin, i);
+      return std::tuple(!rule_of(findings_[i]).leaves_out, findings_[i].span.begin, i);
     });
     std::map<StatementId, size_t> speaks;
     for (const size_t i : candidates) {
@@ -192,7 +188,7 @@ class Folding {
 
 /// In a program for another controller: what no run reaches is part of the finding that says so.
 void fold_into_other_controller(std::vector<Finding>& findings) {
-  const auto controller = std::ranges::find_if(findings, [](const Finding& f) { return f.code == kOtherController; });
+  const auto controller = std::ranges::find_if(findings, [](const Finding& f) { return rule_of(f).other_controller; });
   if (controller == findings.end()) return;
   const auto follows = [](const Finding& f) {
     return f.weight == Weight::kAside && !f.stops && f.reach == Reach::kNever;

@@ -5,9 +5,6 @@
 
 namespace owlint::rules {
 
-/// Says that a program is for another controller; everything else in it is then a remark.
-constexpr std::string_view kOtherController = "OW319";
-
 /// Moves findings about parts of blocks into the consequences of the finding that speaks of their mistake: those that no run
 /// reaches and that have the label of another finding, and a block that is not closed because its end has a wrong label. The
 /// same for what no run reaches in a program for another controller, and for mistakes in one stretch of lines that every run

@@ -208,7 +208,7 @@ bool comes_before_percent(const RefusedLine& line, Finding& f) {
   const uint32_t plain = line.program.syntax.first_plain_line;
   if (plain != 0 && plain < line.statement.line) return false;
   // Up to the `%` there is only text.
-  const auto is_text = [](const Statement& s) { return s.error != UINT32_MAX && s.kind != LineKind::kPercent; };
+  const auto is_text = [](const Statement& s) { return s.has_error() && s.kind != LineKind::kPercent; };
   const auto percent = std::ranges::find_if_not(statements, is_text);
   if (percent == statements.end() || percent->kind != LineKind::kPercent || percent->line < line.statement.line ||
       (percent != statements.begin() && (percent - 1)->plain_code_follows))

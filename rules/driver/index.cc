@@ -55,7 +55,7 @@ Index::Index(const Program& program, const FlowResult& flow)
 
 void Index::add_line(const Program& program, StatementId id) {
   const Statement& s = program.at(id);
-  if (s.error != UINT32_MAX) {
+  if (s.has_error()) {
     FlowStop unmet;
     unmet.statement = id;
     unmet.kind = program.syntax.errors[s.error].kind;

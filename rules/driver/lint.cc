@@ -1,17 +1,20 @@
-#include "analyzer/program/machine_words.h"
-#include "analyzer/syntax/last_statement.h"
-#include "analyzer/text/memory_files.h"
-#include "rules/driver/variants.h"
+#include "rules/driver/lint.h"
 
 #include <algorithm>
 #include <optional>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/flow/summaries/data_flow.h"
+#include "analyzer/flow/verdicts/analyze.h"
+#include "analyzer/program/machine_words.h"
+#include "analyzer/syntax/last_statement.h"
+#include "analyzer/text/memory_files.h"
 #include "rules/driver/folding.h"
 #include "rules/driver/unreached.h"
+#include "rules/driver/variants.h"
 
 namespace owlint {
 namespace {
@@ -36,9 +39,8 @@ bool moves_lines(const Program& program, const Fix& fix) {
 /// How much a rule's findings in a file matter: little if the file is no LinuxCNC program, which one rule reports.
 Weight weight_of(const Rule& rule, const Nature& nature) {
   if (nature.kind == Nature::kProgram || rule.group == Group::kLinter) return Weight::kFull;
-  if (nature.kind == Nature::kOtherController)
-    return rule.code == rules::kOtherController ? Weight::kFull : Weight::kAside;
-  return rule.code == "OW314" ? Weight::kFull : Weight::kRemark;
+  if (nature.kind == Nature::kOtherController) return rule.other_controller ? Weight::kFull : Weight::kAside;
+  return rule.any_file ? Weight::kFull : Weight::kRemark;
 }
 
 void run_rules(const Input& input, const LintOptions& options, const SeverityPolicy& policy,
@@ -104,11 +106,12 @@ std::vector<Suppression> suppressions_of(const Program& program) {
 
 void put_in_order(std::vector<Finding>& findings) {
   std::erase_if(findings, [](const Finding& f) { return f.severity == Severity::kOff; });
-  // In a file for another controller that is said first.
   const auto key = [](const Finding& f) {
-    return std::tuple(f.code != rules::kOtherController, f.span.begin, f.span.end, f.code, std::string_view(f.message));
+    return std::tuple(f.span.begin, f.span.end, f.code, std::string_view(f.message));
   };
   std::ranges::stable_sort(findings, [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+  // In a file for another controller that is said first.
+  std::stable_partition(findings.begin(), findings.end(), [](const Finding& f) { return rule_of(f).other_controller; });
 }
 
 namespace {
@@ -140,7 +143,8 @@ class Check {
     out.only_definitions = program->regions.size() > 1 && does_nothing(*program);
     out.role_matters = !program->sub_file && defines_own_name(*program);
     out.own = check_file(linked.files()[0].program, flow[0], linked, true);
-    out.own.statistics = flow[0].statistics;
+    const FlowStatistics& statistics = flow[0].statistics;
+    out.own.effort = {statistics.steps, statistics.merges, statistics.recalled};
     for (size_t i = 1; i < linked.files().size(); ++i) {
       const LinkedFile& file = linked.files()[i];
       out.calls.push_back(file.program->source->path());
@@ -167,18 +171,21 @@ class Check {
     std::vector<Suppression> suppressions = suppressions_of(*program);
     const Index index(*program, flow);
     const flow::DataFlow data(*program, flow.structure);
+    std::unordered_set<long> given_numbers;
     const SeverityPolicy policy = policy_of(profile_, options_);
-    run_rules({*program, flow, profile_, linked, suppressions, index, data, false}, options_, policy, report.findings);
+    run_rules({*program, flow, profile_, linked, suppressions, index, data, given_numbers, false}, options_, policy,
+              report.findings);
     if (!own) {
       // Of a called file only what this program's calls lead to; the rest is reported when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
-        return !f.stops && !f.never_ends && !f.runs_other && find_rule(f.code)->group != Group::kHazards;
+        return !f.stops && !f.never_ends && !f.runs_other && rule_of(f).group != Group::kHazards;
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);
     rules::fold_consequences(*program, flow, report.findings);
     if (own)
-      run_rules({*program, flow, profile_, linked, suppressions, index, data, true}, options_, policy, report.findings);
+      run_rules({*program, flow, profile_, linked, suppressions, index, data, given_numbers, true}, options_, policy,
+                report.findings);
     for (Finding& f : report.findings) {
       if (f.source == nullptr) f.scope = scope_of(*program, f.span.begin);
     }
@@ -204,7 +211,7 @@ class Check {
     for (const LinkedFile& file : linked.files()) {
       const Program& p = *file.program;
       for (const Call& call : p.calls) {
-        if (call.callee == kNoName || call.target != UINT32_MAX) continue;
+        if (call.callee == kNoName || call.target != kNoRegion) continue;
         if (linked.target(p.name(call.callee)).file == CallTarget::kNotFound)
           names.push_back(p.label_text(call.callee));
       }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/findings/file_report.h"
 #include "analyzer/findings/severity.h"
 #include "analyzer/machine/answers.h"
 #include "rules/driver/rule.h"
@@ -22,14 +23,6 @@ struct LintOptions {
   flow::KnownCalls* known_calls = nullptr;  ///< an editor's memory of this one program; see known_calls.h
   bool notes_inputs = false;                ///< ProgramReport::inputs is wanted
   bool all_versions = false;                ///< every supported LinuxCNC version, not only the profile's
-};
-
-/// The result for one file; findings are ordered by position, behind the one that the file is for another
-/// controller.
-struct FileReport {
-  std::shared_ptr<const Source> source;
-  std::vector<Finding> findings;
-  FlowStatistics statistics;
 };
 
 /// What a program's report depends on besides its own bytes, the machine and the options.

@@ -14,6 +14,7 @@
 #include "analyzer/findings/suppression.h"
 #include "analyzer/flow/flow.h"
 #include "analyzer/machine/profile.h"
+#include "analyzer/program/linker.h"
 #include "analyzer/program/program.h"
 #include "analyzer/syntax/nature.h"
 #include "analyzer/text/paths.h"
@@ -52,9 +53,8 @@ struct Index {
   std::vector<StatementId> stray_parts;  ///< parts and ends of blocks that belong to no block, or close one by mistake
   std::vector<StatementId> odd_lines;    ///< with an open name, a NUL, a carriage return inside, or a bad character
   std::vector<NameId> foreign_names;     ///< names with characters that are not ASCII
-  std::vector<StatementId> several_items;          ///< lines that assign a parameter and do more
-  std::vector<StatementId> tests;                  ///< `if`, `elseif` and `while` with a condition
-  mutable std::unordered_set<long> given_numbers;  ///< labels that fixes already take
+  std::vector<StatementId> several_items;  ///< lines that assign a parameter and do more
+  std::vector<StatementId> tests;          ///< `if`, `elseif` and `while` with a condition
   std::vector<std::pair<StatementId, StatementId>>
       shared_labels;  ///< first lines of blocks in one region: the first with a label, and a later one
 
@@ -73,7 +73,8 @@ struct Input {
   const std::vector<Suppression>& suppressions;
   const Index& index;
   const flow::DataFlow& data;
-  bool suppressions_applied = false;  ///< the second round, for rules about suppressions themselves
+  std::unordered_set<long>& given_numbers;  ///< labels that fixes already take
+  bool suppressions_applied = false;        ///< the second round, for rules about suppressions themselves
 };
 
 /// What a check of the machine's INI may look at.
@@ -111,6 +112,11 @@ struct Rule {
   bool of_programs = false;                  ///< true of programs only: not reported for files that others call
   bool of_callers = false;  ///< known from the calling program, if the run has it: not reported for the called file
   bool fades = false;       ///< its lines never run: editors show them faded
+  bool any_file = false;    ///< counts as much in a file that is no program at all
+  bool other_controller = false;  ///< says that a file is for another controller: the rest of the file is then a remark
+  bool leaves_out = false;        ///< its lines never run: speaks for the mistakes in them
+  bool label_reused = false;      ///< its stops are at a label that another block has
+  bool label_shared = false;      ///< about a label that another block has, where no run stops
 };
 
 /// Collects a rule's findings. The rule sets position, words and what the interpreter does; code and severity come from the
@@ -134,6 +140,8 @@ class Reporter {
 const std::vector<const Rule*>& catalogue();
 /// By code or name, in any case; null if there is none.
 const Rule* find_rule(std::string_view code_or_name);
+/// The rule that made a finding.
+const Rule& rule_of(const Finding& finding);
 /// Whether at least one code begins with `prefix`.
 bool known_prefix(std::string_view prefix);
 /// The code that a text means, wherever users write codes: `OW104` for `ow104` and `if-label-reused`, `OW1` for `ow1`; empty

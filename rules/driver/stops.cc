@@ -346,7 +346,7 @@ std::string misread_words(const Program& program, StatementId line) {
   const Statement& s = program.at(line);
   const std::string where = "line " + std::to_string(s.line);
   if (s.name_open) return "the name on " + where + " has no `>`";
-  if (s.error == UINT32_MAX) return "`" + program.label_at(line) + "` on " + where + " has no keyword";
+  if (!s.has_error()) return "`" + program.label_at(line) + "` on " + where + " has no keyword";
   if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown)
     return "`" + std::string(spelling(s.keyword)) + "` on " + where + " has no label";
   return "LinuxCNC does not read " + where + " as `" + std::string(spelling(meant_by(program, line).keyword)) + "`";
@@ -382,7 +382,7 @@ std::string free_label(const Input& in, NameId label) {
   for (long number = first; number < first + kTries; ++number) {
     const NameId id = program.syntax.names.find(std::to_string(number));
     const bool used = id != kNoName && id < program.by_label.size() && !program.by_label[id].empty();
-    if (!used && in.index.given_numbers.insert(number).second) return "o" + std::to_string(number);
+    if (!used && in.given_numbers.insert(number).second) return "o" + std::to_string(number);
   }
   return {};
 }

@@ -28,8 +28,8 @@ ProgramReport join_reports(std::vector<ProgramReport> reports, const Join& join)
       lists[i] = std::move(file.findings);
     }
     if (&r == &out) continue;
-    out.own.statistics.steps += r.own.statistics.steps;
-    out.own.statistics.merges += r.own.statistics.merges;
+    out.own.effort.steps += r.own.effort.steps;
+    out.own.effort.merges += r.own.effort.merges;
     // What is asked may differ from one to the next.
     out.inputs.answers.insert(out.inputs.answers.end(), r.inputs.answers.begin(), r.inputs.answers.end());
     out.inputs.called.insert(out.inputs.called.end(), r.inputs.called.begin(), r.inputs.called.end());
@@ -96,7 +96,7 @@ bool on_deleted_line(const Source& source, const Finding& f) {
 
 /// Whether one way of running the program is enough for the finding to be true. The others say that something never happens.
 bool enough_once(const Finding& f) {
-  return f.stops || f.never_ends || f.runs_other || find_rule(f.code)->group == Group::kHazards;
+  return f.stops || f.never_ends || f.runs_other || rule_of(f).group == Group::kHazards;
 }
 
 void depends_on(Finding& f, bool on) {

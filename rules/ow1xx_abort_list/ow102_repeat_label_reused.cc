@@ -1,7 +1,7 @@
 // OW102 repeat-label-reused: a `repeat` whose label already belongs to another block of the same scope.
 // Depends on: a label is defined when its first line is reached and stays defined for the whole run;
 // a `repeat` with a label from another line is an error.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -64,6 +64,7 @@ local to a sub, so another sub may use the same number.)",
             .options = "",
         },
     .check = check,
+    .label_reused = true,
 };
 
 }  // namespace owlint::rules

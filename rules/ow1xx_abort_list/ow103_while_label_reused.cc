@@ -2,7 +2,7 @@
 // a `do`.
 // Depends on: a `while` with a label from another line is an error unless a `do` opened that label,
 // because `while` also closes a `do`.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -66,6 +66,7 @@ M2
             .options = "",
         },
     .check = check,
+    .label_reused = true,
 };
 
 }  // namespace owlint::rules

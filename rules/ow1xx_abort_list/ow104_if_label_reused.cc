@@ -1,6 +1,6 @@
 // OW104 if-label-reused: an `if` whose label already belongs to another block of the same scope.
 // Depends on: an `if` with a label from another line is an error, even if that other block was skipped.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -62,6 +62,7 @@ of blocks are local to a sub, so another sub may use the same number.)",
             .options = "",
         },
     .check = check,
+    .label_reused = true,
 };
 
 }  // namespace owlint::rules

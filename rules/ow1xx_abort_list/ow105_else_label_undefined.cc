@@ -1,7 +1,7 @@
 // OW105 else-label-undefined: an `else` or `elseif` whose label no block has defined on the way to it.
 // Depends on: an `else` that is not the target of a skip looks its label up; an unknown label is
 // an error. While the interpreter skips to another label, it ignores the line.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

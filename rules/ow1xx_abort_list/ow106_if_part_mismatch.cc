@@ -1,6 +1,6 @@
 // OW106 if-part-mismatch: an `else`, `elseif` or `endif` whose label belongs to a loop, or (`endif`) to nothing.
 // Depends on: the three look their label up when executed; it is an error unless an `if` opened it.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

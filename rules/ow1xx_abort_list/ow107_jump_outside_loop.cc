@@ -1,7 +1,7 @@
 // OW107 jump-outside-loop: a `break` or `continue` whose label is not that of a `while` or `do`.
 // Depends on: both look their label up when executed; it is an error unless a `while` or `do` opened
 // it. A loop that has ended still counts.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

@@ -1,6 +1,6 @@
 // OW108 loop-end-mismatch: an `endwhile` or `endrepeat` whose label was not opened by its own kind of loop.
 // Depends on: both look their label up when executed; an unknown label, or a label of another kind, is an error.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

@@ -3,7 +3,7 @@
 // file; if it is true, it goes on and does not look for an end.
 #include <algorithm>
 
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -99,7 +99,7 @@ void check(const Input& in, Reporter& out) {
     if (block.mistaken_end != kNoStatement) {
       // Not for a `while`: LinuxCNC takes it as the beginning of a new loop.
       const Statement& end = p.at(block.mistaken_end);
-      if (end.is(Keyword::kBare) && end.error == UINT32_MAX && !end.name_open)  // no other rule reports such a line
+      if (end.is(Keyword::kBare) && !end.has_error() && !end.name_open)  // no other rule reports such a line
         report(in, out, block.opener)->reach = in.flow.reach(block.opener);
       const bool opens = end.is(Keyword::kWhile);
       if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end])

@@ -132,7 +132,7 @@ void check(const Input& in, Reporter& out) {
   });
   // Calls that no run gets to, of subs that nobody defines.
   for (const Call& call : p.calls) {
-    if (call.callee == kNoName || call.target != UINT32_MAX || has_stop(in, call.statement)) continue;
+    if (call.callee == kNoName || call.target != kNoRegion || has_stop(in, call.statement)) continue;
     if (in.flow.executed[call.statement] || p.sub_file || in.profile.may_be_python()) continue;
     const CallTarget target = in.linked.target(p.name(call.callee));
     if (target.file != CallTarget::kNotFound || target.opaque) continue;

@@ -1,7 +1,7 @@
 // OW214 label-shared: one label on several blocks of one scope, but no run gets to two of them.
 // Depends on: a label is defined when its first line is reached, and never in a branch that is not
 // taken.
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -94,6 +94,7 @@ M2
             .options = "",
         },
     .check = check,
+    .label_shared = true,
 };
 
 }  // namespace owlint::rules

@@ -115,7 +115,7 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
 void report_dropped(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
-  if (s.kind != LineKind::kM98 || s.error != UINT32_MAX || s.rest_to == s.rest_from || has_stop(in, id)) return;
+  if (s.kind != LineKind::kM98 || s.has_error() || s.rest_to == s.rest_from || has_stop(in, id)) return;
   const std::string text = text_of(p, s.rest_span());
   const bool runs = surely_runs(p.source->slice(s.rest_span()));
   // Measured: the words are checked as on any line, so an axis word without a motion mode, or `H` without its G code, stops.

@@ -120,6 +120,7 @@ LF. Type the marked character again.)",
             .options = "",
         },
     .check = check,
+    .any_file = true,
 };
 
 }  // namespace owlint::rules

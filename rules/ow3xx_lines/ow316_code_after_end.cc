@@ -21,7 +21,7 @@ uint32_t code_outside(const Input& in, StatementId first, StatementId last) {
     const Statement& s = p.at(id);
     const bool outside = p.region_of[id] == kMainRegion;
     if (outside && s.kind == LineKind::kProgramEnd) return 0;
-    if (outside && s.kind != LineKind::kPercent && s.error == UINT32_MAX && !in.flow.executed[id]) return s.line;
+    if (outside && s.kind != LineKind::kPercent && !s.has_error() && !in.flow.executed[id]) return s.line;
     if (s.plain_code_follows && !in_sub(p, id)) return s.first_plain_line;
   }
   return 0;
@@ -137,6 +137,7 @@ should run only sometimes, put it into an `if`.)",
     .check = check,
     .of_programs = true,
     .fades = true,
+    .leaves_out = true,
 };
 
 }  // namespace owlint::rules

@@ -59,6 +59,7 @@ M2
             .options = "",
         },
     .check = check,
+    .other_controller = true,
 };
 
 }  // namespace owlint::rules

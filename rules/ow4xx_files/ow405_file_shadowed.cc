@@ -25,7 +25,7 @@ void check(const Input& in, Reporter& out) {
     if (call.callee == kNoName || !reported.insert(call.callee).second || !in.flow.executed[call.statement]) continue;
     const std::string& name = p.name(call.callee);
     std::vector<FoundFile> files = search.find_all(name);
-    if (call.target != UINT32_MAX) {
+    if (call.target != kNoRegion) {
       if (p.sub_file && (call.callee == p.entry || opener_of_target(p, call) < call.statement)) continue;  // skipped
       std::erase_if(files, is_own);
       if (files.empty()) continue;

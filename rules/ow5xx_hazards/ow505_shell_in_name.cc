@@ -15,7 +15,7 @@ void check(const Input& in, Reporter& out) {
     const bool breaks = breaks_expansion(name);
     if (!command && !breaks) continue;
     // A sub that the program defines is found before any file is looked for.
-    if (call.target != UINT32_MAX && p.regions[call.target].opener < call.statement) continue;
+    if (call.target != kNoRegion && p.regions[call.target].opener < call.statement) continue;
     Finding& f = out.add(
         p.at(call.statement).head_span(),
         command ? "LinuxCNC passes the called name `" + name + "` to a shell, which can run commands on the controller"

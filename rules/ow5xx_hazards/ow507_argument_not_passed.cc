@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {

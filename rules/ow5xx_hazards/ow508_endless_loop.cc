@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "analyzer/syntax/line_parser.h"
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -31,8 +33,7 @@ struct Wait {
 
 /// Whether a line assigns the parameter of an expression, and from what.
 const Item* assignment(const Program& p, const Statement& s, const Expr& parameter) {
-  for (uint32_t i = 0; s.has_items() && i < s.item_count; ++i) {
-    const Item& item = p.syntax.items[s.first + i];
+  for (const Item& item : p.syntax.items_of(s)) {
     if (parameter.op == Operator::kNamed && item.target_name == parameter.name()) return &item;
     double number = 0;
     double assigned = 0;
@@ -69,7 +70,7 @@ std::optional<Wait> waits_for_equal(const Program& p, StatementId opener) {
   const BlockId block = p.block_of[opener];
   const StatementId test = p.at(opener).is(Keyword::kDo) && block != kNoBlock ? p.blocks[block].end : opener;
   if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return std::nullopt;
-  const Expr& condition = p.syntax.exprs[p.syntax.values[p.at(test).first]];
+  const Expr& condition = p.syntax.exprs[p.syntax.values_of(p.at(test)).front()];
   if (condition.op != Operator::kNe) return std::nullopt;
   const Expr& left = p.syntax.exprs[condition.left()];
   const StatementId end =

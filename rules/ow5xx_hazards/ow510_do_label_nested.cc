@@ -3,7 +3,7 @@
 // the outer `do`.
 #include <algorithm>
 
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 namespace owlint::rules {
 namespace {

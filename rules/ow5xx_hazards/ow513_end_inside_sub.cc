@@ -1,6 +1,6 @@
 // OW513 end-inside-sub: M2 or M30 in a sub whose caller has lines after the call.
 // Depends on: M2 and M30 end the run everywhere, also in a called file (measured).
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

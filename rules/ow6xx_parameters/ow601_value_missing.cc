@@ -3,7 +3,7 @@
 // M99 returns without a value (measured).
 #include <algorithm>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

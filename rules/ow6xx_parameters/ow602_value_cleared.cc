@@ -1,6 +1,6 @@
 // OW602 value-cleared: `#<_value>` is read after another call has set it to 0.
 // Depends on: every `endsub`, `return` and M99 without a value sets `#<_value>` to 0, whatever call came before (measured).
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

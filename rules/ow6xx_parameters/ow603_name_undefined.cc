@@ -8,7 +8,7 @@
 #include "analyzer/machine/predefined.h"
 #include "analyzer/machine/remap_names.h"
 #include "analyzer/syntax/look_alike.h"
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -118,10 +118,8 @@ class LocalNames {
     const NameId id = p.syntax.names.find(name);
     Elsewhere first;
     for (StatementId line = 0; id != kNoName && line < p.size(); ++line) {
-      const Statement& s = p.at(line);
-      for (uint32_t i = 0; i < s.item_count; ++i) {
-        if (p.syntax.items[s.first + i].target_name != id || (&p == &in_.program && p.region_of[line] == reader))
-          continue;
+      for (const Item& item : p.syntax.items_of(p.at(line))) {
+        if (item.target_name != id || (&p == &in_.program && p.region_of[line] == reader)) continue;
         if (caller.statement != kNoStatement && p.region_of[line] == p.region_of[caller.statement]) return {&p, line};
         if (first.program == nullptr) first = {&p, line};
       }
@@ -145,19 +143,17 @@ bool given(const Input& in, const std::string& name, RegionId reader) {
 template <typename Each>
 void for_names(const Program& p, ExprId id, const Each& each) {
   const Expr& expr = p.syntax.exprs[id];
-  if (expr.op == Operator::kNumber) return;
   if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed)
     return each(expr.name(), expr.op == Operator::kExistsNamed);
-  for_names(p, expr.left(), each);
-  if (expr.right() != kNoExpr) for_names(p, expr.right(), each);
+  for_each_operand(expr, [&](ExprId operand) { for_names(p, operand, each); });
 }
 
 /// The same for all values of a line.
 template <typename Each>
 void for_names_of(const Program& p, const Statement& s, const Each& each) {
   if (s.label_expr != kNoExpr) for_names(p, s.label_expr, each);
-  for (uint32_t i = 0; i < s.value_count; ++i) for_names(p, p.syntax.values[s.first + i], each);
-  for (uint32_t i = 0; i < s.item_count; ++i) for_names(p, p.syntax.items[s.first + i].value, each);
+  for (const ExprId value : p.syntax.values_of(s)) for_names(p, value, each);
+  for (const Item& item : p.syntax.items_of(s)) for_names(p, item.value, each);
 }
 
 /// Names that a sub assigns from themselves: they do not keep what an earlier call has left in them.
@@ -165,9 +161,9 @@ void check_own_values(const Input& in, LocalNames& names, Reporter& out) {
   const Program& p = in.program;
   for (RegionId r = 1; r < p.regions.size(); ++r) {
     for (const StatementId id : in.data.lines_of(r)) {
-      const Statement& s = p.at(id);
-      for (uint32_t i = 0; i < s.item_count; ++i) {
-        const Item& item = p.syntax.items[s.first + i];
+      const std::span<const Item> items = p.syntax.items_of(p.at(id));
+      for (uint32_t i = 0; i < items.size(); ++i) {
+        const Item& item = items[i];
         if (item.target_name == kNoName) continue;
         bool reads_itself = false;
         for_names(p, item.value,

@@ -3,7 +3,7 @@
 #include <map>
 #include <tuple>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -39,7 +39,7 @@ class Subs {
   explicit Subs(const Input& in) : in_(in) {}
 
   Sub called_by(const Call& call) {
-    if (call.target != UINT32_MAX) return {&in_.program, &in_.data, call.target};
+    if (call.target != kNoRegion) return {&in_.program, &in_.data, call.target};
     if (call.callee == kNoName) return {};
     const uint32_t file = in_.linked.target(in_.program.name(call.callee)).file;
     if (file == CallTarget::kNotFound || in_.linked.files()[file].program.get() == &in_.program) return {};
@@ -63,8 +63,8 @@ bool changes(const Sub& sub, uint32_t n) {
   const Program& p = *sub.program;
   const Statement& s = p.at(sub.data->last_assignment(sub.region, n));
   const bool used = (sub.data->of(sub.region).arguments >> n & 1) != 0;
-  for (uint32_t i = 0; i < s.item_count && used; ++i) {
-    const Item& item = p.syntax.items[s.first + i];
+  if (!used) return true;
+  for (const Item& item : p.syntax.items_of(s)) {
     if (flow::assigns(item) && flow::key_of_target(p.syntax, item) == n)
       return p.syntax.exprs[item.value].op != Operator::kNumber;
   }
@@ -88,9 +88,10 @@ class ByReference {
   void check(const Call& call) {
     const Program& p = in_.program;
     const Statement& s = p.at(call.statement);
-    if (s.error != UINT32_MAX) return;
-    for (uint32_t i = 0; i < s.value_count && i + 1 < flow::kFirstGlobalNumber; ++i) {
-      const auto key = passed(p, p.syntax.values[s.first + i]);
+    if (s.has_error()) return;
+    const std::span<const ExprId> values = p.syntax.values_of(s);
+    for (uint32_t i = 0; i < values.size() && i + 1 < flow::kFirstGlobalNumber; ++i) {
+      const auto key = passed(p, values[i]);
       const Sub sub = key ? subs_.called_by(call) : Sub{};
       if (sub.program == nullptr) continue;
       constexpr int kMostTries = 100;  // each may go through all lines
@@ -150,7 +151,7 @@ void check(const Input& in, Reporter& out) {
     if (p.at(call.statement).kind == LineKind::kM98) continue;  // shares the numbers
     by_reference.check(call);
     // In a sub, what it reads may be its own argument. The first call has the most lines after it.
-    if (call.target == UINT32_MAX || call.caller != kMainRegion || seen[call.target]) continue;
+    if (call.target == kNoRegion || call.caller != kMainRegion || seen[call.target]) continue;
     seen[call.target] = true;
     check_numbers(in, call, out);
   }

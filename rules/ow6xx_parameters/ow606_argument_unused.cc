@@ -2,7 +2,7 @@
 // Depends on: arguments are #1 to #30 of the sub, and nothing else sees them.
 #include <bit>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -11,7 +11,7 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Call& call : p.calls) {
     const Statement& s = p.at(call.statement);
-    if (call.target == UINT32_MAX || s.kind == LineKind::kM98 || s.value_count == 0 || s.error != UINT32_MAX) continue;
+    if (call.target == kNoRegion || s.kind == LineKind::kM98 || s.value_count == 0 || s.has_error()) continue;
     if (in.data.surely_reads(call.target, s.value_count)) continue;
     const flow::Summary& sub = in.data.of(call.target);
     if (!sub.known || sub.any_number) continue;

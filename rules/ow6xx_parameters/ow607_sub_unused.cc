@@ -2,7 +2,7 @@
 // Depends on: a definition is skipped; its lines run only in a call.
 #include <algorithm>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -16,7 +16,7 @@ bool calls_anything(const Program& p) {
 std::vector<RegionId> called_by_no_other(const Program& p) {
   std::vector<bool> called(p.regions.size());
   for (const Call& call : p.calls) {
-    if (call.target != UINT32_MAX && call.target != call.caller) called[call.target] = true;
+    if (call.target != kNoRegion && call.target != call.caller) called[call.target] = true;
   }
   std::vector<RegionId> out;
   for (RegionId r = 1; r < p.regions.size(); ++r) {
@@ -62,7 +62,7 @@ void check(const Input& in, Reporter& out) {
   }
   std::vector<std::vector<RegionId>> called(p.regions.size());
   for (const Call& call : p.calls) {
-    if (call.target != UINT32_MAX) called[call.caller].push_back(call.target);
+    if (call.target != kNoRegion) called[call.caller].push_back(call.target);
   }
   const std::string own_name = small_letters(stem_of(p.source->path()));
   std::vector<RegionId> begins{kMainRegion};

@@ -1,6 +1,6 @@
 // OW608 condition-constant: a condition that is the same every time, and the branch that never runs.
 // Depends on: a condition that is 0 is false, any other is true.
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

@@ -3,7 +3,7 @@
 // (measured: `#1=5`, then `#1=6 G0 X#1` moves to 5).
 #include <algorithm>
 
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -11,22 +11,21 @@ namespace {
 // Depth is bounded by the length of a line.
 bool reads(const Program& p, ExprId id, flow::ParameterId of) {
   const Expr& expr = p.syntax.exprs[id];
-  if (expr.op == Operator::kNumber || expr.op == Operator::kExistsNamed || expr.op == Operator::kExistsNumbered)
-    return false;
+  if (expr.op == Operator::kExistsNumbered) return false;
   if (expr.op == Operator::kNamed) return of.named && expr.name() == of.id;
   if (expr.op == Operator::kParameter && !of.named) {
     const Expr& number = p.syntax.exprs[expr.left()];
     if (number.op == Operator::kNumber && number.value() == of.id) return true;
   }
-  return reads(p, expr.left(), of) || (expr.right() != kNoExpr && reads(p, expr.right(), of));
+  return any_operand(expr, [&](ExprId operand) { return reads(p, operand, of); });
 }
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const StatementId id : in.index.several_items) {
-    const Statement& s = p.at(id);
-    for (uint32_t i = 0; i + 1 < s.item_count; ++i) {
-      const Item& set = p.syntax.items[s.first + i];
+    const std::span<const Item> items = p.syntax.items_of(p.at(id));
+    for (uint32_t i = 0; i + 1 < items.size(); ++i) {
+      const Item& set = items[i];
       flow::ParameterId parameter{set.target_name, true};
       if (set.target != kNoExpr) {
         const Expr& number = p.syntax.exprs[set.target];
@@ -35,8 +34,8 @@ void check(const Input& in, Reporter& out) {
       } else if (set.target_name == kNoName) {
         continue;
       }
-      for (uint32_t k = i + 1; k < s.item_count; ++k) {
-        if (!reads(p, p.syntax.items[s.first + k].value, parameter)) continue;
+      for (uint32_t k = i + 1; k < items.size(); ++k) {
+        if (!reads(p, items[k].value, parameter)) continue;
         const std::string words = parameter_words(p, parameter);
         Finding& f = out.add(
             item_span(p, id, k),

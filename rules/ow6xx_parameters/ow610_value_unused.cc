@@ -5,7 +5,7 @@
 #include <set>
 
 #include "analyzer/syntax/look_alike.h"
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {

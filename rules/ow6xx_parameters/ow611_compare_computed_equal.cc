@@ -1,7 +1,7 @@
 // OW611 compare-computed-equal: `EQ` or `NE` on values that are computed with fractions.
 // Depends on: EQ is true for numbers that differ by less than 0.0001 (measured); sums of fractions drift by less or
 // more than that.
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules {
 namespace {
@@ -36,9 +36,9 @@ bool computed(const Program& p, const Computed& by, ExprId side) {
 bool compares(const Program& p, const Computed& by, ExprId id) {
   const Expr& expr = p.syntax.exprs[id];
   if (expr.op == Operator::kEq || expr.op == Operator::kNe)
-    return computed(p, by, expr.left()) || computed(p, by, expr.right());
+    return any_operand(expr, [&](ExprId side) { return computed(p, by, side); });
   if (expr.op != Operator::kAnd && expr.op != Operator::kOr && expr.op != Operator::kXor) return false;
-  return compares(p, by, expr.left()) || compares(p, by, expr.right());
+  return any_operand(expr, [&](ExprId operand) { return compares(p, by, operand); });
 }
 
 void check(const Input& in, Reporter& out) {
@@ -47,7 +47,7 @@ void check(const Input& in, Reporter& out) {
   const Computed by(p);
   for (const StatementId id : in.index.tests) {
     const Statement& s = p.at(id);
-    if (!compares(p, by, p.syntax.values[s.first])) continue;
+    if (!compares(p, by, p.syntax.values_of(s).front())) continue;
     Finding& f = out.add(
         s.head_span(), "`" + p.head(id) + "` tests whether a computed value is equal: `EQ` is true only within 0.0001");
     f.help = "compare with `LT` or `GT`, or test the distance: `[ABS[#1 - #2] LT 0.001]`";

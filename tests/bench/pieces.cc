@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "analyzer/flow/flow.h"
+#include "analyzer/flow/verdicts/analyze.h"
 #include "analyzer/syntax/bulk.h"
 #include "rules/driver/lint.h"
 

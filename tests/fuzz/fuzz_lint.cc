@@ -2,8 +2,9 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 #include "analyzer/report/formats.h"
+#include "rules/driver/lint.h"
 
 using namespace owlint;
 

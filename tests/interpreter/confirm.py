@@ -4,7 +4,7 @@
 usage: confirm.py --owlint build/release/owlint [--record] [--only TEXT]
 
 Runs `rs274 -g` over the fixtures (tests/programs), the corpus, the examples on every rule's page and the tables of
-expressions and of lines (tests/unit/expressions.tsv, known_lines.tsv), and holds the outcomes against owlint's findings: each stop is claimed by a
+expressions and of lines (tests/unit/syntax/*.tsv), and holds the outcomes against owlint's findings: each stop is claimed by a
 finding that quotes the interpreter's message to the letter, but for where files lie; a stop of reach `always` happens;
 without such a finding the program ends.  Programs with lines that begin with `/` run twice, with block delete off and on.  The outcomes are kept in recorded.tsv (--record or OWLINT_UPDATE=1 writes it) and serve where rs274 is not installed.
 """
@@ -112,7 +112,7 @@ def pages(owlint):
 
 def expressions():
     """-> [(Program, wanted)]: the value as it is printed, or the message"""
-    for row in read(os.path.join(ROOT, "tests", "unit", "expressions.tsv")).splitlines():
+    for row in read(os.path.join(ROOT, "tests", "unit", "syntax", "expressions.tsv")).splitlines():
         if row and not row.startswith("#"):
             text, wanted = row.split("\t")
             yield Program("expression:" + text, "G21 G90\n#100=[%s]\nG0 X#100\nM2\n" % text), wanted
@@ -124,7 +124,7 @@ MODES = ["", "G20 G18 G91 G93 G99 G64 G59 G0 X1 M4 S5 M7 M49\n", "G19 G95 S100 M
 
 def known_lines():
     """Lines that surely_runs() says yes to, each in several modes: they must run."""
-    for row in read(os.path.join(ROOT, "tests", "unit", "known_lines.tsv")).splitlines():
+    for row in read(os.path.join(ROOT, "tests", "unit", "syntax", "known_lines.tsv")).splitlines():
         kind, _, text = row.partition("\t")
         if kind == "runs":
             for number, modes in enumerate(MODES):

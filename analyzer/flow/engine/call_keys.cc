@@ -16,13 +16,13 @@ void add_number(std::string& key, uint64_t number) {
 /// fail, or change what is not its own.
 bool CallKeys::note_line(StatementId id, Dependence& out) const {
   const Statement& s = program_.at(id);
-  if (s.error != UINT32_MAX || s.is(Keyword::kCall)) return false;
+  if (s.has_error() || s.is(Keyword::kCall)) return false;
   if (s.motion != kLeavesMotion && !program_.syntax.motion_faults.empty()) return false;
   if (s.kind == LineKind::kWords) return machine_.dependences().note_assignments(s, out);
   if (s.kind != LineKind::kOWord) return false;
   const BlockId block = program_.block_of[id];
   if (block != kNoBlock && !machine_.structure().structured[block]) return false;
-  for (uint32_t i = 0; i < s.value_count; ++i) machine_.dependences().note(program_.syntax.values[s.first + i], out);
+  for (const ExprId value : program_.syntax.values_of(s)) machine_.dependences().note(value, out);
   return out.known;
 }
 

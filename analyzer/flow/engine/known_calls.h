@@ -1,7 +1,7 @@
 // The outcomes of calls, kept from one check of a program to the next. An editor checks after every keystroke, and only
 // the sub that is being edited has changed. The key of a call is everything that it depends on: the sub's text, the values
 // of its parameters at the call, and how the rest of the program uses them. If a call is found here, the sub need not be
-// analysed again. Findings are the same with and without this memory (tests/known_calls_test.cc).
+// analysed again. Findings are the same with and without this memory (tests/flow/known_calls_test.cc).
 #pragma once
 
 #include <cstdint>

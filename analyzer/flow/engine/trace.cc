@@ -169,40 +169,27 @@ std::vector<uint32_t> Trace::closed_cycles(const std::function<bool(RecordId, Re
   return group;
 }
 
-bool Trace::asked(StatementId first, StatementId last) const {
-  const auto found = reaches_.lower_bound(first);
-  return found != reaches_.end() && found->first < last;
+bool Trace::is_left_out(StatementId statement) const {
+  return std::ranges::any_of(left_out_,
+                             [&](const auto& lines) { return statement >= lines.first && statement < lines.second; });
 }
 
-Reach Trace::reach(StatementId statement) const {
-  missed_ = missed_ || std::ranges::any_of(left_out_, [&](const auto& lines) {
-              return statement >= lines.first && statement < lines.second;
-            });
-  if (const auto known = reaches_.find(statement); known != reaches_.end()) return known->second;
+bool Trace::avoidable(StatementId statement) const {
   const auto hits = [&](RecordId id) { return records_[id].statement == statement && records_[id].executed; };
-  const bool reached = statement < executed_.size() && executed_[statement];
-  Reach answer = reached ? Reach::kMaybe : Reach::kNever;
-  work_ += reached ? records_.size() : 0;
-  if (reached && work_ <= reach_records_) {
-    // Can a run end (or never end) without coming here?
-    std::vector<bool> seen(records_.size());
-    std::vector<RecordId> todo{0};
-    seen[0] = !hits(0);
-    if (hits(0)) todo.clear();
-    while (!todo.empty()) {
-      const RecordId id = todo.back();
-      todo.pop_back();
-      for (uint32_t i = next_first_[id]; i < next_first_[id + 1]; ++i) {
-        if (seen[next_[i]] || hits(next_[i])) continue;
-        seen[next_[i]] = true;
-        todo.push_back(next_[i]);
-      }
+  std::vector<bool> seen(records_.size());
+  std::vector<RecordId> todo{0};
+  seen[0] = !hits(0);
+  if (hits(0)) todo.clear();
+  while (!todo.empty()) {
+    const RecordId id = todo.back();
+    todo.pop_back();
+    for (uint32_t i = next_first_[id]; i < next_first_[id + 1]; ++i) {
+      if (seen[next_[i]] || hits(next_[i])) continue;
+      seen[next_[i]] = true;
+      todo.push_back(next_[i]);
     }
-    const bool avoidable = std::ranges::any_of(terminals_, [&](const auto& t) { return seen[t.first]; });
-    if (!avoidable && !has_cycle(seen)) answer = Reach::kAlways;
   }
-  reaches_.emplace(statement, answer);
-  return answer;
+  return std::ranges::any_of(terminals_, [&](const auto& t) { return seen[t.first]; }) || has_cycle(seen);
 }
 
 std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {

@@ -1,10 +1,9 @@
 // A graph of what the flow analysis did, with one record for each state. Afterwards it answers whether every run or some
-// run gets to a stop, by which branches, and where a run never ends.
+// run gets to a stop, by which branches, and where a run never ends. Reachability asks it about lines.
 #pragma once
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -32,10 +31,7 @@ class Trace {
 
   /// For a program of so many statements.
   Trace(const Limits& limits, size_t statements)
-      : reach_records_(limits.reach_records),
-        path_records_(limits.path_records),
-        path_decisions_(limits.path_decisions),
-        executed_(statements) {}
+      : path_records_(limits.path_records), path_decisions_(limits.path_decisions), executed_(statements) {}
 
   RecordId add(Record record) {
     records_.push_back(record);
@@ -64,18 +60,18 @@ class Trace {
   void leave_out(StatementId first, StatementId last) { left_out_.emplace_back(first, last); }
   bool leaves_out() const { return !left_out_.empty(); }
   /// A question cannot be answered without these lines.
-  void miss_left_out() const { missed_ = true; }
+  void miss_left_out() { missed_ = true; }
   /// Whether there was such a question.
   bool missed() const { return missed_; }
-  /// Whether reach() was asked about a statement from `first` to before `last`.
-  bool asked(StatementId first, StatementId last) const;
+  bool is_left_out(StatementId statement) const;
 
   /// Must be called once, after the last record and before the questions below.
   void finish();
 
   /// Whether every run that ends, ends with `key`.
   bool only_end(uint32_t key) const;
-  Reach reach(StatementId statement) const;
+  /// Whether a run can end, or never end, without executing the statement. Looks at all records.
+  bool avoidable(StatementId statement) const;
   /// Whether some run ends at all.
   bool ends() const { return !terminals_.empty(); }
   /// The conditions on the way to `stop` without which a run does not get to an end with `key`.
@@ -112,7 +108,7 @@ class Trace {
   bool has_cycle(const std::vector<bool>& within) const;
   std::vector<bool> backward_from(const std::vector<RecordId>& goals) const;
 
-  size_t reach_records_, path_records_, path_decisions_;  // see Limits
+  size_t path_records_, path_decisions_;  // see Limits
   std::vector<Record> records_;
   std::vector<Link> links_;
   std::vector<std::pair<RecordId, RecordId>> calls_;
@@ -123,9 +119,7 @@ class Trace {
   std::vector<bool> hanging_;
   std::vector<bool> executed_;
   std::vector<std::pair<StatementId, StatementId>> left_out_;
-  mutable bool missed_ = false;
-  mutable std::map<StatementId, Reach> reaches_;
-  mutable size_t work_ = 0;
+  bool missed_ = false;
 };
 
 }  // namespace owlint::flow

@@ -76,8 +76,7 @@ void AccessTable::read(const Syntax& syntax, ExprId id) {
       break;
     default: break;
   }
-  read(syntax, expr.left());
-  if (expr.right() != kNoExpr) read(syntax, expr.right());
+  for_each_operand(expr, [&](ExprId operand) { read(syntax, operand); });
 }
 
 void AccessTable::add(const Program& program, StatementId id) {
@@ -85,9 +84,10 @@ void AccessTable::add(const Program& program, StatementId id) {
   const Statement& s = program.at(id);
   any_.push_back(0);
   if (s.label_expr != kNoExpr) read(syntax, s.label_expr);
-  for (uint32_t i = 0; i < s.value_count; ++i) read(syntax, syntax.values[s.first + i]);
-  for (uint32_t i = 0; i < s.item_count; ++i) {
-    const Item& item = syntax.items[s.first + i];
+  for (const ExprId value : syntax.values_of(s)) read(syntax, value);
+  const std::span<const Item> items = syntax.items_of(s);
+  for (uint32_t i = 0; i < items.size(); ++i) {
+    const Item& item = items[i];
     read(syntax, item.value);
     if (!assigns(item)) continue;
     writes_.push_back({key_of_target(syntax, item), i});

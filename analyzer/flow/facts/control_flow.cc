@@ -7,7 +7,7 @@ namespace {
 
 bool fits(const Program& program, const Structure& structure, RegionId region, StatementId id) {
   const Statement& s = program.at(id);
-  if (s.error != UINT32_MAX || s.refused || s.kind == LineKind::kM98 || s.has_m99() || s.kind == LineKind::kContour)
+  if (s.has_error() || s.refused || s.kind == LineKind::kM98 || s.has_m99() || s.kind == LineKind::kContour)
     return false;
   if (s.kind != LineKind::kOWord) return true;
   if (s.label == kNoName && !s.is(Keyword::kCall)) return false;

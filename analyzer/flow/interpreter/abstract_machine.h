@@ -22,6 +22,7 @@
 #include "analyzer/flow/interpreter/refinement.h"
 #include "analyzer/flow/limits.h"
 #include "analyzer/flow/summaries/effects.h"
+#include "analyzer/machine/profile.h"
 #include "analyzer/program/linker.h"
 
 namespace owlint::flow {

@@ -120,14 +120,10 @@ class CalmBuilder {
 
   bool harmless_call(const Call& call) {
     const Statement& s = program_.at(call.statement);
-    if (!s.is(Keyword::kCall) || s.error != UINT32_MAX || call.target == UINT32_MAX || !structure_.shallow_calls)
-      return false;
+    if (!s.is(Keyword::kCall) || s.has_error() || call.target == kNoRegion || !structure_.shallow_calls) return false;
     const CalmSub& sub = subs_[call.target];  // of a later one nothing is known yet
     if (!sub.calm || sub.arguments > s.value_count) return false;
-    for (uint32_t i = 0; i < s.value_count; ++i) {
-      if (!lines_.look(program_.syntax.values[s.first + i]).safe) return false;
-    }
-    return true;
+    return std::ranges::all_of(program_.syntax.values_of(s), [this](ExprId value) { return lines_.look(value).safe; });
   }
 
   void note_read(ParameterId p) {
@@ -141,8 +137,7 @@ class CalmBuilder {
     const Expr& expr = program_.syntax.exprs[id];
     if (expr.op == Operator::kNamed) return note_read({expr.name(), true});
     if (expr.op == Operator::kParameter) return note_read({lines_.number_of(expr.left()), false});
-    if (expr.left() != kNoExpr) note_reads(expr.left());
-    if (expr.right() != kNoExpr) note_reads(expr.right());
+    for_each_operand(expr, [this](ExprId operand) { note_reads(operand); });
   }
 
   void note_write(ParameterId p, bool certain) {
@@ -207,8 +202,8 @@ class CalmBuilder {
         note_motion(s);
         continue;
       }
-      for (uint32_t i = 0; i < s.value_count; ++i) {
-        if (!s.is(Keyword::kElseif)) note_reads(program_.syntax.values[s.first + i]);
+      if (!s.is(Keyword::kElseif)) {
+        for (const ExprId value : program_.syntax.values_of(s)) note_reads(value);
       }
       if (s.is(Keyword::kSub)) {
         out_.defined_.push_back(id);
@@ -229,9 +224,8 @@ class CalmBuilder {
   }
 
   void note_words(const Statement& s) {
-    for (uint32_t i = 0; i < s.item_count; ++i) note_reads(program_.syntax.items[s.first + i].value);
-    for (uint32_t i = 0; i < s.item_count; ++i) {
-      const Item& item = program_.syntax.items[s.first + i];
+    for (const Item& item : program_.syntax.items_of(s)) note_reads(item.value);
+    for (const Item& item : program_.syntax.items_of(s)) {
       if (item.target_name != kNoName) note_write({item.target_name, true}, branches_.empty());
       if (item.target != kNoExpr) note_write({lines_.number_of(item.target), false}, branches_.empty());
     }
@@ -243,7 +237,7 @@ class CalmBuilder {
     if (block.kind == Keyword::kDo) return;  // it runs at least once, as if it were no block
     if (s.is(Keyword::kElse) || s.is(Keyword::kElseif)) leave_branch();
     if (s.is(Keyword::kElse)) branches_.back().has_else = true;
-    if (s.is(Keyword::kElseif)) note_reads(program_.syntax.values[s.first]);
+    if (s.is(Keyword::kElseif)) note_reads(program_.syntax.values_of(s).front());
     if (s.is(Keyword::kIf)) stretch->tests = true;
     if (block.opener == id) {
       branches_.push_back({undo_.size(), in_all_.size()});
@@ -292,7 +286,7 @@ class CalmBuilder {
     if (defined_again_[region.name]) return false;
     const Statement& opener = program_.at(region.opener);
     const Statement& end = program_.at(region.end);
-    if (opener.error != UINT32_MAX || end.error != UINT32_MAX || !end.is(Keyword::kEndsub)) return false;
+    if (opener.has_error() || end.has_error() || !end.is(Keyword::kEndsub)) return false;
     if (stopping_[region.end] != stopping_[region.opener] || program_.name(region.name).find('/') != std::string::npos)
       return false;
     // Other lines with its label are looked at on the way.

@@ -38,7 +38,7 @@ void CalmLines::find_escapes() {
 
 bool CalmLines::harmless(StatementId id) const {
   const Statement& s = program_.at(id);
-  if (s.error != UINT32_MAX) return false;
+  if (s.has_error()) return false;
   if (s.kind == LineKind::kWords) return harmless_words(s);
   if (s.kind != LineKind::kOWord || s.label == kNoName) return false;
   const BlockId block = program_.block_of[id];
@@ -49,7 +49,7 @@ bool CalmLines::harmless(StatementId id) const {
     case Keyword::kWhile:
     case Keyword::kRepeat: {
       if (s.value_count != 1) return false;
-      const Look condition = look(program_.syntax.values[s.first]);
+      const Look condition = look(program_.syntax.values_of(s).front());
       return condition.safe && !condition.constant;
     }
     case Keyword::kElse:
@@ -69,12 +69,11 @@ bool CalmLines::harmless(StatementId id) const {
 bool CalmLines::stop_when_skipped(StatementId id) const {
   const Statement& s = program_.at(id);
   if (s.kind == LineKind::kPercent || s.kind == LineKind::kFileEnd || s.kind == LineKind::kM98) return true;
-  return s.error != UINT32_MAX && program_.syntax.errors[s.error].kind < StopKind::kKeywordUnknown;
+  return s.has_error() && program_.syntax.errors[s.error].kind < StopKind::kKeywordUnknown;
 }
 
 bool CalmLines::harmless_words(const Statement& s) const {
-  for (uint32_t i = 0; i < s.item_count; ++i) {
-    const Item& item = program_.syntax.items[s.first + i];
+  for (const Item& item : program_.syntax.items_of(s)) {
     if (!look(item.value).safe) return false;
     if (item.target_name != kNoName && tracked_.kind(item.target_name) == NameKind::kPredefined) return false;
     if (item.target != kNoExpr) {

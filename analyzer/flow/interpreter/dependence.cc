@@ -41,13 +41,12 @@ void Dependences::note(ExprId id, Dependence& out) const {
     }
     return note_number(index, out);
   }
-  if (expr.left() != kNoExpr) note(expr.left(), out);
-  if (expr.right() != kNoExpr) note(expr.right(), out);
+  for_each_operand(expr, [&](ExprId operand) { note(operand, out); });
 }
 
 bool Dependences::note_assignments(const Statement& s, Dependence& out) const {
-  for (uint32_t i = 0; i < s.item_count && out.known; ++i) {
-    const Item& item = syntax_.items[s.first + i];
+  for (const Item& item : syntax_.items_of(s)) {
+    if (!out.known) break;
     note(item.value, out);
     if (item.target_name != kNoName) {
       if (tracked_.is_global(item.target_name)) return false;

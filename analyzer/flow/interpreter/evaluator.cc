@@ -308,8 +308,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
   std::pmr::vector<Assigned> writes(&memory);
   writes.reserve(s.item_count);
   Parameters reading = parameters;
-  for (uint32_t i = 0; i < s.item_count; ++i) {
-    const Item& item = syntax_.items[s.first + i];
+  for (const Item& item : syntax_.items_of(s)) {
     if (item.target_name != kNoName) begin_name(item.target_name, reading);
     Assigned write{-1, item.target_name, kUnknown};
     if (item.target != kNoExpr) {

@@ -27,15 +27,14 @@ void add_in(const Syntax& syntax, ExprId id, std::vector<ExprId>& out) {
     case Operator::kPower: out.push_back(id); break;
     default: break;
   }
-  add_in(syntax, expr.left(), out);
-  if (expr.right() != kNoExpr) add_in(syntax, expr.right(), out);
+  for_each_operand(expr, [&](ExprId operand) { add_in(syntax, operand, out); });
 }
 
 }  // namespace
 
 void add_fallible(const Syntax& syntax, const Statement& s, std::vector<ExprId>& out) {
-  for (uint32_t i = 0; i < s.value_count; ++i) add_in(syntax, syntax.values[s.first + i], out);
-  for (uint32_t i = 0; i < s.item_count; ++i) add_in(syntax, syntax.items[s.first + i].value, out);
+  for (const ExprId value : syntax.values_of(s)) add_in(syntax, value, out);
+  for (const Item& item : syntax.items_of(s)) add_in(syntax, item.value, out);
 }
 
 }  // namespace owlint::flow

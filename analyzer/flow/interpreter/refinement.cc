@@ -37,8 +37,7 @@ void Refinement::count_comparisons(ExprId id, bool of_while, std::vector<double>
     add_thresholds(expr.op, number, thresholds);
   };
   if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
-    count_comparisons(expr.left(), of_while, thresholds);
-    count_comparisons(expr.right(), of_while, thresholds);
+    for_each_operand(expr, [&](ExprId operand) { count_comparisons(operand, of_while, thresholds); });
   } else if (is_comparison(expr.op)) {
     count(expr.left(), expr.right());
     count(expr.right(), expr.left());
@@ -53,7 +52,8 @@ void Refinement::find_compared(const Limits& limits) {
   const auto first = all.first(std::min(all.size(), limits.remembered_statements));
   for (const Statement& s : first) {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
-    if (is_test && s.value_count > 0) count_comparisons(syntax_.values[s.first], s.is(Keyword::kWhile), thresholds);
+    if (is_test && s.value_count > 0)
+      count_comparisons(syntax_.values_of(s).front(), s.is(Keyword::kWhile), thresholds);
   }
   if (compared_.empty()) return;
   std::ranges::sort(compared_);

@@ -58,7 +58,7 @@ RememberedConditions::RememberedConditions(const Syntax& syntax, const Limits& l
        std::span(syntax.statements).first(std::min(syntax.statements.size(), limits.remembered_statements))) {
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
     if (!is_test || s.value_count == 0) continue;
-    const ExprId condition = syntax.values[s.first];
+    const ExprId condition = syntax.values_of(s).front();
     reads = {std::move(reads.keys)};
     reads.keys.clear();
     const uint64_t hash = describe(syntax, condition, reads);

@@ -85,7 +85,7 @@ struct AbstractMachine::Step {
       int times = 0;
       if (s.kind == LineKind::kM98 && s.repeats && id == value(0) && !times_called(e, &times)) return;
       long number = 0;
-      if (expr.target && m.values_.is_constant(e.value) &&
+      if (expr.target && KnownValues::is_constant(e.value) &&
           !settle(m.evaluator_.target(m.values_.value(e.value), &number)))
         return;
     }
@@ -161,7 +161,7 @@ struct AbstractMachine::Step {
     reads.no_value = kUnassigned;
   }
 
-  ExprId value(uint32_t i) const { return m.program_.syntax.values[s.first + i]; }
+  ExprId value(uint32_t i) const { return m.program_.syntax.values_of(s)[i]; }
 
   /// The condition of `if`, `elseif`, `while`; false if it stops.
   bool condition(Truth* truth, double* number = nullptr) {
@@ -173,7 +173,7 @@ struct AbstractMachine::Step {
     reads.not_passed = 0;  // optional arguments are written like this: the sub tests an argument that was not passed
     report_value_reads();
     if (!settle(e)) return false;
-    const bool constant = m.values_.is_constant(e.value);
+    const bool constant = KnownValues::is_constant(e.value);
     const Range range = m.values_.range(e.value);
     const bool known = constant || !range.has(0);
     *truth = !known ? Truth::kOpen : range.has(0) ? Truth::kFalse : Truth::kTrue;

@@ -60,8 +60,7 @@ bool TrackedParameters::mark(ExprId id) {
     if (literal_value(syntax_.exprs, expr.left(), &number)) return to_integer(number, &index) && mark_number(index);
     grew = !std::exchange(computes_reads_, true);
   }
-  if (expr.left() != kNoExpr && mark(expr.left())) grew = true;
-  if (expr.right() != kNoExpr && mark(expr.right())) grew = true;
+  for_each_operand(expr, [&](ExprId operand) { grew |= mark(operand); });
   return grew;
 }
 
@@ -92,8 +91,7 @@ void TrackedParameters::mark_what_can_fail(ExprId id) {
     case Operator::kPower: mark(id); return;
     default: break;
   }
-  mark_what_can_fail(expr.left());
-  if (expr.right() != kNoExpr) mark_what_can_fail(expr.right());
+  for_each_operand(expr, [this](ExprId operand) { mark_what_can_fail(operand); });
 }
 
 void TrackedParameters::find_uses() {

@@ -10,14 +10,6 @@ std::string parameter_text(const Program& program, ParameterId parameter) {
   return parameter.named ? "#<" + program.name(parameter.id) + ">" : "#" + std::to_string(parameter.id);
 }
 
-struct DataFlow::Sub {
-  Accesses accesses;
-  std::optional<ControlFlow> flow;
-  std::optional<Liveness> live;
-  std::optional<Summary> summary;
-  std::optional<std::vector<std::pair<ParameterKey, StatementId>>> assignments;  ///< sorted
-};
-
 int Summary::last_argument() const { return arguments == 0 ? 0 : 31 - std::countl_zero(arguments); }
 
 DataFlow::DataFlow(const Program& program, std::shared_ptr<const Structure> structure, const Limits& limits)
@@ -26,50 +18,43 @@ DataFlow::DataFlow(const Program& program, std::shared_ptr<const Structure> stru
       too_large_(program.size() > limits.data_flow_statements),
       structure_(std::move(structure)) {}
 
-DataFlow::~DataFlow() = default;
-
 const Structure& DataFlow::structure() const {
-  if (structure_ == nullptr) structure_ = std::make_shared<const Structure>(program_);
-  return *structure_;
+  return structure_ != nullptr ? *structure_ : own_structure_.get([this] { return Structure(program_); });
 }
 
-DataFlow::Sub& DataFlow::look(RegionId region) const {
-  if (subs_.empty()) {
-    subs_.resize(program_.regions.size());
-    statements_.assign(program_.regions.size(), static_cast<uint32_t>(program_.size()),
-                       [&](StatementId id) { return program_.region_of[id]; });
-    table_.emplace(program_, statements_.all(), flow::reads_of(program_, shown()));
-    for (RegionId r = 0; r < subs_.size(); ++r)
-      subs_[r].accesses = table_->lines(statements_.first(r), statements_[r].size());
-  }
-  return subs_[region];
+const DataFlow::Lines& DataFlow::lines() const {
+  return lines_.get([this] { return make_lines(); });
+}
+
+DataFlow::Lines DataFlow::make_lines() const {
+  Grouped by_region;
+  by_region.assign(program_.regions.size(), static_cast<uint32_t>(program_.size()),
+                   [&](StatementId id) { return program_.region_of[id]; });
+  AccessTable table(program_, by_region.all(), flow::reads_of(program_, shown()));
+  std::vector<Sub> subs(program_.regions.size());
+  for (RegionId r = 0; r < subs.size(); ++r) subs[r].accesses = table.lines(by_region.first(r), by_region[r].size());
+  return {std::move(by_region), std::move(table), std::move(subs)};
 }
 
 const ControlFlow& DataFlow::flow_of(RegionId region) const {
-  Sub& sub = look(region);
-  if (!sub.flow) sub.flow.emplace(program_, structure(), region, statements_[region]);
-  return *sub.flow;
+  return look(region).flow.get([&] { return ControlFlow(program_, structure(), region, lines_of(region)); });
 }
 
 const Liveness& DataFlow::live_in(RegionId region) const {
-  Sub& sub = look(region);
-  if (!sub.live) sub.live.emplace(flow_of(region), sub.accesses, region == kMainRegion, limits_);
-  return *sub.live;
+  const Sub& sub = look(region);
+  return sub.live.get([&] { return Liveness(flow_of(region), sub.accesses, region == kMainRegion, limits_); });
 }
 
 const Summary& DataFlow::of(RegionId region) const {
   static const Summary kNothing;
   if (too_large_) return kNothing;
-  Sub& sub = look(region);
-  if (!sub.summary) {
-    sub.summary.emplace();
-    if (live_in(region).known() && sub.accesses.size() > 0) summarize(sub, region);
-  }
-  return *sub.summary;
+  return look(region).summary.get([&] { return summarize(region); });
 }
 
-void DataFlow::summarize(Sub& sub, RegionId region) const {
-  Summary& out = *sub.summary;
+Summary DataFlow::summarize(RegionId region) const {
+  const Sub& sub = look(region);
+  Summary out;
+  if (!live_in(region).known() || sub.accesses.size() == 0) return out;
   out.known = true;
   const NameId count = program_.syntax.names.find("n_args");  // how many were passed, if the INI wants it
   out.any_number = sub.accesses.reads_any() ||
@@ -104,19 +89,16 @@ void DataFlow::summarize(Sub& sub, RegionId region) const {
     }
   }
   out.returns = with ? (without ? Returns::kSometimes : Returns::kValue) : Returns::kNothing;
+  return out;
 }
 
 const std::vector<Shown>& DataFlow::shown() const {
-  if (!shown_) shown_ = shown_in_comments(program_);
-  return *shown_;
+  return shown_.get([this] { return shown_in_comments(program_); });
 }
 
 const Accesses& DataFlow::accesses_of(RegionId region) const { return look(region).accesses; }
 
-std::span<const StatementId> DataFlow::lines_of(RegionId region) const {
-  look(region);
-  return statements_[region];
-}
+std::span<const StatementId> DataFlow::lines_of(RegionId region) const { return lines().by_region[region]; }
 
 void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const {
   const Accesses& accesses = look(region).accesses;
@@ -126,12 +108,12 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
   if (std::ranges::none_of(accesses.all_writes(), [&](const auto& write) { return interesting(write.key); })) return;
   std::vector<ParameterKey> read(accesses.all_reads().begin(), accesses.all_reads().end());
   std::ranges::sort(read);
-  const auto statement = [&](size_t line) { return statements_[region][line]; };
+  const auto statement = [&](size_t line) { return lines_of(region)[line]; };
   // Numbers are anybody's: what the sub leaves in them is lost, which is another rule's, or the operator's. A name for
   // something that has a number or a name already is a remark as well.
   const auto never_read = [&](size_t line, const Write& write) {
-    const Operator value =
-        program_.syntax.exprs[program_.syntax.items[program_.at(statement(line)).first + write.item].value].op;
+    const Item& item = program_.syntax.items_of(program_.at(statement(line)))[write.item];
+    const Operator value = program_.syntax.exprs[item.value].op;
     return !is_own_number(write.key) && value != Operator::kParameter && value != Operator::kNamed;
   };
   const auto overwritten = [&](size_t line, const Write& write) {
@@ -177,30 +159,32 @@ void DataFlow::find_unused(RegionId region, std::vector<UnusedValue>& out) const
 std::span<const ParameterKey> DataFlow::reads_of(RegionId region) const { return look(region).accesses.all_reads(); }
 
 const std::vector<UnusedValue>& DataFlow::unused() const {
-  if (!unused_) {
-    unused_.emplace();
-    for (RegionId region = 0; region < program_.regions.size() && !too_large_; ++region) find_unused(region, *unused_);
-    std::ranges::stable_sort(*unused_, {}, &UnusedValue::statement);
-  }
-  return *unused_;
+  return unused_.get([this] {
+    std::vector<UnusedValue> out;
+    for (RegionId region = 0; region < program_.regions.size() && !too_large_; ++region) find_unused(region, out);
+    std::ranges::stable_sort(out, {}, &UnusedValue::statement);
+    return out;
+  });
 }
 
 const std::vector<FixedCondition>& DataFlow::fixed() const {
-  if (!fixed_) {
-    fixed_.emplace();
-    if (too_large_) return *fixed_;
-    const Settings settings(program_);
-    for (RegionId region = 0; region < program_.regions.size(); ++region) {
-      look(region);
-      const auto tests = [this](StatementId id) {
-        return program_.at(id).is(Keyword::kIf) || program_.at(id).is(Keyword::kWhile);
-      };
-      if (std::ranges::none_of(statements_[region], tests) || !flow_of(region).known()) continue;
-      find_fixed_conditions(program_, flow_of(region), settings, limits_, *fixed_);
-    }
-    std::ranges::stable_sort(*fixed_, {}, &FixedCondition::statement);
+  return fixed_.get([this] {
+    std::vector<FixedCondition> out;
+    if (!too_large_) find_fixed(out);
+    return out;
+  });
+}
+
+void DataFlow::find_fixed(std::vector<FixedCondition>& out) const {
+  const Presets presets(program_);
+  const auto tests = [this](StatementId id) {
+    return program_.at(id).is(Keyword::kIf) || program_.at(id).is(Keyword::kWhile);
+  };
+  for (RegionId region = 0; region < program_.regions.size(); ++region) {
+    if (std::ranges::none_of(lines_of(region), tests) || !flow_of(region).known()) continue;
+    find_fixed_conditions(program_, flow_of(region), presets, limits_, out);
   }
-  return *fixed_;
+  std::ranges::stable_sort(out, {}, &FixedCondition::statement);
 }
 
 bool DataFlow::surely_reads(RegionId region, uint32_t number) const {
@@ -222,8 +206,7 @@ uint32_t DataFlow::left_behind(RegionId region) const {
   for (uint32_t n = 1; n < kFirstGlobalNumber; ++n) {
     if ((assigned >> n & 1) == 0) continue;
     const StatementId last = last_assignment(region, n);
-    const auto line =
-        static_cast<NodeId>(std::ranges::lower_bound(statements_[region], last) - statements_[region].begin());
+    const auto line = static_cast<NodeId>(std::ranges::lower_bound(lines_of(region), last) - lines_of(region).begin());
     if (!live_in(region).after(line, n)) out |= 1U << n;
   }
   return out;
@@ -233,7 +216,7 @@ StatementId DataFlow::last_assignment(RegionId region, uint32_t number) const {
   const Accesses& accesses = look(region).accesses;
   for (size_t line = accesses.size(); line-- > 0;) {
     if (std::ranges::any_of(accesses.writes(line), [&](const auto& write) { return write.key == number; }))
-      return statements_[region][line];
+      return lines_of(region)[line];
   }
   return kNoStatement;
 }
@@ -244,7 +227,7 @@ bool DataFlow::expects_from_call(StatementId call, uint32_t number) const {
   if (accesses.writes_any() || !flow_of(region).known()) return false;
   if (std::ranges::any_of(accesses.all_writes(), [&](const auto& write) { return write.key == number; })) return false;
   // Nothing assigns it here, so what reads it after the call reads the caller's value.
-  for (size_t line = accesses.size(); line-- > 0 && statements_[region][line] > call;) {
+  for (size_t line = accesses.size(); line-- > 0 && lines_of(region)[line] > call;) {
     if (std::ranges::count(accesses.reads(line), number) > 0) return true;
   }
   return false;
@@ -262,7 +245,7 @@ bool DataFlow::reads_after(StatementId line, ParameterKey key) const {
       if (next < nodes.size() && !seen[next]) todo.push_back(next);
     }
   };
-  go_on(static_cast<NodeId>(std::ranges::lower_bound(statements_[region], line) - statements_[region].begin()));
+  go_on(static_cast<NodeId>(std::ranges::lower_bound(lines_of(region), line) - lines_of(region).begin()));
   while (!todo.empty()) {
     const NodeId id = todo.back();
     todo.pop_back();
@@ -274,25 +257,23 @@ bool DataFlow::reads_after(StatementId line, ParameterKey key) const {
   return false;
 }
 
-std::span<const std::pair<ParameterKey, StatementId>> DataFlow::assignments(RegionId region, ParameterKey key) const {
-  using Assignment = std::pair<ParameterKey, StatementId>;
-  Sub& sub = look(region);
-  if (!sub.assignments) {
-    sub.assignments.emplace();
+std::span<const DataFlow::Assignment> DataFlow::assignments(RegionId region, ParameterKey key) const {
+  const Sub& sub = look(region);
+  const std::vector<Assignment>& all = sub.assignments.get([&] {
+    std::vector<Assignment> out;
     for (size_t line = 0; line < sub.accesses.size(); ++line) {
-      for (const Write& write : sub.accesses.writes(line))
-        sub.assignments->emplace_back(write.key, statements_[region][line]);
+      for (const Write& write : sub.accesses.writes(line)) out.emplace_back(write.key, lines_of(region)[line]);
     }
-    std::ranges::sort(*sub.assignments);
-  }
-  const auto first = std::ranges::lower_bound(*sub.assignments, key, {}, &Assignment::first);
-  return {first, std::ranges::upper_bound(*sub.assignments, key, {}, &Assignment::first)};
+    std::ranges::sort(out);
+    return out;
+  });
+  const auto first = std::ranges::lower_bound(all, key, {}, &Assignment::first);
+  return {first, std::ranges::upper_bound(all, key, {}, &Assignment::first)};
 }
 
 bool DataFlow::read_above(RegionId region, StatementId place, ParameterKey key) const {
   const Accesses& accesses = look(region).accesses;
-  const size_t last =
-      static_cast<size_t>(std::ranges::lower_bound(statements_[region], place) - statements_[region].begin());
+  const size_t last = static_cast<size_t>(std::ranges::lower_bound(lines_of(region), place) - lines_of(region).begin());
   return std::ranges::count(accesses.all_reads().first(accesses.first_read(last)), key) > 0;
 }
 

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "analyzer/flow/facts/shown.h"
 #include "analyzer/flow/summaries/fixed_conditions.h"
+#include "analyzer/flow/summaries/lazy.h"
 #include "analyzer/flow/summaries/liveness.h"
 
 namespace owlint::flow {
@@ -45,7 +47,6 @@ class DataFlow {
   /// `structure`: the program's, if it is already known. Of programs that are too large for `limits` nothing is known.
   explicit DataFlow(const Program& program, std::shared_ptr<const Structure> structure = nullptr,
                     const Limits& limits = {});
-  ~DataFlow();
 
   const Summary& of(RegionId region) const;
   /// Whether a sub reads #n and never assigns it; that needs no further analysis.
@@ -78,25 +79,41 @@ class DataFlow {
   const Structure& structure() const;
 
  private:
-  struct Sub;
-  Sub& look(RegionId region) const;
-  const ControlFlow& flow_of(RegionId region) const;
-  const Liveness& live_in(RegionId region) const;
-  void summarize(Sub& sub, RegionId region) const;
-  void find_unused(RegionId region, std::vector<UnusedValue>& out) const;
-  std::span<const std::pair<ParameterKey, StatementId>> assignments(RegionId region, ParameterKey key) const;
+  using Assignment = std::pair<ParameterKey, StatementId>;
 
   // Everything is made when first needed: for most programs nothing is.
+  struct Sub {
+    Accesses accesses;
+    Lazy<ControlFlow> flow;
+    Lazy<Liveness> live;
+    Lazy<Summary> summary;
+    Lazy<std::vector<Assignment>> assignments;  ///< sorted
+  };
+  struct Lines {
+    Grouped by_region;
+    AccessTable table;      ///< in the order of `by_region`
+    std::vector<Sub> subs;  ///< by region
+  };
+
+  const Lines& lines() const;
+  Lines make_lines() const;
+  const Sub& look(RegionId region) const { return lines().subs[region]; }
+  const ControlFlow& flow_of(RegionId region) const;
+  const Liveness& live_in(RegionId region) const;
+  Summary summarize(RegionId region) const;
+  void find_unused(RegionId region, std::vector<UnusedValue>& out) const;
+  void find_fixed(std::vector<FixedCondition>& out) const;
+  std::span<const Assignment> assignments(RegionId region, ParameterKey key) const;
+
   const Program& program_;
   Limits limits_;
   bool too_large_;
-  mutable std::shared_ptr<const Structure> structure_;
-  mutable Grouped statements_;                ///< by region
-  mutable std::optional<AccessTable> table_;  ///< in the order of `statements_`
-  mutable std::vector<Sub> subs_;
-  mutable std::optional<std::vector<UnusedValue>> unused_;
-  mutable std::optional<std::vector<FixedCondition>> fixed_;
-  mutable std::optional<std::vector<Shown>> shown_;
+  std::shared_ptr<const Structure> structure_;  ///< null: not known before
+  Lazy<Structure> own_structure_;
+  Lazy<Lines> lines_;
+  Lazy<std::vector<UnusedValue>> unused_;
+  Lazy<std::vector<FixedCondition>> fixed_;
+  Lazy<std::vector<Shown>> shown_;
 };
 
 }  // namespace owlint::flow

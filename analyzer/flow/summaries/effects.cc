@@ -13,8 +13,7 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
   if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) effects.jumps = true;
   if (s.is(Keyword::kIf)) effects.tests = true;
   if (s.motion != kLeavesMotion) effects.globals.insert(kMotionKey);
-  for (uint32_t i = 0; i < s.item_count; ++i) {
-    const Item& item = program.syntax.items[s.first + i];
+  for (const Item& item : program.syntax.items_of(s)) {
     if (item.target_name != kNoName) {
       if (is_global_name(program.name(item.target_name))) effects.globals.insert(kGlobalNames + item.target_name);
       continue;

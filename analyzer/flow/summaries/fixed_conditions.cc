@@ -15,9 +15,9 @@ using Ranges = std::vector<Range>;
 /// Ranges of the parameters that a sub compares, line by line until nothing changes.
 class Solver {
  public:
-  Solver(const Program& program, const ControlFlow& flow, const Settings& settings, const Limits& limits)
+  Solver(const Program& program, const ControlFlow& flow, const Presets& presets, const Limits& limits)
       : program_(program), exprs_(program.syntax.exprs), flow_(flow), limits_(limits) {
-    find_compared(settings);
+    find_compared(presets);
   }
 
   bool solve() {
@@ -50,12 +50,12 @@ class Solver {
     return (key & ~kGlobalKey) >= kFirstVolatileNumber ? kComputedKey : key;
   }
 
-  void find_compared(const Settings& settings) {
+  void find_compared(const Presets& presets) {
     std::vector<double> numbers;
     for (const auto& node : flow_.nodes()) {
-      if (node.tests) collect(program_.syntax.values[program_.at(node.statement).first], numbers);
+      if (node.tests) collect(program_.syntax.values_of(program_.at(node.statement)).front(), numbers);
     }
-    std::erase_if(keys_, [&](ParameterKey key) { return key == kComputedKey || settings.has(key); });
+    std::erase_if(keys_, [&](ParameterKey key) { return key == kComputedKey || presets.has(key); });
     std::ranges::sort(keys_);
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     thresholds_ = Thresholds(std::move(numbers), limits_.thresholds);
@@ -65,8 +65,7 @@ class Solver {
   void collect(ExprId condition, std::vector<double>& numbers) {
     const Expr& expr = exprs_[condition];
     if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
-      collect(expr.left(), numbers);
-      collect(expr.right(), numbers);
+      for_each_operand(expr, [&](ExprId operand) { collect(operand, numbers); });
     } else if (is_comparison(expr.op)) {
       for (const auto& [side, other] : {std::pair(expr.left(), expr.right()), std::pair(expr.right(), expr.left())}) {
         double number = 0;
@@ -107,8 +106,7 @@ class Solver {
   void execute(const Statement& s, Ranges& ranges) const {
     if (s.is(Keyword::kCall)) return forget(ranges, true);
     const Ranges before = s.item_count > 1 ? ranges : Ranges();
-    for (uint32_t i = 0; i < s.item_count; ++i) {
-      const Item& item = program_.syntax.items[s.first + i];
+    for (const Item& item : program_.syntax.items_of(s)) {
       if (!assigns(item)) continue;
       const ParameterKey key = key_of_target(program_.syntax, item);
       if (key == kComputedKey) {
@@ -174,7 +172,7 @@ class Solver {
       }
       for (const bool truth : {true, false}) {
         branch_ = now_;
-        if (branch(program_.syntax.values[s.first], truth, branch_))
+        if (branch(program_.syntax.values_of(s).front(), truth, branch_))
           arrive(id, node.next[truth ? 0 : 1], branch_, widen);
       }
     }
@@ -206,7 +204,7 @@ bool same(const ExprPool& exprs, ExprId a, ExprId b) {
 StatementId earlier_branch(const Program& program, StatementId id, const Limits& limits) {
   if (!program.at(id).is(Keyword::kElseif)) return kNoStatement;
   const BlockId block = program.block_of[id];
-  const auto condition = [&](StatementId at) { return program.syntax.values[program.at(at).first]; };
+  const auto condition = [&](StatementId at) { return program.syntax.values_of(program.at(at)).front(); };
   const auto fits = [&](StatementId at) {
     return program.at(at).value_count > 0 && same(program.syntax.exprs, condition(at), condition(id));
   };
@@ -221,7 +219,7 @@ StatementId earlier_branch(const Program& program, StatementId id, const Limits&
 
 }  // namespace
 
-Settings::Settings(const Program& program) {
+Presets::Presets(const Program& program) {
   std::vector<std::pair<ParameterKey, bool>> assigned;  // and whether to a number
   for (const Item& item : program.syntax.items) {
     if (!assigns(item)) continue;
@@ -238,17 +236,17 @@ Settings::Settings(const Program& program) {
   }
 }
 
-bool Settings::has(ParameterKey key) const { return std::ranges::binary_search(keys_, key); }
+bool Presets::has(ParameterKey key) const { return std::ranges::binary_search(keys_, key); }
 
-void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings,
+void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Presets& presets,
                            const Limits& limits, std::vector<FixedCondition>& out) {
-  Solver solver(program, flow, settings, limits);
+  Solver solver(program, flow, presets, limits);
   const bool solved = solver.solve();
   for (NodeId id = 0; id < flow.nodes().size(); ++id) {
     const auto& node = flow.nodes()[id];
     if (!node.tests) continue;
     const Statement& s = program.at(node.statement);
-    const ExprId condition = program.syntax.values[s.first];
+    const ExprId condition = program.syntax.values_of(s).front();
     if (const StatementId earlier = earlier_branch(program, node.statement, limits); earlier != kNoStatement) {
       out.push_back({node.statement, false, earlier});
       continue;

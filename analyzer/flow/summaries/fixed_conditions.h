@@ -17,9 +17,9 @@ struct FixedCondition {
 
 /// Parameters that the program sets once, to a written number. The user may change that number by hand, so nothing is
 /// concluded from it.
-class Settings {
+class Presets {
  public:
-  explicit Settings(const Program& program);
+  explicit Presets(const Program& program);
   bool has(ParameterKey key) const;
 
  private:
@@ -27,7 +27,7 @@ class Settings {
 };
 
 /// Adds the conditions of one sub, or of the main program.
-void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Settings& settings,
+void find_fixed_conditions(const Program& program, const ControlFlow& flow, const Presets& presets,
                            const Limits& limits, std::vector<FixedCondition>& out);
 
 }  // namespace owlint::flow

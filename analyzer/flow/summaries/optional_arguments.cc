@@ -14,9 +14,8 @@ OptionalArguments::OptionalArguments(const Program& program)
     const Statement& s = program.at(id);
     const RegionId region = program.region_of[id];
     const bool condition = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
-    for (uint32_t i = 0; i < s.value_count; ++i) note(region, syntax.values[s.first + i], condition);
-    for (uint32_t i = 0; i < s.item_count; ++i) {
-      const Item& item = syntax.items[s.first + i];
+    for (const ExprId value : syntax.values_of(s)) note(region, value, condition);
+    for (const Item& item : syntax.items_of(s)) {
       note(region, item.value, false);
       if (item.target != kNoExpr) note(region, item.target, false);
     }
@@ -38,18 +37,15 @@ void OptionalArguments::note(RegionId region, ExprId value, bool condition) {
     if (literal_value(program_.syntax.exprs, expr.left(), &number) && number > 0 && number < kFirstGlobalNumber)
       tested_numbers_.insert(key(region, static_cast<uint32_t>(number)));
   }
-  if (expr.left() != kNoExpr) note(region, expr.left(), condition);
-  if (expr.right() != kNoExpr) note(region, expr.right(), condition);
+  for_each_operand(expr, [&](ExprId operand) { note(region, operand, condition); });
 }
 
 bool OptionalArguments::reads(ExprId value, uint32_t number) const {
   const Expr& expr = program_.syntax.exprs[value];
   double index = 0;
-  if (expr.op == Operator::kNumber || expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return false;
   if (expr.op == Operator::kParameter && literal_value(program_.syntax.exprs, expr.left(), &index))
     return index == number;
-  return (expr.left() != kNoExpr && reads(expr.left(), number)) ||
-      (expr.right() != kNoExpr && reads(expr.right(), number));
+  return any_operand(expr, [&](ExprId operand) { return reads(operand, number); });
 }
 
 /// Whether all that a line does with #number is to copy it into a name that a condition tests, or that its sub never reads.
@@ -58,8 +54,7 @@ bool OptionalArguments::copies(StatementId line, uint32_t number) const {
   if (s.kind != LineKind::kWords) return false;
   const RegionId region = program_.region_of[line];
   bool copied = false;
-  for (uint32_t i = 0; i < s.item_count; ++i) {
-    const Item& item = program_.syntax.items[s.first + i];
+  for (const Item& item : program_.syntax.items_of(s)) {
     if (!reads(item.value, number)) continue;
     if (item.target_name == kNoName || program_.syntax.exprs[item.value].op != Operator::kParameter) return false;
     const bool global = is_global_name(program_.name(item.target_name));

@@ -1,6 +1,8 @@
-// The way into the flow room: analyses a program and hands out the results, file by file.
+#include "analyzer/flow/verdicts/analyze.h"
+
 #include "analyzer/flow/engine/iteration.h"
 #include "analyzer/flow/engine/known_calls.h"
+#include "analyzer/flow/engine/reachability.h"
 #include "analyzer/flow/verdicts/verdicts.h"
 
 namespace owlint {
@@ -17,7 +19,7 @@ std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
   for (size_t i = 0; i < files.size(); ++i) {
     const LinkedFile& file = files[i];
     out[i].first = file.first;
-    out[i].trace = result.trace;
+    out[i].reachability = result.reachability;
     out[i].ends = result.ends;
     out[i].executed.assign(result.executed.begin() + file.first, result.executed.begin() + file.last);
   }
@@ -57,7 +59,7 @@ std::vector<FlowResult> by_file(const Linked& linked, FlowResult result) {
 
 }  // namespace
 
-Reach FlowResult::reach(StatementId statement) const { return trace->reach(first + statement); }
+Reach FlowResult::reach(StatementId statement) const { return reachability->reach(first + statement); }
 
 std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Detail detail, flow::KnownCalls* known,
                                      const flow::Limits& limits) {
@@ -76,7 +78,7 @@ std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Det
 }
 
 bool remember(const FlowResult& result, flow::KnownCalls& known) {
-  if (result.trace->missed()) {
+  if (result.reachability->missed()) {
     known.clear();
     return false;
   }
@@ -84,7 +86,7 @@ bool remember(const FlowResult& result, flow::KnownCalls& known) {
   for (flow::LearnedCall& call : *result.learned) {
     // A call with a finding must be followed the next time, too.
     const auto end = call.opener + static_cast<StatementId>(call.outcome.lines.size());
-    if (!result.trace->asked(call.opener + 1, end)) known.learn(std::move(call));
+    if (!result.reachability->asked(call.opener + 1, end)) known.learn(std::move(call));
   }
   return true;
 }

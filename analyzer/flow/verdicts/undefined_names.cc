@@ -17,9 +17,8 @@ bool assigned_in_most_cases(const Program& program, const FlowStop& stop) {
   std::vector<StatementId> assigned;
   for (StatementId id = 0; id < stop.statement; ++id) {
     const Statement& s = program.at(id);
-    const auto assigns = [&](uint32_t i) { return program.syntax.items[s.first + i].target_name == name; };
-    for (uint32_t i = 0; i < s.item_count; ++i) {
-      if (assigns(i) && program.region_of[id] == region) assigned.push_back(id);
+    for (const Item& item : program.syntax.items_of(s)) {
+      if (item.target_name == name && program.region_of[id] == region) assigned.push_back(id);
     }
   }
   size_t ifs = 0;
@@ -41,7 +40,7 @@ bool followed(const Program& program, const Refinement& refinement, const std::v
     const Statement& s = program.at(decision.statement);
     if (s.value_count == 0 || s.is(Keyword::kRepeat)) continue;
     std::vector<ParameterKey> reads;
-    const bool is_exact = refinement.followed(program.syntax.values[s.first], reads);
+    const bool is_exact = refinement.followed(program.syntax.values_of(s).front(), reads);
     for (const ParameterKey key : reads) {
       const auto shares = [&](const std::vector<ParameterKey>& other) {
         return key == kComputedKey || std::ranges::count(other, key) + std::ranges::count(other, kComputedKey) > 0;

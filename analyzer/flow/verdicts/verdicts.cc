@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "analyzer/flow/engine/reachability.h"
 #include "analyzer/flow/summaries/optional_arguments.h"
 #include "analyzer/flow/verdicts/endless_loops.h"
 #include "analyzer/flow/verdicts/ends_in_subs.h"
@@ -212,17 +213,17 @@ FlowResult Verdicts::finish() {
   find_ends_in_subs(analysis_, hazards_);
   find_arguments_not_passed();
   find_endless_recursions();
+  result.reachability = std::make_shared<Reachability>(analysis_.trace(), analysis_.limits());
   size_t paths = 0;
   for (auto& [key, found] : stops_) result.stops.push_back(finished(found, &paths));
   for (auto& [key, hazard] : hazards_) {
-    hazard.reach = trace_.reach(hazard.statement);
+    hazard.reach = result.reachability->reach(hazard.statement);
     const bool doubtful = hazard.kind == HazardKind::kHang
         ? trace_.ends()
         : hazard.kind == HazardKind::kCrash && may_go_round_ && hazard.reach == Reach::kAlways;
     if (doubtful) hazard.reach = Reach::kMaybe;
     result.hazards.push_back(std::move(hazard));
   }
-  result.trace = analysis_.trace();
   result.executed = trace_.executed();
   result.ends = ends_;
   result.statistics = analysis_.statistics();

@@ -1,4 +1,4 @@
-#include "analyzer/lsp/parameters.h"
+#include "analyzer/lsp/parameter_uses.h"
 
 #include <algorithm>
 #include <charconv>

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 
-#include "analyzer/flow/flow.h"
+#include "analyzer/flow/verdicts/analyze.h"
 #include "analyzer/text/memory_files.h"
 #include "support/analysis.h"
 #include "support/damage.h"

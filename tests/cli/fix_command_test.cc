@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 #include "analyzer/text/replace.h"
 #include "support/damage.h"
 #include "support/files.h"

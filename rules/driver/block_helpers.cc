@@ -1,4 +1,4 @@
-#include "rules/driver/blocks.h"
+#include "rules/driver/block_helpers.h"
 
 #include <algorithm>
 #include <optional>
@@ -68,7 +68,7 @@ bool divided_by_machine(const Program& program, StatementId a, StatementId b) {
   const auto decided = [&](StatementId id) {
     const Statement& s = program.at(id);
     return s.is(Keyword::kElse) ||
-        (s.value_count > 0 && decided_by_machine(program.syntax, program.syntax.values[s.first]));
+        (s.value_count > 0 && decided_by_machine(program.syntax, program.syntax.values_of(s).front()));
   };
   return decided(program.blocks[block].opener) && std::ranges::all_of(program.parts[block], decided);
 }

@@ -1,4 +1,4 @@
-#include "analyzer/findings/fixing.h"
+#include "analyzer/findings/edits.h"
 
 #include <algorithm>
 #include <map>

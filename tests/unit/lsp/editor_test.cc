@@ -6,7 +6,7 @@
 #include "analyzer/format/indent.h"
 #include "analyzer/lsp/document.h"
 #include "analyzer/lsp/lexer.h"
-#include "analyzer/lsp/parameters.h"
+#include "analyzer/lsp/parameter_uses.h"
 #include "support/corpus.h"
 #include "support/files.h"
 #include "support/fixture.h"

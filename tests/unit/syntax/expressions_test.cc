@@ -40,7 +40,7 @@ std::string outcome(const std::string& expression) {
 }  // namespace
 
 TEST_CASE("expressions give what LinuxCNC gives", "[expressions]") {
-  const std::string table = test::read_file(test::repository("tests/unit/expressions.tsv"));
+  const std::string table = test::read_file(test::repository("tests/unit/syntax/expressions.tsv"));
   size_t rows = 0;
   for (size_t at = 0; at < table.size();) {
     const size_t feed = table.find('\n', at);

@@ -7,6 +7,7 @@
 #include "analyzer/report/markdown.h"
 #include "analyzer/report/snippet.h"
 #include "analyzer/text/width.h"
+#include "rules/driver/lint.h"
 #include "support/files.h"
 #include "support/process.h"
 

@@ -1,4 +1,4 @@
-#include "rules/driver/parameters.h"
+#include "rules/driver/parameter_helpers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ std::string returning_sub(const Elsewhere& line, std::string_view otherwise) {
 
 Span item_span(const Program& program, StatementId statement, uint32_t item) {
   const Statement& s = program.at(statement);
-  const Item& place = program.syntax.items[s.first + item];
+  const Item& place = program.syntax.items_of(s)[item];
   return place.from < place.to ? s.span(place.from, place.to) : s.whole();
 }
 
@@ -122,11 +122,11 @@ bool computes_fraction(const Program& p, ExprId id) {
     case Operator::kPlus:
     case Operator::kMinus:
     case Operator::kTimes:
-      if (fraction(expr.left()) || fraction(expr.right())) return true;
+      if (any_operand(expr, fraction)) return true;
       break;
     default: break;
   }
-  return computes_fraction(p, expr.left()) || (expr.right() != kNoExpr && computes_fraction(p, expr.right()));
+  return any_operand(expr, [&](ExprId operand) { return computes_fraction(p, operand); });
 }
 
 }  // namespace owlint::rules

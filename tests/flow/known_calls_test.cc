@@ -7,6 +7,7 @@
 
 #include "analyzer/flow/engine/known_calls.h"
 #include "analyzer/report/report.h"
+#include "rules/driver/lint.h"
 #include "support/damage.h"
 
 using namespace owlint;
@@ -18,7 +19,7 @@ std::string report(const std::string& text, flow::KnownCalls* known, uint64_t* r
   options.extend_select = {"OW"};
   options.known_calls = known;
   const FileReport file = lint(Source::own("known.ngc", text), {}, options);
-  if (recalled != nullptr) *recalled += file.statistics.recalled;
+  if (recalled != nullptr) *recalled += file.effort.recalled;
   std::ostringstream out;
   write_json(out, {file});
   return out.str();

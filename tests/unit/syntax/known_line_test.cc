@@ -9,7 +9,7 @@
 using namespace owlint;
 
 TEST_CASE("lines that surely run are told from doubtful ones", "[syntax]") {
-  std::istringstream table(test::read_file(test::repository("tests/unit/known_lines.tsv")));
+  std::istringstream table(test::read_file(test::repository("tests/unit/syntax/known_lines.tsv")));
   size_t asked = 0;
   for (std::string row; std::getline(table, row);) {
     if (row.starts_with("#")) continue;

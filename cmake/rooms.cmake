@@ -1,0 +1,65 @@
+# One library for each room: docs/architecture.md has the table of rooms, and what a room may use is what its library links.
+# tests/toolchain/layers.py compares the same table with every include.
+set(ROOMS_DOCUMENT ${PROJECT_SOURCE_DIR}/docs/architecture.md)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ROOMS_DOCUMENT})
+file(STRINGS ${ROOMS_DOCUMENT} ROOM_ROWS ENCODING UTF-8 REGEX "^\\| `[a-z_/]+/` \\|.*\\|$")
+
+# analyzer/flow/domain -> owlint_flow_domain
+function(room_library folder out)
+  string(REGEX REPLACE "^analyzer/" "" name ${folder})
+  string(REPLACE / _ name ${name})
+  set(${out} owlint_${name} PARENT_SCOPE)
+endfunction()
+
+# add_room(FOLDER TYPE USED...): a room of the sources in FOLDER, and in the folders of groups of rules.
+function(add_room folder type)
+  room_library(${folder} room)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cc ${PROJECT_SOURCE_DIR}/${folder}/ow*/*.cc)
+  set(scope PUBLIC)
+  if(sources)
+    add_library(${room} ${type} ${sources})
+  else()
+    add_library(${room} INTERFACE)  # headers alone
+    set(scope INTERFACE)
+  endif()
+  foreach(used IN LISTS ARGN)
+    room_library(${used} library)
+    if(NOT TARGET ${library})
+      message(FATAL_ERROR "docs/architecture.md: ${folder}/ uses ${used}/, which is no room before it")
+    endif()
+    target_link_libraries(${room} ${scope} ${library})
+  endforeach()
+endfunction()
+
+# All of them, in the order of the table: from the bottom up. ROOMS lists their libraries.
+set(ROOMS "")
+foreach(ROOM_ROW IN LISTS ROOM_ROWS)
+  string(REGEX MATCH "^\\| `([a-z_/]+)/` \\|.*\\|([^|]*)\\|$" ROOM_CELLS "${ROOM_ROW}")
+  set(ROOM_FOLDER ${CMAKE_MATCH_1})
+  string(REGEX MATCHALL "`[a-z_/]+/`" ROOM_USES "${CMAKE_MATCH_2}")
+  list(TRANSFORM ROOM_USES REPLACE "`([a-z_/]+)/`" "\\1")
+  set(ROOM_TYPE STATIC)
+  if(ROOM_FOLDER STREQUAL analyzer/cli)
+    set(ROOM_TYPE OBJECT)  # it has `main`, which nothing asks for
+  endif()
+  add_room(${ROOM_FOLDER} ${ROOM_TYPE} ${ROOM_USES})
+  room_library(${ROOM_FOLDER} ROOM)
+  list(APPEND ROOMS ${ROOM})
+endforeach()
+
+# rooms_below(OUT ROOM): this library and those of all rooms that it links, each once.
+function(rooms_below out room)
+  set(found ${room})
+  set(waiting ${room})
+  while(waiting)
+    list(POP_FRONT waiting next)
+    get_target_property(linked ${next} INTERFACE_LINK_LIBRARIES)
+    foreach(library IN LISTS linked)
+      if(library IN_LIST ROOMS AND NOT library IN_LIST found)
+        list(APPEND found ${library})
+        list(APPEND waiting ${library})
+      endif()
+    endforeach()
+  endwhile()
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
