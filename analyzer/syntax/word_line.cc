@@ -80,8 +80,14 @@ const RemappedCode* WordLine::remapped(char letter, int32_t number) const {
 std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {
   const GCode* code = g_code(tenths, machine_->release);
   // A built-in code stays what it is when an INI remaps it.
-  if (code == nullptr && remapped('g', tenths) == nullptr)
-    return Fault{WordFault::kCodeUnknown, "Unknown g code used", at, kNoWord, true};
+  if (code == nullptr && remapped('g', tenths) == nullptr) {
+    Place<GCode>& motion = g_[static_cast<size_t>(GGroup::kMotion)];
+    if (machine_->unsure && motion.word == kNoWord) {
+      motion.word = at;
+      code_ = Motion::kRemapped;
+    }
+    return Fault{WordFault::kCodeUnknown, "Unknown g code used", at, kNoWord, !machine_->unsure};
+  }
   const GGroup group = code == nullptr ? GGroup::kMotion : code->group;
   Place<GCode>& place = g_[static_cast<size_t>(group)];
   if (place.word != kNoWord) {
@@ -104,8 +110,10 @@ std::optional<Fault> WordLine::add_m(int32_t number, uint8_t at) {
   if (machines == nullptr && (code == nullptr || code->group == MGroup::kCall)) {
     const bool beyond = number >= kMCodesEnd;
     const char* const message = beyond ? "M-code greater than 199: M" : "Unknown m code used: M";
-    return Fault{WordFault::kCodeUnknown, message + std::to_string(number), at, kNoWord,
-                 !(machine_->unsure && beyond && number < kRemappedEnd)};
+    // A code that an INI may define passes all checks of the other words.
+    const bool maybe = machine_->unsure && number < kRemappedEnd && (code == nullptr || code->group != MGroup::kCall);
+    remapped_m_ = remapped_m_ || maybe;
+    return Fault{WordFault::kCodeUnknown, message + std::to_string(number), at, kNoWord, !maybe};
   }
   Place<MCode>& place = m_[static_cast<size_t>(machines != nullptr ? machines->group : code->group)];
   if (place.word != kNoWord)

@@ -61,8 +61,8 @@ void check(const Input& in, Reporter& out) {
     relate(f, p, p.regions[region].opener, "the called sub begins here");
     f.reach = h.reach;
     f.runs_other = true;
-    f.unproven = h.unproven;
     f.uncertain = !sub && in_block(p, h.statement);  // it is meant as a `return`, as it seems
+    f.unproven = h.unproven || f.uncertain;
   }
 }
 

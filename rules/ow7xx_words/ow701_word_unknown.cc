@@ -15,15 +15,16 @@ void text_outside_comment(const Input& in, const FlowStop& stop, const std::stri
   explain_idiom(in, stop.statement, f);
 }
 
-void missing_axis(const Input& in, char letter, const std::string& word, Finding& f) {
+void missing_axis(const Input& in, const FlowStop& stop, char letter, const std::string& word, Finding& f) {
   const std::string axis = capital(letter);
+  f.group = "axis " + axis;  // a program for such a machine has it on every line
   if (in.profile.setup == nullptr) {
     f.message = "`" + word + "` is a word of the " + axis + " axis, which most machines do not have";
     f.help = "name the machine's INI (`--ini`), so that owlint knows its axes";
     f.unproven = true;
-    f.group = axis;  // a program for such a machine has it on every line
     return;
   }
+  f.unproven = stop.reach != Reach::kAlways;  // a macro for several machines asks which axes there are
   const Ini::Entry* axes = in.profile.setup->ini.find("TRAJ", "COORDINATES");
   f.message = "`" + word + "` is a word of the " + axis + " axis, which this machine does not have";
   f.help = "its axes are " + (axes == nullptr || axes->value.empty() ? std::string("X Y Z") : axes->value) +
@@ -37,7 +38,7 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, "");
     if (stop.kind == StopKind::kWordUnknown) {
       const char letter = at.letter != 0 ? at.letter : small_letters(at.word.substr(0, 1))[0];
-      missing_axis(in, letter, at.word, f);
+      missing_axis(in, stop, letter, at.word, f);
     } else {
       text_outside_comment(in, stop, std::string(in.program.source->slice(at.span)), f);
     }

@@ -30,19 +30,27 @@ int number_of(const WordStop& at, std::string_view interpreter) {
 }
 
 /// M100 to M199: a program of the machine.
-void user_code(const Input& in, const std::string& name, Finding& f) {
+void user_code(const Input& in, int number, Finding& f) {
+  const std::string name = m_name(number);
+  f.group = "code " + name;
+  f.habit_severity = Severity::kInfo;
   if (in.profile.setup == nullptr) {
     f.message =
         fmt::format("`{0}` runs a program of the machine named `{0}`; owlint was not told of the machine", name);
     f.help = "name the machine's INI (`--ini`), so that owlint can look for it";
     f.unproven = true;
-    f.group = name;
     return;
   }
   std::string folders;
   for (const IniFolder& folder : in.profile.setup->folders) {
     if (folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH")
       folders += (folders.empty() ? "`" : ", `") + folder.text + "`";
+  }
+  if (in.profile.setup->user_code(number) == UserCode::kUnknown) {
+    f.message = fmt::format("`{0}` runs a program of the machine named `{0}`; the folders for it are not here", name);
+    f.help = "check on the machine that " + folders + " has it";
+    f.unproven = f.uncertain = true;
+    return;
   }
   f.message = fmt::format("`{0}` runs a program of the machine named `{0}`, and this machine has none", name);
   f.help = folders.empty()
@@ -59,6 +67,7 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   if (!at.value && number >= 0) f.message = "`" + at.word + "` is " + name + ", which is not a code of LinuxCNC";
   if (!advice.what.empty()) f.message = "`" + written + "` is " + advice.what + "; LinuxCNC does not have it";
   f.help = advice.help.empty() ? "write the code that is meant, or remove it" : advice.help;
+  f.group = "code " + name;
   if (!m || number <= kUserLast) return;
   f.message += in.profile.setup == nullptr ? ", unless the machine's INI remaps it" : ", and the INI does not remap it";
   f.help = number > kRemappedLast ? "M codes end at M199, remapped ones at M999"
@@ -66,7 +75,6 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
       ? "name the machine's INI (`--ini`), so that owlint knows its codes"
       : fmt::format("define it with `REMAP = {} modalgroup=10 ngc=name` in `[RS274NGC]`", name);
   f.unproven = in.profile.setup == nullptr && number <= kRemappedLast;
-  if (f.unproven) f.group = name;
 }
 
 void check(const Input& in, Reporter& out) {
@@ -77,7 +85,7 @@ void check(const Input& in, Reporter& out) {
     const int number = number_of(at, stop.interpreter);
     const bool m = f.interpreter.find("m code") != std::string::npos;
     if (m && number >= kUserFirst && number <= kUserLast) {
-      user_code(in, m_name(number), f);
+      user_code(in, number, f);
     } else {
       unknown(in, at, number, f);
     }

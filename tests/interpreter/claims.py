@@ -35,8 +35,8 @@ class Claims:
         self.endless = [f for f in met if f["code"] in ENDLESS]
         self.foreign = any(f["code"] == "OW319" for f in met)  # for another controller: it stops, and nobody is told where
         self.always = [f for f in self.stops + self.crashes if f["reach"] == "always" and f["severity"] == "error"]
-        # What contradicts a run to the end, also where it stops only once another mistake is gone.
-        self.errors = [f for f in met if f["reach"] == "always" and f["severity"] == "error"]
+        # Errors of reading contradict a run to the end even where they stop only once another mistake is gone.
+        self.errors = [f for f in met if f["reach"] == "always" and f["severity"] == "error" and f["code"].startswith(("OW3", "OW7"))]
 
     @property
     def quoted(self):

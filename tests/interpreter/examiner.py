@@ -58,7 +58,7 @@ class Examiner:
         results, todo = [None] * len(programs), dict(enumerate(programs))
         for _ in range(self.rounds):
             numbers = list(todo)
-            for number, result in zip(numbers, self._round([todo[number] for number in numbers])):
+            for number, result in zip(numbers, self.once([todo[number] for number in numbers])):
                 results[number] = result
                 known = result.verdict in NOT_FOLLOWED or self.past_found and result.verdict is None and result.outcome.kind == "error"
                 further = without_stop(result) if known else None
@@ -70,13 +70,12 @@ class Examiner:
                 break
         return results
 
-    def _round(self, programs):
-        results = []
+    def once(self, programs):
+        """One Result after another; what has not been asked for is not run."""
         for number, (program, one) in enumerate(zip(programs, self.check(programs))):
             self.counts["fixed"] += one.fixed
-            results.append(self._worst([self._judge_run(number, program, one, on) for on in settings("\n".join(one.texts.values()))]))
+            yield self._worst([self._judge_run(number, program, one, on) for on in settings("\n".join(one.texts.values()))])
             shutil.rmtree(self._own(number))
-        return results
 
     def _judge_run(self, number, program, checked, block_delete):
         outcome = rs274.run(os.path.join(self._own(number), bundle.MAIN), program.mode, block_delete)
@@ -96,6 +95,7 @@ class Examiner:
         """-> [Checked]: what is said of each program, after the fixes; those with equal options in one run"""
         groups, checked = {}, [None] * len(programs)
         for number, program in enumerate(programs):
+            shutil.rmtree(self._own(number), ignore_errors=True)
             bundle.write(self._own(number), files_of(program))
             options = re.sub(r"--linuxcnc \S+|--(extend-)?select \S+", "", program.options).split()
             groups.setdefault((tuple(options), "--ini" in options and number), []).append(number)
@@ -162,7 +162,7 @@ class Shrinker:
     def first(self, programs, key):
         """The first of these programs that shows it: its Result or None."""
         for at in range(0, len(programs), AT_ONCE):
-            for result in self.examiner.examine(programs[at:at + AT_ONCE]):
+            for result in self.examiner.once(programs[at:at + AT_ONCE]):
                 if isinstance(result.verdict, Disagreement) and result.verdict.key == key:
                     return result
         return None
@@ -172,7 +172,9 @@ class Shrinker:
         best = self.first([program], key)
         newline = "\r\n" if "\r\n" in program.text else "\n"
         best = best and self._shorter(best, key, newline, lambda part: part.startswith("; file:"))
-        return best and self._shorter(best, key, " ", lambda part: "\n" in part)
+        if best and not bundle.is_bundle(best.program.text):
+            best = self._shorter(best, key, " ", lambda part: "\n" in part)
+        return best
 
     def _shorter(self, best, key, separator, stays):
         size = max(1, best.program.text.count(separator) // 2)

@@ -6,6 +6,8 @@ import subprocess
 
 import bundle
 
+MACHINE = "[TRAJ]\nCOORDINATES = X Y Z A B C\n"    # the axes of rs274 as it stands
+
 
 class LinterFailed(Exception):
     """owlint did not give a report."""
@@ -18,7 +20,7 @@ class Linter:
         self.command = [os.path.abspath(program), "check", "--isolated", "--format", "json", *arguments]
         if machine:
             with open(machine, "w", encoding="ascii") as f:
-                f.write("[RS274NGC]\n")
+                f.write(MACHINE)
             self.command += ["--ini", machine]
         if warnonly:
             self.command += ["--feature", "0x20"]
@@ -58,7 +60,7 @@ class Linter:
         for name, files in parts.items():
             bundle.write(os.path.join(folder, name), files)
             with open(os.path.join(folder, name, "machine.ini"), "w", encoding="ascii") as f:
-                f.write("[RS274NGC]\nSUBROUTINE_PATH = subs\n")
+                f.write(MACHINE + "[RS274NGC]\nSUBROUTINE_PATH = subs\n")
         at = self.command.index("--ini") if "--ini" in self.command else len(self.command)
         command = self.command[:at] + self.command[at + 2:]     # each has its own INI instead
         report = self._run(command + [os.path.join(name, bundle.MAIN) for name in programs], folder)

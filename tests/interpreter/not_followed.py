@@ -106,17 +106,17 @@ _MESSAGES = {
 }
 _PATTERNS = {kind: re.compile("|".join("(?:%s)" % row.lstrip() for row in rows.split("\n") if row.strip()))
              for kind, rows in _MESSAGES.items()}
+# Errors of the words by a mode; that of G53 also by a G91 on the line itself.
+OF_WORDS_AND_MODES = ("Cannot use g53 incremental", "Cannot use polar coordinate except in G17 plane",
+                      "Cannot read current position with cutter radius compensation on")
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 
 
 def not_followed(message, text):
     """MODES, GEOMETRY or MACHINE for the message of a stop at the line `text`; None for one that owlint has to predict."""
     code = re.sub(r"\s", "", _COMMENT.sub("", text)).lower()
-    # These two are errors of the words when what they contradict is on the line itself.
-    if message == "Cannot use g53 incremental":
-        return None if re.search(r"g0*91(?![.\d])", code) else MODES
-    if message == "Cannot use polar coordinate except in G17 plane":
-        return MODES
+    if message in OF_WORDS_AND_MODES:
+        return None if "g53" in message and re.search(r"g0*91(?![.\d])", code) else MODES
     for kind, pattern in _PATTERNS.items():
         if pattern.match(message):
             return kind

@@ -9,7 +9,7 @@ import bundle
 import rs274
 from claims import Claims, said_by
 from messages import EOF, codes_of, same_words
-from not_followed import GEOMETRY, general, in_a_contour, not_followed
+from not_followed import GEOMETRY, OF_WORDS_AND_MODES, general, in_a_contour, not_followed
 
 SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other words", "not always", "crash"
 UNKNOWABLE, ENDLESS = "unknowable", "endless"
@@ -50,9 +50,11 @@ def judge(outcome, checked, program, block_delete):
     mine = lambda findings: [f for f in findings if f["path"] == bundle.MAIN or "REMAP" not in program.text]
     claims.always, claims.errors = mine(claims.always), mine(claims.errors)
     if outcome.kind == "hang":
-        if claims.always:
-            return Disagreement(NOT_ALWAYS, "%s: it never ends" % claims.always[0]["code"])
-        return None if claims.endless else ENDLESS
+        if claims.endless:
+            return None
+        # A cycle that pecks too often is geometry.
+        pecks = any(re.search(r"(?i)g\s*[78]\s*3", _COMMENT.sub("", text)) for text in checked.texts.values())
+        return Disagreement(NOT_ALWAYS, "%s: it never ends" % claims.always[0]["code"]) if claims.always and not pecks else ENDLESS
     if outcome.kind == "crash":
         return None if claims.crashes else Disagreement(CRASH, outcome.message)
     if outcome.kind == "ok":
@@ -65,8 +67,7 @@ def judge(outcome, checked, program, block_delete):
         return Disagreement(NOT_ALWAYS, "%s: `%s`: it stops before: `%s`" % (wrong[0]["code"], wrong[0].get("interpreter", ""), outcome.message)) if wrong else None
     everything = "\n".join(checked.texts.values())
     kind = GEOMETRY if in_a_contour(outcome.message, outcome.text, everything) else not_followed(outcome.message, outcome.text)
-    # Before what is not followed, every error of the line's words comes; the search for a contour's sub comes behind.
-    other = [(f, claim) for f, claim in there if not kind or f in claims.always and f["code"] != "OW208"]
+    other = [(f, claim) for f, claim in there if not kind or f in claims.always and comes_before(f, outcome)]
     if not other and kind:
         return kind
     if is_unknowable(outcome, checked):
@@ -74,6 +75,15 @@ def judge(outcome, checked, program, block_delete):
     if other:
         return Disagreement(WORDS, "%s: `%s` is `%s`" % (other[0][1]["code"], other[0][1].get("interpreter", ""), outcome.message))
     return Disagreement(ELSEWHERE if claims.stops else SILENT, outcome.message)
+
+
+def comes_before(finding, outcome):
+    """Whether the interpreter would have reported this before a stop that is not followed, at the same line."""
+    # The mode is looked at before other errors of the line's words.
+    if outcome.message in OF_WORDS_AND_MODES:
+        return False
+    # The label of a contour is sought behind all that; and the file ends after its last line.
+    return not (finding["code"] in ("OW208", "OW306") and re.search(r"(?i)g\s*7\s*[0-2]", outcome.text)) and not rs274.AT_FILE_END.search(finding.get("interpreter", ""))
 
 
 def is_there(finding, claim, outcome, texts, mode):
@@ -116,7 +126,15 @@ def is_unknowable(outcome, checked):
     of_machine = "".join(re.findall(r"(?i)[oq]\s*[#[].*", outside)) if codes & {EOF, "OW208"} else ""
     of_machine += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), outside))
     main = checked.texts[bundle.MAIN]
-    before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", _COMMENT.sub("", main)))[0]
+    # What is set behind the line is not set when it is reached first.
+    before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", _COMMENT.sub("", until(main, outcome.text))))[0]
     own = 30 if re.search(r"(?i)o(<[^<>\n]*>|[\d.]+|\[.*?\])\s*sub\b", main) else 0     # the last number that is an argument
     numbers = [n for n in re.findall(r"#(\d+)", where) if int(n) > own] + re.findall(r"#(\d+)", of_machine)
     return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in numbers)
+
+
+def until(text, line):
+    """The text before a line, or all of it where that is not one line of it."""
+    lines = text.split("\n")
+    hits = [at for at, one in enumerate(lines) if one.strip() == line]
+    return "\n".join(lines[:hits[0]]) if len(hits) == 1 else text
