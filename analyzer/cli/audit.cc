@@ -86,6 +86,7 @@ Severity fail_on(const CommandLine& line) {
 
 std::vector<int64_t> ids_of(const std::vector<audit::StoredFinding>& findings) {
   std::vector<int64_t> ids;
+  ids.reserve(findings.size());
   for (const auto& f : findings) ids.push_back(f.id);
   return ids;
 }
@@ -193,7 +194,7 @@ class AuditRun {
     return failing > 0 ? kFindings : kClean;
   }
 
-  int tell_interrupted(const Outcome& outcome) {
+  int tell_interrupted(const Outcome& outcome) const {
     std::cerr << fmt::format("stopped: {} of this run are in the store; the next run goes on from there\n",
                              plural(outcome.analysed, "program"));
     if (line_.watch) return kClean;

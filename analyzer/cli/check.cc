@@ -122,7 +122,7 @@ class Check {
     return true;
   }
 
-  int print_diffs(const std::vector<FixedFile>& fixed) {
+  int print_diffs(const std::vector<FixedFile>& fixed) const {
     for (const FixedFile& file : fixed) std::cout << unified_diff(file.path, file.before->bytes(), file.text);
     std::cout.flush();
     return status_ != kClean ? status_ : fixed.empty() ? kClean : kFindings;

@@ -113,7 +113,7 @@ bool jumps_behind_keyword(const RefusedLine& line, Finding& f) {
 
 /// `sub [x]`, `else [#1 EQ 1]`, `endif [..]`, `do [..]`.
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || line.statement.has_bracket == false)
+  if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || !line.statement.has_bracket)
     return false;
   const std::string text = line.written(line.at, line.end);
   const std::string label = line.program.label_at(line.id);

@@ -94,10 +94,10 @@ bool reached(const Input& in, RegionId region) {
 }
 
 // Depth is bounded by the length of a line.
-bool computes_fraction(const Program& p, ExprId id) {
-  const Expr& expr = p.syntax.exprs[id];
+bool computes_fraction(const Program& program, ExprId value) {
+  const Expr& expr = program.syntax.exprs[value];
   const auto fraction = [&](ExprId operand) {
-    const Expr& number = p.syntax.exprs[operand];
+    const Expr& number = program.syntax.exprs[operand];
     return number.op == Operator::kNumber && number.value() != std::floor(number.value());
   };
   switch (expr.op) {
@@ -126,7 +126,7 @@ bool computes_fraction(const Program& p, ExprId id) {
       break;
     default: break;
   }
-  return any_operand(expr, [&](ExprId operand) { return computes_fraction(p, operand); });
+  return any_operand(expr, [&](ExprId operand) { return computes_fraction(program, operand); });
 }
 
 }  // namespace owlint::rules

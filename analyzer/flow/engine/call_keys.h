@@ -31,7 +31,7 @@ class CallKeys {
     std::string text;   ///< its text, and how the rest of the program uses its parameters
     Dependence dependence;
   };
-  void look_at(RegionId region, Sub& sub) const;
+  void look_at(RegionId number, Sub& sub) const;
   bool note_line(StatementId id, Dependence& out) const;
 
   const Linked& linked_;

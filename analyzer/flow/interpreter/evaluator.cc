@@ -217,7 +217,7 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, const Reading& h
   out.name = left.name;
   out.message = left.message;
   if (expr.op == Operator::kParameter) {
-    if (!values_.is_constant(left.value)) return out;
+    if (!KnownValues::is_constant(left.value)) return out;
     long number = 0;
     if (!to_integer(values_.value(left.value), &number)) {
       out.fails = StopKind::kParameterRange;
@@ -247,7 +247,7 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, const Reading& h
     }
     right_value = right.value;
   }
-  if (values_.is_constant(left.value) && values_.is_constant(right_value)) {
+  if (KnownValues::is_constant(left.value) && KnownValues::is_constant(right_value)) {
     double result = 0;
     const char* message = apply(expr.op, values_.value(left.value), values_.value(right_value), &result);
     if (message != nullptr) {
@@ -315,7 +315,7 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
       const Evaluation index = evaluate(item.target, reading, how);
       if (index.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? index : may;
       write.number = 0;
-      if (values_.is_constant(index.value)) {
+      if (KnownValues::is_constant(index.value)) {
         const Evaluation out = target(values_.value(index.value), &write.number);
         if (out.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? out : may;
       }
