@@ -235,6 +235,17 @@ CodeSet set_of(const MCode& code) { return {0, 0, uint64_t{1} << (&code - kMCode
 std::span<const LineCheck> line_checks(Release release) { return kChecks[static_cast<size_t>(release)]; }
 const CheckTriggers& check_triggers(Release release) { return kTriggers[static_cast<size_t>(release)]; }
 
+MotionSet all_modes() {
+  static const MotionSet modes = [] {
+    MotionSet set = set_of(Motion::kNone);
+    for (const GCode& code : g_codes()) {
+      if (code.group == GGroup::kMotion && code.leaves == GCode::kItself) set |= set_of(code.motion);
+    }
+    return set;
+  }();
+  return modes;
+}
+
 const char* refused_number(char letter, double value) {
   constexpr int32_t kTenthsEnd = 1000;
   const WordRow& row = *word_row(letter);

@@ -109,6 +109,9 @@ struct WordRow {
   std::string_view title;
 };
 
+/// The motions that can be in effect before a line: those that leave themselves, and none.
+MotionSet all_modes();
+
 /// Null if the release has no such code. M100 to M199 have one row.
 const GCode* g_code(int tenths, Release release);
 const MCode* m_code(int number);

@@ -238,7 +238,7 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   const auto end = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
   if (const auto fault = words_.add({letter, known, number, relative(from), end}); fault && !passes(s, *fault, from, in.cursor))
     return false;
-  if (out_.exprs[value].op != Operator::kNumber) {
+  if (!known) {
     Item item{.value = value, .from = relative(from), .letter = letter};
     item.to = end;
     out_.items.push_back(item);

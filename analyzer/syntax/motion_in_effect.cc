@@ -59,16 +59,18 @@ bool MotionInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
   effect_ = kLeavesMotion;
   const WordLine* words = parser_.words();
-  if (words == nullptr) {
-    if (keep) in_effect_ = kAnyMotion;  // runs may come here from elsewhere, or go elsewhere and come back
+  if (words == nullptr || statement.has_error()) {
+    // At O-words runs come from elsewhere, or go elsewhere and come back; behind a line that stops there is none.
+    const bool stops = statement.kind == LineKind::kWords && statement.has_error();
+    if (keep && !stops) in_effect_ = all_modes();
     return keep;
   }
   check(*words, statement);
   effect_ = effect_of(*words);
-  in_effect_ = words->after(in_effect_);
+  in_effect_ = words->after(in_effect_) & all_modes();
   if (statement.block_delete && effect_ != kLeavesMotion) {
     effect_ = kLeavesAny;
-    in_effect_ = kAnyMotion;
+    in_effect_ = all_modes();
     return true;
   }
   return keep || statement.has_error() || !faults_.empty();

@@ -135,6 +135,8 @@ class Checker {
   Finding& add(Span span, std::string message, std::string help) {
     Finding& f = out_.add(span, std::move(message));
     f.help = std::move(help);
+    f.group = "comment: " + f.help;  // what an author writes once, he writes often
+    f.habit_severity = Severity::kInfo;
     if (id_ != kNoStatement) f.reach = in_.flow.reach(id_);
     return f;
   }

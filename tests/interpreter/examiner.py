@@ -1,4 +1,4 @@
-"""Lints and runs programs, and takes each of them past the stops that owlint does not follow yet.  For slipped.py and words.py."""
+"""Lints and runs programs for slipped.py and words.py, and takes them past stops that owlint does not follow."""
 import glob
 import json
 import multiprocessing
@@ -14,11 +14,13 @@ import bundle
 import rs274
 from claims import settings
 from confirm import Program, read
+from linter import MACHINE as MACHINE_INI, by_path
 from not_followed import GEOMETRY, MACHINE, MODES, general
 from stops import COUNTED, ENDLESS, Checked, Disagreement, judge
 
 AT_ONCE = 25                # programs for one start of owlint
 SHOWN_PER_KEY = 2
+OWLINT_LIMIT_S = 120
 NOT_FOLLOWED = (MODES, GEOMETRY, MACHINE)
 TAKEN_OUT = ";"             # what stands in place of a line that stops for a reason that is not followed
 
@@ -41,17 +43,28 @@ class Task:
 
 @dataclass
 class Examiner:
-    """`fixing`: the safe fixes are made first.  `rounds`: so many lines that stop are taken out of a program, one after another;
-    also those that stop as owlint says, with `past_found`."""
+    """`fixing`: the safe fixes are made first.  `machine`: owlint is given an INI with the axes of rs274.
+
+    So many lines that stop are taken out of a program, one after another, as there are `rounds`: those that stop for what
+    is not followed; with `past_found` also those that stop as owlint says.
+    """
     owlint: str
     folder: str
     fixing: bool = False
     rounds: int = 1
     past_found: bool = False
+    machine: bool = False
     counts: Counter = field(default_factory=Counter)
+    failure: str = ""
 
     def __post_init__(self):
         self.folder = tempfile.mkdtemp(dir=self.folder)
+        self.options = ["--no-find-ini"]
+        if self.machine:
+            ini = os.path.join(self.folder, "machine.ini")
+            with open(ini, "w", encoding="ascii") as f:
+                f.write(MACHINE_INI)
+            self.options = ["--ini", ini]
 
     def examine(self, programs):
         """-> [Result]: the first disagreement of each program, or how it ended when all is as owlint says"""
@@ -60,8 +73,9 @@ class Examiner:
             numbers = list(todo)
             for number, result in zip(numbers, self.once([todo[number] for number in numbers])):
                 results[number] = result
-                known = result.verdict in NOT_FOLLOWED or self.past_found and result.verdict is None and result.outcome.kind == "error"
-                further = without_stop(result) if known else None
+                as_said = result.verdict is None and result.outcome.kind == "error"
+                past = result.verdict in NOT_FOLLOWED or self.past_found and as_said
+                further = without_stop(result) if past else None
                 if further:
                     todo[number] = further
                 else:
@@ -74,22 +88,18 @@ class Examiner:
         """One Result after another; what has not been asked for is not run."""
         for number, (program, one) in enumerate(zip(programs, self.check(programs))):
             self.counts["fixed"] += one.fixed
-            yield self._worst([self._judge_run(number, program, one, on) for on in settings("\n".join(one.texts.values()))])
+            block_delete = settings("\n".join(one.texts.values()))
+            yield max((self._judge_run(number, program, one, on) for on in block_delete), key=_weight)
             shutil.rmtree(self._own(number))
 
     def _judge_run(self, number, program, checked, block_delete):
         outcome = rs274.run(os.path.join(self._own(number), bundle.MAIN), program.mode, block_delete)
         self.counts["run: " + outcome.kind] += 1
-        verdict = judge(outcome, checked, program, block_delete)
+        verdict = judge(outcome, checked, program, block_delete, self.machine)
         if outcome.kind == "error":
             message = general(outcome.message)
             self.counts["found" if verdict is None else verdict if isinstance(verdict, str) else "wrong", message] += 1
         return Result(verdict, outcome, checked, program)
-
-    @staticmethod
-    def _worst(results):
-        """With block delete off and on: a disagreement if there is one, else a stop that is not followed."""
-        return max(results, key=lambda result: (isinstance(result.verdict, Disagreement), result.verdict in NOT_FOLLOWED, result.verdict is not None, result.outcome.kind))
 
     def check(self, programs):
         """-> [Checked]: what is said of each program, after the fixes; those with equal options in one run"""
@@ -101,40 +111,64 @@ class Examiner:
             groups.setdefault((tuple(options), "--ini" in options and number), []).append(number)
         for (options, alone), numbers in groups.items():
             remaps = alone is not False and "REMAP" in programs[alone].text
-            found = self._findings(options, numbers, self._own(alone) if alone is not False else self.folder, remaps)
+            folder = self._own(alone) if alone is not False else self.folder
+            found, failures = self._findings(options, numbers, folder, remaps), {}
+            if found is None:
+                each = {number: self._findings(options, [number], folder, remaps) for number in numbers}
+                found = {number: one[number] if one else [] for number, one in each.items()}
+                failures = {number: self.failure for number, one in each.items() if one is None}
             for number in numbers:
                 texts = {name: read(os.path.join(self._own(number), name)) for name in files_of(programs[number])}
                 before = {name: text for name, (_, text) in files_of(programs[number]).items()}
-                checked[number] = Checked(texts, found[number], texts != before)
+                checked[number] = Checked(texts, found[number], texts != before, failures.get(number, ""))
         return checked
 
     def _findings(self, options, numbers, folder, remaps):
-        """-> {number: findings}"""
+        """-> {number: findings}, or None where owlint fails"""
         relative = lambda path: os.path.relpath(path, folder)
         mains = {relative(os.path.join(self._own(number), bundle.MAIN)): number for number in numbers}
-        every = sorted(relative(path) for number in numbers for path in glob.glob(os.path.join(self._own(number), "**", "*.ngc"), recursive=True))
+        below = lambda number: glob.glob(os.path.join(self._own(number), "**", "*.ngc"), recursive=True)
+        every = sorted(relative(path) for number in numbers for path in below(number))
         report = self._owlint(["--fix", *options, *every], folder) if self.fixing else None
+        if self.fixing and not report:
+            return None
         # Of a called file, what the calls of the program lead to; a remap's file is checked for itself.
         if remaps and not report:
             report = self._owlint([*options, *every], folder)
         elif not report or len(every) > len(mains) and not remaps:
             report = self._owlint([*options, *mains], folder)
+        if not report:
+            return None
         found = {number: [] for number in numbers}
-        for file in report["files"]:
-            number = next((n for main, n in mains.items() if file["path"].startswith(main[:-len(bundle.MAIN)])), None)
-            for finding in file["findings"] if number is not None else ():
-                found[number].append({**finding, "path": os.path.relpath(os.path.join(folder, file["path"]), self._own(number))})
+        for path, findings in by_path(report).items():
+            number = next((n for main, n in mains.items() if path.startswith(main[:-len(bundle.MAIN)])), None)
+            if number is not None:
+                own = os.path.relpath(os.path.join(folder, path), self._own(number))
+                found[number] += [{**finding, "path": own} for finding in findings]
         return found
 
     def _owlint(self, arguments, folder):
-        command = [self.owlint, "check", "--isolated", "--no-find-ini", "--format", "json", *arguments]
-        done = subprocess.run(command, capture_output=True, cwd=folder, timeout=600)
-        if done.returncode not in (0, 1) and not (done.returncode == 2 and done.stdout):
-            raise RuntimeError("exit status %d of %s\n%s" % (done.returncode, " ".join(command), done.stderr.decode("utf-8", "replace")[-2000:]))
-        return json.loads(done.stdout)
+        """-> the report, or None; then `failure` says why"""
+        command = [self.owlint, "check", "--isolated", *self.options, "--format", "json", *arguments]
+        try:
+            done = subprocess.run(command, capture_output=True, cwd=folder, timeout=OWLINT_LIMIT_S)
+        except subprocess.TimeoutExpired:
+            self.failure = "no report in %d s" % OWLINT_LIMIT_S
+            return None
+        if done.returncode in (0, 1) or done.returncode == 2 and done.stdout:
+            return json.loads(done.stdout)
+        said = [line for line in done.stderr.decode("utf-8", "replace").split("\n") if line.strip()]
+        self.failure = " ".join(["exit status %d" % done.returncode, *said[-1:]])
+        return None
 
     def _own(self, number):
         return os.path.join(self.folder, "%04d" % number)
+
+
+def _weight(result):
+    """With block delete off and on: a disagreement if there is one, else a stop that is not followed."""
+    verdict = result.verdict
+    return isinstance(verdict, Disagreement), verdict in NOT_FOLLOWED, verdict is not None, result.outcome.kind
 
 
 def files_of(program):
@@ -198,11 +232,13 @@ def show(task, result):
         for file, text in texts.items():
             out.append("   %s" % " ".join(filter(None, (title, file if len(texts) > 1 else ""))))
             out += ["%4d  %s" % (number, ascii(line)[1:-1]) for number, line in enumerate(text.split("\n"), 1)]
-    out.append("   rs274: %s, line %d, %s, at `%s`" % (outcome.kind, outcome.line, ascii(outcome.message)[1:-1], ascii(outcome.text)[1:-1]))
+    out.append("   rs274: %s, line %d, %s, at `%s`" % (
+        outcome.kind, outcome.line, ascii(outcome.message)[1:-1], ascii(outcome.text)[1:-1]))
     said = [f for f in result.checked.findings if f["severity"] != "info" or f["stops"]]
     for f in said:
-        out.append("   owlint: %s line %d %s %s %s%s: %s [%s]" % (f["path"], f["start"]["line"], f["code"], f["severity"], f["reach"], " stops" if f["stops"] else "",
-                                                                 ascii(f["message"])[1:-1], f.get("interpreter", "")))
+        out.append("   owlint: %s line %d %s %s %s%s: %s [%s]" % (
+            f["path"], f["start"]["line"], f["code"], f["severity"], f["reach"], " stops" if f["stops"] else "",
+            ascii(f["message"])[1:-1], f.get("interpreter", "")))
     print("\n".join(out if said else out + ["   owlint: nothing"]), flush=True)
 
 
@@ -268,7 +304,8 @@ def by_message(counts):
     print("\nstops  found  message")
     for found, wrong, unknowable, message in sorted(rows, key=lambda row: -sum(row[:3])):
         if found + wrong + unknowable:
-            print("%5d  %5d  %s%s" % (found + wrong + unknowable, found, ascii(message)[1:-1], ", unknowable: %d" % unknowable if unknowable else ""))
+            beside = ", unknowable: %d" % unknowable if unknowable else ""
+            print("%5d  %5d  %s%s" % (found + wrong + unknowable, found, ascii(message)[1:-1], beside))
     for kind in NOT_FOLLOWED:
         some = sorted(((counts[kind, m], m) for m in messages if counts[kind, m]), reverse=True)
         print("not followed yet, %s: %d" % (kind, sum(count for count, _ in some)))
@@ -278,9 +315,11 @@ def by_message(counts):
 
 def summary(counts):
     """-> the figures of all runs, in one line"""
-    runs = ", ".join("%s %d" % (key[5:], counts[key]) for key in sorted(filter(lambda key: isinstance(key, str), counts)) if key.startswith("run: "))
+    kinds = sorted(key for key in counts if isinstance(key, str) and key.startswith("run: "))
+    runs = ", ".join("%s %d" % (kind[5:], counts[kind]) for kind in kinds)
     stops = lambda *kinds: sum(count for key, count in counts.items() if isinstance(key, tuple) and key[0] in kinds)
     due = stops("found", "wrong")
-    return "%s; stops to predict: %d, at their line with their message: %d (%s); not counted: %s, unknowable %d, endless %d" % (
+    form = "%s; stops to predict: %d, at their line with their message: %d (%s); not counted: %s, unknowable %d, endless %d"
+    return form % (
         runs, due, stops("found"), "%.2f %%" % (100.0 * stops("found") / due) if due else "none",
         ", ".join("%s %d" % (kind, stops(kind)) for kind in NOT_FOLLOWED), stops("unknowable"), counts[ENDLESS])

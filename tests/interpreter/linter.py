@@ -13,6 +13,20 @@ class LinterFailed(Exception):
     """owlint did not give a report."""
 
 
+def by_path(report):
+    """-> {path: findings} of a report.  A finding that stands for the same mistake in other places is in each of them."""
+    found = {file["path"]: list(file["findings"]) for file in report["files"]}
+    for path, findings in [(path, list(findings)) for path, findings in found.items()]:
+        for finding in findings:
+            for place in finding.get("related", ()) if finding["code"] != "OW208" else ():     # OW208: claims.said_by
+                if place["message"] == "here as well":
+                    # Of the other places it is not said whether every run gets there.
+                    reach = "never" if finding["reach"] == "never" else "maybe"
+                    there = {**finding, "start": place["start"], "end": place["end"], "reach": reach, "related": []}
+                    found.setdefault(place.get("path", path), []).append(there)
+    return found
+
+
 class Linter:
     """`machine` is an INI file to make: with one, owlint knows that there is no search path beyond the folder."""
 
@@ -37,8 +51,8 @@ class Linter:
                 f.write(text)
         report = self._run(self.command + [folder], folder)
         findings = {name: [] for name in programs}
-        for file in report["files"]:
-            findings[os.path.basename(file["path"])] = file["findings"]
+        for path, found in by_path(report).items():
+            findings[os.path.basename(path)] = found
         for name in programs:
             os.remove(os.path.join(folder, name))
         return findings

@@ -1,7 +1,7 @@
-"""What owlint does not follow yet: the messages with which the interpreter refuses a line that it has read without fault.
+"""What owlint does not follow yet: messages with which the interpreter refuses a line that it has read without fault.
 
-They come from carrying the words out, and depend on what earlier lines have set or moved.  This is the one list of them;
-slipped.py and words.py count a stop with such a message, and take any other one that owlint does not predict for a miss.
+They come from carrying the words out, and depend on what earlier lines have set or moved.  This is the one list of
+them; slipped.py and words.py count a stop with such a message, and take any other that owlint does not predict for a miss.
 When owlint learns to follow something, its messages leave this list.
 """
 import re
@@ -117,10 +117,17 @@ def not_followed(message, text):
     code = re.sub(r"\s", "", _COMMENT.sub("", text)).lower()
     if message in OF_WORDS_AND_MODES:
         return None if "g53" in message and re.search(r"g0*91(?![.\d])", code) else MODES
+    # Under OWORD_WARNONLY warnings stand before the message.
+    warned = re.match(r"\d+: (duplicate|undefined|no matching|not in a)", message)
     for kind, pattern in _PATTERNS.items():
-        if pattern.match(message):
+        if pattern.search(message) if warned else pattern.match(message):
             return kind
     return None
+
+
+def of_axes(message):
+    """Whether an axis letter is refused that another machine has: for owlint to predict only where it knows the machine."""
+    return re.match(r"Bad character '[uvw]' used", message) is not None
 
 
 def in_a_contour(message, text, everything):
@@ -128,11 +135,14 @@ def in_a_contour(message, text, everything):
     if not re.search(r"(?i)g\s*7\s*[0-2]", _COMMENT.sub("", everything)):
         return False
     # The call that the interpreter makes of the Q, and axes that only a contour may name.
-    if re.match(r"O[-\d.]+ CALL$", text) or re.match(r"(?i)\s*[uvw]", text) and message.startswith("Unknown word where unary"):
+    if re.match(r"O[-\d.]+ CALL$", text):
+        return True
+    if re.match(r"(?i)\s*[uvw]", text) and message.startswith("Unknown word where unary"):
         return True
     return message == "Non integer value for integer" and re.search(r"(?i)q\s*-?\d*\.\d", everything) is not None
 
 
 def general(message):
     """The message without what differs between programs."""
-    return re.sub(r"'[^']*'|(?<![\w.])-?\d+(?:\.\d+)?(?![\w.])|<[^>]*>|#\S+|file:\S+|(?<=used: M)\d+|(?<=199: M)\d+", "…", message)
+    varied = r"'[^']*'|(?<![\w.])-?\d+(?:\.\d+)?(?![\w.])|<[^>]*>|#\S+|file:\S+|(?<=used: M)\d+|(?<=199: M)\d+"
+    return re.sub(varied, "…", message)

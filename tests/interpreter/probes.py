@@ -55,7 +55,8 @@ def problems_of(outcome, findings, text):
     at = lines[outcome.line - 1] if 0 < outcome.line <= len(lines) else ""
     problems = list(judge(outcome, claims))
     if problems and outcome.kind == "error" and not_followed(outcome.message, at):
-        problems = ["%s is claimed for every run on line %d, which stops with: %s" % (f["code"], outcome.line, outcome.message)
+        wrong = "%s is claimed for every run on line %d, which stops with: %s"
+        problems = [wrong % (f["code"], outcome.line, outcome.message)
                     for f in claims.always if outcome.line and f["start"]["line"] <= outcome.line]
         return problems, True
     return problems, False
@@ -80,7 +81,8 @@ def compare(owlint, probes, folder):
             for problem in problems:
                 wrong += 1
                 print("%s, %s: %s" % (name, mode, problem))
-    print("%s: %d probes in %d modes, %d disagreements, %d stops that are not followed yet" % (probes, len(texts), len(by_mode), wrong, others))
+    print("%s: %d probes in %d modes, %d disagreements, %d stops that are not followed yet" % (
+        probes, len(texts), len(by_mode), wrong, others))
     return wrong
 
 

@@ -1,6 +1,7 @@
 """What owlint says of a program held against how it ended in rs274: one verdict for slipped.py and words.py.
 
-A verdict is a Disagreement, one of COUNTED, one of the kinds of not_followed.py, or None where owlint says what happens.
+A verdict is a Disagreement, one of COUNTED, one of the kinds of not_followed.py, or None where owlint says what
+happens.
 """
 import re
 from dataclasses import dataclass
@@ -9,19 +10,24 @@ import bundle
 import rs274
 from claims import Claims, said_by
 from messages import EOF, codes_of, same_words
-from not_followed import GEOMETRY, OF_WORDS_AND_MODES, general, in_a_contour, not_followed
+from not_followed import GEOMETRY, MACHINE, OF_WORDS_AND_MODES, general, in_a_contour, not_followed, of_axes
 
 SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other words", "not always", "crash"
+FAILS = "owlint fails"
 UNKNOWABLE, ENDLESS = "unknowable", "endless"
 COUNTED = (UNKNOWABLE, ENDLESS)
 
+_COMPUTED_LABEL = re.compile(r"(?i)/?(n\d+\s*)?o[#\[]")
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")
 # Errors of reading that no value of a parameter makes.
-_WITHOUT_VALUES = re.compile(r"Bad character|Bad format unsigned|bad number format|No characters found|Unknown word|Unclosed|Nested comment|Unknown operation|Left bracket|"
-                             r"Slash missing|Equal sign|Command too long|Named parameter not terminated|Multiple [^pq ]+ words|Expected [#\]]")
+_WITHOUT_VALUES = re.compile(
+    r"Bad character|Bad format unsigned|bad number format|No characters found|Unknown word|Unclosed|Nested comment|"
+    r"Unknown operation|Left bracket|Slash missing|Equal sign|Command too long|Named parameter not terminated|"
+    r"Multiple [^pq ]+ words|Expected [#\]]")
 # Those of words that a value makes.
-_OF_VALUES = re.compile(r"Negative \w+ (word|code|tool)|Negative (spindle|tool)|Non integer|out of range|P value|R value|Dwell time missing|Line with G10|Multiple [pq] words|"
-                        r"Unknown [gm] code|M-code greater|Two [gm] codes|Parameter (number|is readonly)")
+_OF_VALUES = re.compile(
+    r"Negative \w+ (word|code|tool)|Negative (spindle|tool)|Non integer|out of range|P value|R value|Dwell time missing|"
+    r"Line with G10|Multiple [pq] words|Unknown [gm] code|M-code greater|Two [gm] codes|Parameter (number|is readonly)")
 
 
 @dataclass(frozen=True)
@@ -41,40 +47,57 @@ class Checked:
     texts: dict         # name -> text
     findings: list      # each with the `path` of its file
     fixed: bool = False
+    failure: str = ""   # how owlint ended, if not with a report
 
 
-def judge(outcome, checked, program, block_delete):
-    """The verdict of one run."""
+def judge(outcome, checked, program, block_delete, axes_known=False):
+    """The verdict of one run.  `axes_known`: owlint was given the machine's axes."""
+    if checked.failure:
+        return Disagreement(FAILS, checked.failure)
     claims = Claims(checked.findings, block_delete)
     # A remap's file is checked for itself: what is said of it holds when its code is used.
-    mine = lambda findings: [f for f in findings if f["path"] == bundle.MAIN or "REMAP" not in program.text]
+    # rs274 has the axes X Y Z A B C, whatever an INI says.
+    of_ini = lambda f: program.mode == "machine" and re.match(r"Bad character '[abc]'", f.get("interpreter", ""))
+    of_remap = lambda f: f["path"] != bundle.MAIN and "REMAP" in program.text
+    mine = lambda findings: [f for f in findings if not of_remap(f) and not of_ini(f)]
     claims.always, claims.errors = mine(claims.always), mine(claims.errors)
     if outcome.kind == "hang":
         if claims.endless:
             return None
         # A cycle that pecks too often is geometry.
         pecks = any(re.search(r"(?i)g\s*[78]\s*3", _COMMENT.sub("", text)) for text in checked.texts.values())
-        return Disagreement(NOT_ALWAYS, "%s: it never ends" % claims.always[0]["code"]) if claims.always and not pecks else ENDLESS
+        if claims.always and not pecks:
+            return Disagreement(NOT_ALWAYS, "%s: it never ends" % claims.always[0]["code"])
+        return ENDLESS
     if outcome.kind == "crash":
         return None if claims.crashes else Disagreement(CRASH, outcome.message)
     if outcome.kind == "ok":
         wrong = claims.always or claims.errors
-        return Disagreement(NOT_ALWAYS, "%s: `%s`: it runs" % (wrong[0]["code"], wrong[0].get("interpreter", ""))) if wrong else None
-    there = [(f, claim) for f in claims.stops for claim in said_by(f) if is_there(f, claim, outcome, checked.texts, program.mode)]
+        return Disagreement(NOT_ALWAYS, "%s: it runs" % quoted(wrong[0])) if wrong else None
+    there = [(f, claim) for f in claims.stops for claim in said_by(f)
+             if is_there(f, claim, outcome, checked.texts, program.mode)]
     met = [f for f, claim in there if same_words(outcome.message, claim.get("interpreter", ""))]
     if met:
         wrong = [f for f in claims.always if f not in met]
-        return Disagreement(NOT_ALWAYS, "%s: `%s`: it stops before: `%s`" % (wrong[0]["code"], wrong[0].get("interpreter", ""), outcome.message)) if wrong else None
-    everything = "\n".join(checked.texts.values())
-    kind = GEOMETRY if in_a_contour(outcome.message, outcome.text, everything) else not_followed(outcome.message, outcome.text)
+        before = "%s: it stops before: `%s`"
+        return Disagreement(NOT_ALWAYS, before % (quoted(wrong[0]), outcome.message)) if wrong else None
+    kind = not_followed(outcome.message, outcome.text)
+    if in_a_contour(outcome.message, outcome.text, "\n".join(checked.texts.values())):
+        kind = GEOMETRY
+    if of_axes(outcome.message) and not axes_known:
+        return MACHINE
     other = [(f, claim) for f, claim in there if not kind or f in claims.always and comes_before(f, outcome)]
     if not other and kind:
         return kind
     if is_unknowable(outcome, checked):
         return UNKNOWABLE
     if other:
-        return Disagreement(WORDS, "%s: `%s` is `%s`" % (other[0][1]["code"], other[0][1].get("interpreter", ""), outcome.message))
+        return Disagreement(WORDS, "%s is `%s`" % (quoted(other[0][1]), outcome.message))
     return Disagreement(ELSEWHERE if claims.stops else SILENT, outcome.message)
+
+
+def quoted(claim):
+    return "%s: `%s`" % (claim["code"], claim.get("interpreter", ""))
 
 
 def comes_before(finding, outcome):
@@ -83,11 +106,13 @@ def comes_before(finding, outcome):
     if outcome.message in OF_WORDS_AND_MODES:
         return False
     # The label of a contour is sought behind all that; and the file ends after its last line.
-    return not (finding["code"] in ("OW208", "OW306") and re.search(r"(?i)g\s*7\s*[0-2]", outcome.text)) and not rs274.AT_FILE_END.search(finding.get("interpreter", ""))
+    of_contour = finding["code"] in ("OW208", "OW306") and re.search(r"(?i)g\s*7\s*[0-2]", outcome.text)
+    return not of_contour and not rs274.AT_FILE_END.search(finding.get("interpreter", ""))
 
 
 def is_there(finding, claim, outcome, texts, mode):
-    """Whether a claim is about the line at which it stopped.  Where the message names its file, it may be at the cause."""
+    """Whether a claim is about the line at which it stopped.  Where the message names its file, it may be at the
+    cause."""
     line = claim["start"]["line"]
     if rs274.AT_FILE_END.search(outcome.message) or outcome.message.startswith("File:") or "levels" in outcome.message:
         return same_words(outcome.message, claim.get("interpreter", ""))
@@ -107,29 +132,38 @@ def is_unknowable(outcome, checked):
     if _WITHOUT_VALUES.match(outcome.message):
         return False
     # The value of a parameter whose number is computed.
-    if re.search(r"#\s*[#\[]", outcome.text) or (codes_of(outcome.message) & {"OW208"} and re.search(r"(?i)[oq]\s*#\s*[#\[]", everything)):
+    codes = codes_of(outcome.message)
+    if re.search(r"#\s*[#\[]", outcome.text) or codes & {"OW208"} and re.search(r"(?i)[oq]\s*#\s*[#\[]", everything):
+        return True
+    # Files that a remap names are checked for themselves.
+    in_remap = "REMAP" in everything and outcome.message.startswith(("EOF in file", "Fanuc 'O"))
+    if in_remap or re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "[PYTHON]" in everything:
         return True
     # A part of a program that ngcgui makes.
-    in_remap = "REMAP" in everything and outcome.message.startswith(("EOF in file", "Fanuc 'O"))      # files that a remap names are checked for themselves
-    if in_remap or re.match(r"Named parameter #<_(hal|ini)\[", outcome.message) or "(not_a_subfile)" in everything or "[PYTHON]" in everything:
+    if "(not_a_subfile)" in everything:
         return True
     # The value of a name that is not there, when a definition is skipped, is whatever is in memory.
     if outcome.message.startswith("Calculation resulted in") and re.search(r"(?i)#<_value>", outcome.text):
         return True
-    codes = codes_of(outcome.message)
-    of_the_line = codes & {"OW512", "OW604", "OW217"} or _OF_VALUES.match(outcome.message) or re.match(r"(?i)/?(n\d+\s*)?o[#\[]", outcome.text)
-    # Of the end of the file it is not said which label was sought.
-    where = outcome.text if of_the_line else "".join(re.findall(r"(?i)[oq]\s*[#[].*", everything)) if codes & {EOF, "OW208"} or not outcome.line else ""
-    where += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), everything))
+    computed_labels = lambda text: "".join(re.findall(r"(?i)[oq]\s*[#[].*", text))
+    settings_of = lambda names, text: "".join(
+        line for name in names for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), text))
+    where = ""
+    if codes & {"OW512", "OW604", "OW217"} or _OF_VALUES.match(outcome.message) or _COMPUTED_LABEL.match(outcome.text):
+        where = re.sub(r"\s", "", outcome.text)
+    elif codes & {EOF, "OW208"} or not outcome.line:
+        where = computed_labels(everything)     # of the end of the file it is not said which label was sought
+    where += settings_of(re.findall(r"#<\w+>", where), everything)
     # Outside of subs no number is an argument.
     outside = re.sub(r"(?ims)^\s*o[^\n]*?sub\b.*?endsub", "", _COMMENT.sub("", everything))
-    of_machine = "".join(re.findall(r"(?i)[oq]\s*[#[].*", outside)) if codes & {EOF, "OW208"} else ""
-    of_machine += "".join(line for name in re.findall(r"#<\w+>", where) for line in re.findall(r"(?m)^\s*%s\s*=.*" % re.escape(name), outside))
+    of_machine = computed_labels(outside) if codes & {EOF, "OW208"} else ""
+    of_machine += settings_of(re.findall(r"#<\w+>", where), outside)
     main = checked.texts[bundle.MAIN]
     # What is set behind the line is not set when it is reached first.
-    before = re.split(r"(?i)[oq]\s*[#\[]", re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", _COMMENT.sub("", until(main, outcome.text))))[0]
-    own = 30 if re.search(r"(?i)o(<[^<>\n]*>|[\d.]+|\[.*?\])\s*sub\b", main) else 0     # the last number that is an argument
-    numbers = [n for n in re.findall(r"#(\d+)", where) if int(n) > own] + re.findall(r"#(\d+)", of_machine)
+    before = re.sub(r"(?is)(?<!end)sub\b.*?endsub", "", _COMMENT.sub("", until(main, outcome.text)))
+    before = re.split(r"(?i)[oq]\s*[#\[]", before)[0]
+    last_argument = 30 if re.search(r"(?i)o(<[^<>\n]*>|[\d.]+|\[.*?\])\s*sub\b", main) else 0
+    numbers = [n for n in re.findall(r"#(\d+)", where) if int(n) > last_argument] + re.findall(r"#(\d+)", of_machine)
     return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in numbers)
 
 

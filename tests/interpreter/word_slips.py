@@ -1,4 +1,4 @@
-"""One slip in a line of words, for slips.py: a letter, a digit, a point or a sign lost or wrong, a word too many or too few.
+"""One slip in a line of words, for slips.py: a letter, digit, point or sign lost or wrong, a word too many or too few.
 
 Each takes (line, rng) and gives the line with the slip, or None where there is nothing to slip on.
 """
@@ -9,10 +9,16 @@ _VALUE = r"[-+]?(?:\d+\.?\d*|\.\d+|#<[^>]*>|#\d+|\[[^\]]*\])"
 _ANY_WORD = re.compile(r"(?<![A-Za-z<])([A-Za-z@^$])\s*(%s)" % _VALUE)
 _CODE = re.compile(r"(?<![A-Za-z<])([GgMm])\s*0*(\d+)(\.\d)?(?![\d.])")
 _DECIMAL = re.compile(r"\d*\.\d+|\d+\.")
-_BESIDE = {"x": "zcs", "y": "tu", "z": "xa", "a": "sqz", "b": "vn", "c": "xv", "f": "dg", "g": "fh", "h": "gj", "i": "uoj", "j": "hki", "k": "jl", "l": "k", "m": "n",
-           "n": "m", "p": "o", "q": "wa", "r": "et", "s": "ad", "t": "ry", "d": "sf", "e": "wr", "u": "yi", "v": "cb", "w": "qe"}
-_ANOTHER = ("G0", "G1", "G2", "G3", "G80", "G81", "G90", "G91", "G20", "G21", "G17", "G18", "G4", "G28", "G53", "G92", "G43", "G54", "M2", "M3", "M5", "M6", "M8", "M9",
-            "X1", "Z5", "F100", "S1000", "P1", "R1", "I1", "J0", "L2", "T1", "Q1", "H1", "D1", "A0", "K1")
+_BESIDE = {
+    "x": "zcs", "y": "tu", "z": "xa", "a": "sqz", "b": "vn", "c": "xv", "f": "dg", "g": "fh", "h": "gj", "i": "uoj",
+    "j": "hki", "k": "jl", "l": "k", "m": "n", "n": "m", "p": "o", "q": "wa", "r": "et", "s": "ad", "t": "ry",
+    "d": "sf", "e": "wr", "u": "yi", "v": "cb", "w": "qe",
+}
+_ANOTHER = (
+    "G0", "G1", "G2", "G3", "G80", "G81", "G90", "G91", "G20", "G21", "G17", "G18", "G4", "G28", "G53", "G92",
+    "G43", "G54", "M2", "M3", "M5", "M6", "M8", "M9", "X1", "Z5", "F100", "S1000", "P1", "R1", "I1", "J0", "L2",
+    "T1", "Q1", "H1", "D1", "A0", "K1",
+)
 
 
 def _blanked(line):
@@ -72,7 +78,8 @@ def second_point(line, rng):
     found = _any(rng, _DECIMAL, line)
     if not found:
         return None
-    return _put(line, *found.span(), rng.choice((found[0].replace(".", ".."), found[0] + ".", found[0] + ".0", "." + found[0])))
+    number = found[0]
+    return _put(line, *found.span(), rng.choice((number.replace(".", ".."), number + ".", number + ".0", "." + number)))
 
 
 def comma(line, rng):
@@ -106,7 +113,8 @@ def wrong_code(line, rng):
         return None
     digits, at = found[2], rng.randrange(len(found[2]))
     digit = str((int(digits[at]) + rng.choice((-1, 1))) % 10)
-    changed = rng.choice((digits[:at] + digit + digits[at + 1:], digits[:at] + digit + digits[at + 1:], digits[::-1], digits + digit, digits + digits[-1]))
+    beside = digits[:at] + digit + digits[at + 1:]
+    changed = rng.choice((beside, beside, digits[::-1], digits + digit, digits + digits[-1]))
     return _put(line, *found.span(2), changed)
 
 
@@ -136,5 +144,6 @@ def swapped(line, rng):
 
 
 # How often each.
-IN_WORDS = ((lost_letter, 4), (lost_number, 3), (lost_word, 3), (lost_code, 3), (lost_sign, 1), (added_sign, 2), (lost_point, 2), (second_point, 3), (comma, 3),
-            (letter_o, 3), (letter_l, 1), (twice, 4), (wrong_code, 4), (wrong_letter, 4), (added, 4), (doubled_digit, 1), (swapped, 2))
+IN_WORDS = ((lost_letter, 4), (lost_number, 3), (lost_word, 3), (lost_code, 3), (lost_sign, 1), (added_sign, 2),
+            (lost_point, 2), (second_point, 3), (comma, 3), (letter_o, 3), (letter_l, 1), (twice, 4), (wrong_code, 4),
+            (wrong_letter, 4), (added, 4), (doubled_digit, 1), (swapped, 2))

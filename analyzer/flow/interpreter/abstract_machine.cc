@@ -97,6 +97,7 @@ const CalmStretch* AbstractMachine::pass_over(State& state, const Context& conte
   for (const StatementId opener : defined) state.table.set(pool_, label_of_sub(opener), Definers::one(opener));
   if (stretch->tests) state.flags.executed = kYes;
   if (!called && (stretch->calls || stretch->ends_defining)) state.flags.returned = stretch->ends_defining ? kNo : kYes;
+  evaluator_.leave_motion(state.parameters, stretch->motion);
   state.position = stretch->last;
   state.branch = Branch::kNone;
   return stretch;

@@ -1,5 +1,4 @@
 #include "analyzer/flow/interpreter/calm.h"
-#include "analyzer/flow/domain/motion.h"
 
 #include <algorithm>
 
@@ -11,7 +10,7 @@ namespace {
 /// For each parameter, in which stretch it was last noted: forgets all of them by counting on.
 class Marks {
  public:
-  explicit Marks(size_t names) : numbers_(kMotionKey + 1), names_(names) {}
+  explicit Marks(size_t names) : numbers_(kLastNumber + 1), names_(names) {}
   uint32_t& operator[](ParameterId p) { return p.named ? names_[p.id] : numbers_[p.id]; }
 
  private:
@@ -70,7 +69,8 @@ class CalmBuilder {
       while (call != program_.calls.end() && call->statement < id) ++call;
       const bool calls = call != program_.calls.end() && call->statement == id;
       stopping_[id + 1] = stopping_[id] + (lines_.stop_when_skipped(id) ? 1 : 0);
-      harmful_[id + 1] = harmful_[id] + (calls ? !harmless_call(*call) : !lines_.harmless(id));
+      const bool harmful = (calls ? !harmless_call(*call) : !lines_.harmless(id)) || moves_on_one_way(id);
+      harmful_[id + 1] = harmful_[id] + (harmful ? 1 : 0);
     }
     for (StatementId id = 0; id < count;) {
       StatementId last = id;
@@ -116,6 +116,17 @@ class CalmBuilder {
     if (program_.blocks[block].opener != id) return id;  // a part of a block that is not calm as a whole
     const StatementId end = program_.blocks[block].end + 1;
     return harmful_[end] == harmful_[id] && lines_.jumps_to(block) >= id ? end : id;
+  }
+
+  /// Whether the line, or the plain lines behind it, change the motion in effect on some ways only, or in a sub. A stretch knows the
+  /// motion that it leaves, whatever was in effect before it.
+  bool moves_on_one_way(StatementId id) {
+    const BlockId block = program_.block_of[id];
+    const bool part = program_.at(id).kind == LineKind::kOWord && block != kNoBlock;
+    if (part && program_.blocks[block].opener == id) ++open_blocks_;
+    if (part && program_.blocks[block].end == id && open_blocks_ > 0) --open_blocks_;
+    return program_.at(id).motion != kLeavesMotion && !program_.syntax.motion_faults.empty() &&
+        (open_blocks_ > 0 || program_.region_of[id] != kMainRegion);
   }
 
   bool harmless_call(const Call& call) {
@@ -199,7 +210,7 @@ class CalmBuilder {
       const Statement& s = program_.at(id);
       if (s.kind == LineKind::kWords) {
         note_words(s);
-        note_motion(s);
+        note_motion(s, stretch);
         continue;
       }
       if (!s.is(Keyword::kElseif)) {
@@ -214,13 +225,12 @@ class CalmBuilder {
       } else {
         note_block(id, stretch);
       }
-      note_motion(s);
+      note_motion(program_.at(id), stretch);  // of a definition its end, for it is passed over
     }
   }
 
-  void note_motion(const Statement& s) {
-    if (s.motion != kLeavesMotion && !program_.syntax.motion_faults.empty())
-      note_write({kMotionKey, false}, branches_.empty());
+  static void note_motion(const Statement& s, CalmStretch* stretch) {
+    if (s.motion != kLeavesMotion) stretch->motion = s.motion;
   }
 
   void note_words(const Statement& s) {
@@ -305,6 +315,7 @@ class CalmBuilder {
     const Region& region = program_.regions[number];
     subs_[number].calm_definition = is_calm_definition(region);
     if (!subs_[number].calm_definition || harmful_[region.end] != harmful_[region.opener + 1]) return;
+    if (program_.at(region.opener).motion != kLeavesMotion && !program_.syntax.motion_faults.empty()) return;
     const Statement& end = program_.at(region.end);
     CalmStretch body;
     end_lists(body);
@@ -361,6 +372,7 @@ class CalmBuilder {
   std::vector<StatementId> sub_called_;
   std::vector<uint32_t> noted_;  // by region: the last stretch that calls it
   std::vector<Call>::const_iterator call_;
+  int open_blocks_ = 0;  // around the line that is looked at
 };
 
 CalmStretches::CalmStretches(const Program& program, const Structure& structure, const TrackedParameters& tracked,

@@ -136,7 +136,6 @@ bool Evaluator::is_plain(ParameterId p, const Parameters& in) const {
 }
 
 void Evaluator::assign_unknown(ParameterId p, bool certain, Parameters& parameters) {
-  if (!p.named && p.id == kMotionKey) return leave_motion(parameters, kLeavesAny);
   const auto value = [&](uint32_t key, bool global) {
     return certain ? kUnknown : values_.join((global ? parameters.globals : parameters.locals).get(key), kUnknown);
   };
