@@ -66,7 +66,7 @@ std::shared_ptr<const Program> Library::load(std::shared_ptr<const Source> sourc
     ++parsed_;
     entry->program = build_program(std::move(source), machine.words);
   });
-  const auto program = entry->program;
+  std::shared_ptr<const Program> program = entry->program;
   if (!defines_own_name(*program)) {
     const std::lock_guard lock(mutex_);
     if (!entry->called) slots_.erase(key);
@@ -85,6 +85,7 @@ std::shared_ptr<const SearchPath> Library::search_path(const std::string& progra
   auto& path = search_paths_[folders];
   if (path == nullptr) {
     std::vector<SearchFolder> search;
+    search.reserve(folders.size());
     for (std::string& folder : folders) search.push_back({std::move(folder)});
     path = std::make_shared<SearchPath>(files_, std::move(search));
   }

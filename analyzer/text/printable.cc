@@ -50,12 +50,12 @@ std::string printable(std::string_view bytes) { return converted(bytes, false); 
 
 std::string as_utf8(std::string_view bytes) { return converted(bytes, true); }
 
-std::string printable_text(std::string_view text) {
+std::string printable_text(std::string_view bytes) {
   std::string out;
-  for (size_t at = 0; at < text.size();) {
-    const size_t kept = std::min(text.find_first_of("\r\n\t", at), text.size());
-    out += printable(text.substr(at, kept - at));
-    if (kept < text.size()) out += text[kept];
+  for (size_t at = 0; at < bytes.size();) {
+    const size_t kept = std::min(bytes.find_first_of("\r\n\t", at), bytes.size());
+    out += printable(bytes.substr(at, kept - at));
+    if (kept < bytes.size()) out += bytes[kept];
     at = kept + 1;
   }
   return out;

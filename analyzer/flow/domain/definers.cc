@@ -24,7 +24,7 @@ uint32_t Definers::pack(Set set) {
   for (;; ++hash) {  // a set with the same hash by accident takes the next one
     const auto [entry, added] = ids_.try_emplace(hash, static_cast<uint32_t>(sets_.size()) | kSetMark);
     if (added) {
-      sets_.push_back(std::move(set));
+      sets_.push_back(set);
       return entry->second;
     }
     const Set& known = sets_[entry->second & ~kSetMark];
@@ -40,7 +40,7 @@ uint32_t Definers::join(uint32_t a, uint32_t b) {
   out.undefined = left.undefined || right.undefined;
   std::ranges::set_union(left.lines, right.lines, std::back_inserter(out.lines));
   out.lines.shorten();
-  return pack(std::move(out));
+  return pack(out);
 }
 
 PersistentMap Definers::join(PersistentMap::Pool& pool, const PersistentMap& a, const PersistentMap& b) {
@@ -50,7 +50,7 @@ PersistentMap Definers::join(PersistentMap::Pool& pool, const PersistentMap& a, 
 uint32_t Definers::without_undefined(uint32_t packed) {
   Set set = get(packed);
   set.undefined = false;
-  return pack(std::move(set));
+  return pack(set);
 }
 
 }  // namespace owlint::flow
