@@ -155,14 +155,6 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
       statements.push_back(s);
       continue;
     }
-    // What the plain lines behind it do is not told from what it does itself.
-    if (s.motion != kLeavesMotion) {
-      if (statements.empty()) {
-        out->syntax.first_motion = kLeavesAny;
-      } else {
-        statements.back().motion = kLeavesAny;
-      }
-    }
     if (s.plain_code_follows && !statements.empty() && !statements.back().plain_code_follows) {
       statements.back().plain_code_follows = true;
       statements.back().first_plain_line = s.first_plain_line;

@@ -117,17 +117,20 @@ void ExpressionParser::note_split(size_t from, size_t to) {
 
 ExprId ExpressionParser::number() {
   const size_t from = cursor;
+  // A sign right before it is part of what cannot be read.
+  const bool has_sign = from > 0 && (line_[from - 1] == '-' || line_[from - 1] == '+') && is_number_char(line_[from]);
   if (uint32_t whole = 0; plain_number(&whole)) return add(Expr::number(whole));
   while (is_number_char(line_[cursor])) ++cursor;
   const std::string_view digits = line_.text().substr(from, cursor - from);
+  const std::string quoted(line_.text().substr(has_sign ? from - 1 : from, cursor - from + (has_sign ? 1 : 0)));
   double value = 0;
   const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (problem != std::errc{}) {
     return fail(from, cursor > from ? cursor : from + 1,
-                "bad number format (conversion failed) parsing '" + std::string(digits) + "'");
+                "bad number format (conversion failed) parsing '" + quoted + "'");
   }
   if (end != digits.data() + digits.size()) {
-    return fail(from, cursor, "bad number format (trailing characters) parsing '" + std::string(digits) + "'");
+    return fail(from, cursor, "bad number format (trailing characters) parsing '" + quoted + "'");
   }
   if (depth_ > 0) note_split(from, cursor);
   return add(Expr::number(value));

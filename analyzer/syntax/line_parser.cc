@@ -96,7 +96,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
       ++end;
       while (is_digit(line_[end])) ++end;
     }
-    if (point == digits) {
+    if (point == digits || end == point + 1) {  // neither `N` nor `N10.`
       fail(s, StopKind::kLineNumber, at, std::max(end, at + 1), "Bad format unsigned integer");
       return true;
     }

@@ -221,6 +221,10 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
     return false;
   }
   ++in.cursor;
+  if (letter_fault && letter_fault->certain && begins_value(line_[in.cursor])) {
+    fail(s, *letter_fault, from, from + 1);  // refused before its value is read
+    return false;
+  }
   ExprId value = kNoExpr;
   if (!number_of(in, from, &value, s)) return false;
   // The letter of an axis that is not there is refused before its value; but where that is no number it is a word of text.

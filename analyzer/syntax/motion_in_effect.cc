@@ -20,13 +20,22 @@ void MotionInEffect::leaves(uint8_t effect) {
   if (effect == kLeavesMotion) return;
   if (out_.statements.empty()) {
     out_.first_motion = effect;
-  } else {
-    out_.statements.back().motion = effect & kLeavesMotion;
+    return;
   }
+  // What a line with block delete does itself is kept apart from what comes after it.
+  if (out_.statements.back().block_delete) {
+    const Statement& deleted = out_.statements.back();
+    Statement after;
+    after.offset = deleted.end();
+    after.line = deleted.line;
+    out_.statements.push_back(after);
+  }
+  out_.statements.back().motion = effect & kLeavesMotion;
 }
 
 /// What a line does to the motion in effect, whatever it was.
 uint8_t MotionInEffect::effect_of(const WordLine& words) {
+  if (words.has_unknown_code()) return kLeavesAny;
   const MotionSet from_g0 = words.after(set_of(Motion::kG0));
   const MotionSet from_g1 = words.after(set_of(Motion::kG1));
   if (from_g0 == set_of(Motion::kG0) && from_g1 == set_of(Motion::kG1)) return kLeavesMotion;
@@ -68,8 +77,8 @@ bool MotionInEffect::judge(Statement& statement, bool keep) {
   check(*words, statement);
   effect_ = effect_of(*words);
   in_effect_ = words->after(in_effect_) & all_modes();
+  // With block delete on the line does nothing.
   if (statement.block_delete && effect_ != kLeavesMotion) {
-    effect_ = kLeavesAny;
     in_effect_ = all_modes();
     return true;
   }
@@ -79,7 +88,8 @@ bool MotionInEffect::judge(Statement& statement, bool keep) {
 void MotionInEffect::push(const Statement& statement) {
   if (faults_.empty()) {
     out_.statements.push_back(statement);
-    return leaves(effect_);
+    out_.statements.back().motion = std::exchange(effect_, kLeavesMotion) & kLeavesMotion;
+    return;
   }
   faults_.back().last = true;
   Statement asks;
@@ -95,7 +105,7 @@ void MotionInEffect::push(const Statement& statement) {
   if (computes) out_.statements.push_back(statement);
   out_.statements.push_back(asks);
   if (statement.kind != LineKind::kWords) out_.statements.push_back(statement);
-  leaves(effect_);
+  out_.statements.back().motion = std::exchange(effect_, kLeavesMotion) & kLeavesMotion;
 }
 
 }  // namespace owlint

@@ -2,6 +2,8 @@
 // two O-words it is known from the first code on. What is not known becomes a question to the flow: a kMotionCheck.
 #pragma once
 
+#include <utility>
+
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/statement.h"
 
@@ -17,7 +19,7 @@ class MotionInEffect {
   /// case goes into the statement. Returns whether the line is to be kept: `keep`, or because of its words.
   bool judge(Statement& statement, bool keep);
   /// The line that was judged is not kept: what it does counts to the statement before it.
-  void leave() { leaves(effect_); }
+  void leave() { leaves(std::exchange(effect_, kLeavesMotion)); }
   /// Keeps the line that was judged, with the questions that it has.
   void push(const Statement& statement);
 

@@ -239,13 +239,14 @@ class Reader {
       if (!keep && code) note_plain(number);
     }
     const WordLine* const words = found.view.matters && !too_long ? parser_.words() : nullptr;
-    const bool asks_machine = words != nullptr && (words->is_user_m() || parser_.unsure() != kNoError);
+    const bool unsure = found.view.matters && !too_long && parser_.unsure() != kNoError;
+    const bool asks_machine = unsure || (words != nullptr && words->is_user_m());
     if (!keep && !asks_machine) return motion_.leave();
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;
     make_room(out_.statements, found.begin);
     make_room(out_.exprs, found.begin);
     make_room(out_.values, found.begin);
-    if (words != nullptr && parser_.unsure() != kNoError) ask(statement, LineKind::kMachineCheck, parser_.unsure());
+    if (unsure) ask(statement, LineKind::kMachineCheck, parser_.unsure());
     if (keep) motion_.push(statement);
     if (words != nullptr && words->is_user_m()) {
       const Word& code = (*words)[words->word_of(MGroup::kUser)];

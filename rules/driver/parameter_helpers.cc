@@ -43,6 +43,7 @@ NearName near_name(const Input& in, const std::string& name, RegionId reader) {
   std::vector<std::string> names;
   const auto add_written = [&](RegionId region, bool globals) {
     for (const flow::Write& write : in.data.accesses_of(region).all_writes()) {
+      if (write.key == flow::kComputedKey) continue;
       const flow::ParameterId target = flow::parameter_of(write.key);
       if (target.named && flow::is_global(write.key) == globals && p.name(target.id) != name)
         names.push_back(p.name(target.id));

@@ -54,6 +54,7 @@ void AbstractMachine::Step::plain() {
   report_reads();
   if (!settle(e)) return;
   state.parameters = std::move(after);
+  if (may_end(s)) out.end(state);
   if (error() != nullptr) return stop_error();
   if (e.read_only != kNoName) {
     const std::string& name = m.name(e.read_only);
@@ -73,6 +74,12 @@ void AbstractMachine::Step::plain() {
     Evaluator::call_outside(state.parameters);
   }
   next_line();
+}
+
+/// Whether the line has an M code that is computed: it may be M2.
+bool AbstractMachine::Step::may_end(const Statement& line) const {
+  if (line.kind != LineKind::kWords) return false;
+  return std::ranges::any_of(m.program_.syntax.items_of(line), [](const Item& item) { return item.letter == 'm'; });
 }
 
 /// Without the machine's INI it is not known which codes it has.

@@ -16,8 +16,8 @@ std::vector<std::string> told(const Syntax& syntax) {
   std::vector<std::string> out{"first " + std::to_string(syntax.first_motion)};
   for (const Statement& s : syntax.statements) {
     if (s.kind == LineKind::kUserCode || s.kind == LineKind::kMachineCheck) continue;  // the scanner adds them
-    std::string one = std::to_string(s.line) + " kind " + std::to_string(static_cast<int>(s.kind)) + " motion " +
-        std::to_string(s.motion);
+    std::string one = std::to_string(s.line) + " kind " + std::to_string(static_cast<int>(s.kind));
+    if (!s.has_error()) one += " motion " + std::to_string(s.motion);
     if (const LineError* error = syntax.error(s)) one += " " + error->message;
     if (s.kind == LineKind::kMotionCheck) {
       for (uint32_t i = s.first;; ++i) {
