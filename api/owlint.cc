@@ -35,8 +35,8 @@ std::vector<Finding> check(std::string_view text, const Options& options) {
   std::string error;
   if (!configuration.settings_for(path, &settings, &error)) throw std::invalid_argument(error);
   Library library(disk());
-  const ProgramReport report =
-      lint(library.load(Source::own(path, std::string(text)), settings.profile), settings.profile, settings.options, library);
+  const ProgramReport report = lint(library.load(Source::own(path, std::string(text)), settings.profile),
+                                    settings.profile, settings.options, library);
   std::vector<Finding> out;
   for (const owlint::Finding& f : report.own.findings) {
     const Severity severity = f.severity == owlint::Severity::kError ? Severity::kError

@@ -24,8 +24,8 @@ std::string version_text() {
   constexpr std::string_view kCompiler = "g++ " __VERSION__;
 #endif
   const bool is_static = ::getauxval(AT_BASE) == 0;  // no dynamic linker was loaded
-  return fmt::format("owlint {}\nbuilt with {}, {}, linked {}", kToolVersion, kCompiler,
-                     OWLINT_BUILD_TYPE, is_static ? "statically" : "dynamically");
+  return fmt::format("owlint {}\nbuilt with {}, {}, linked {}", kToolVersion, kCompiler, OWLINT_BUILD_TYPE,
+                     is_static ? "statically" : "dynamically");
 }
 
 bool is_command(CLI::App& app, const std::string& name) {

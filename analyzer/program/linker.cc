@@ -80,6 +80,7 @@ class Joiner {
       out.motion_faults.push_back(fault);
     }
     for (LineError error : in.errors) {
+      error.first_value = expr(error.first_value);
       error.read_from += expr0_;
       error.read_to += expr0_;
       out.errors.push_back(std::move(error));
@@ -135,9 +136,7 @@ std::string_view called_label(std::string_view name, Version version) {
 }
 
 Linked::Linked(std::shared_ptr<const Program> program, const Profile& profile, Library& library, bool notes)
-    : answers_(library.search_path(program->source->path(), profile), notes),
-      library_(library),
-      profile_(profile) {
+    : answers_(library.search_path(program->source->path(), profile), notes), library_(library), profile_(profile) {
   const std::string path = program->source->path();
   by_path_.emplace(file_key(path), 0);
   files_.push_back({as_run(std::move(program)), 0, 0, true});

@@ -10,9 +10,7 @@ namespace owlint {
 namespace {
 
 /// Up to 2.9 as in the interpreter that everything is measured with.
-Release release_of(const Profile& profile) {
-  return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10;
-}
+Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
 
 /// The axis letters of `[TRAJ]COORDINATES`; X, Y and Z if it has none (measured).
 uint32_t axes_of(const MachineSetup& setup) {
@@ -61,7 +59,8 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) {
 }
 
 std::string WordsOfMachine::key() const {
-  std::string key = std::to_string(static_cast<int>(words.release)) + ' ' + std::to_string(words.axes) + (words.unsure ? "?" : "");
+  std::string key =
+      std::to_string(static_cast<int>(words.release)) + ' ' + std::to_string(words.axes) + (words.unsure ? "?" : "");
   for (const RemappedCode& code : remapped) {
     key += ' ';
     key += code.letter;

@@ -1,4 +1,5 @@
-// Which codes and axes the words of a program have on its machine: the table of codes, and what the INI adds to it and takes away.
+// Which codes and axes the words of a program have on its machine: the table of codes, and what the INI adds to it and takes
+// away.
 #pragma once
 
 #include <string>

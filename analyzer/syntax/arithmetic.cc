@@ -79,8 +79,8 @@ const char* apply(Operator op, double left, double right, double* result) {
     case Operator::kXor: *result = truth((left == 0) != (right == 0)); return nullptr;
     default: *result = left; return nullptr;
   }
-  if (std::isnan(*result)) return "Calculation resulted in 'not a number'";
-  if (std::isinf(*result)) return "Calculation resulted in 'infinity'";
+  if (std::isnan(*result)) return kNotANumber;
+  if (std::isinf(*result)) return kInfinite;
   return nullptr;
 }
 

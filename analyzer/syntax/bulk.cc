@@ -82,7 +82,7 @@ class PlainLine {
       *taken = arc ? Taken::kArcWords : Taken::kAxes;
       return true;
     }
-    if ((words_ & (kAxisWords | kArcWords)) == 0) return true;  // nothing moves, and nothing uses F and S up
+    if ((words_ & (kAxisWords | kArcWords)) == 0) return true;      // nothing moves, and nothing uses F and S up
     if ((words_ & (kAxisWords | kCenterWords)) == 0) return false;  // a radius alone is no arc
     return (words_ & ~kTaken[static_cast<size_t>(*taken)]) == 0;
   }
@@ -175,8 +175,9 @@ Taken taken_after(std::string_view line, Taken before) {
   }
   if (!code) return before;
   if (others || (words & kG) != 0) return Taken::kNothing;
-  // Where the line runs, some motion is in effect: a cycle, or a thread, which takes no F, unless more was known before.
-  return (words & kAxisWords) == 0 ? before : std::max(before, Taken::kXyz);
+  // Where axis words alone run, some motion is in effect: it may be a cycle, unless more was known before. With a K it may be a
+  // thread, which wants one on every line.
+  return (words & kAxisWords) == 0 || (words & kArcWords) != 0 ? before : std::max(before, Taken::kXyz);
 }
 
 }  // namespace owlint

@@ -21,10 +21,10 @@ enum class Taken : uint8_t {
 
 /// The lines that were passed, and where that ended.
 struct Passed {
-  size_t next = 0;              ///< offset of the first line that is not plain, or the size of the bytes
-  uint32_t lines = 0;           ///< lines before it
-  uint32_t first_code = 0;      ///< the first of them that is not blank, from 1; 0: all are blank
-  uint32_t last_code = 0;       ///< the last of them
+  size_t next = 0;                ///< offset of the first line that is not plain, or the size of the bytes
+  uint32_t lines = 0;             ///< lines before it
+  uint32_t first_code = 0;        ///< the first of them that is not blank, from 1; 0: all are blank
+  uint32_t last_code = 0;         ///< the last of them
   Motion motion = Motion::kNone;  ///< that of the last G0, G1, G2 or G3
   Taken taken = Taken::kNothing;  ///< behind them
 
@@ -32,8 +32,8 @@ struct Passed {
 };
 
 /// Passes plain lines from the line start `from` on; `bytes` end in a line feed. A plain line is blank, or has no comment, at
-/// most as many bytes as LinuxCNC reads, a line number perhaps, at most one of G0 to G3, and words X, Y, Z, A, B, C, F, S, with an
-/// arc I, J, K, R, as far as the motion in effect takes them. Each is there once, with a number of digits, a sign, and a point.
+/// most as many bytes as LinuxCNC reads, a line number perhaps, at most one of G0 to G3, and words X, Y, Z, A, B, C, F, S, with
+/// an arc I, J, K, R, as far as the motion in effect takes them. Each is there once, with digits, a sign, and a point.
 Passed pass_plain_lines(std::string_view bytes, size_t from, Taken taken);
 
 /// What is taken behind a line that is not plain, if the run goes on there.

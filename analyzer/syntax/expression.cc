@@ -296,10 +296,14 @@ ExprId ExpressionParser::in_brackets() {
       if (failed_ == nullptr && literal_value(pool_, pending[depth].left, &left_value) &&
           literal_value(pool_, right, &right_value)) {
         failed_ = apply(pending[depth].op, left_value, right_value, &result);
+        if (is_not_finite(failed_) && !(closed && depth == 0)) failed_ = nullptr;
       }
       right = add(Expr::of(pending[depth].op, pending[depth].left, right));
     }
-    if (closed) return right;
+    if (closed) {
+      pool_[right].complete = true;
+      return right;
+    }
     pending[depth++] = {right, op};
   }
 }

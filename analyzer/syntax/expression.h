@@ -75,7 +75,8 @@ class Expr {
   }
 
   Operator op;
-  bool target = false;  ///< the left side of an assignment, not read
+  bool target = false;    ///< the left side of an assignment, not read
+  bool complete = false;  ///< the last operation of a bracket
 
   double value() const { return value_; }  ///< of a kNumber
   NameId name() const { return is_name() ? name_ : kNoName; }

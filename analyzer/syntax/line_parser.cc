@@ -42,8 +42,13 @@ void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::
   if (s.has_error()) return;  // the first error on a line is the one that the interpreter reports
   if (is_foreign(line_[from])) to = from + foreign_run(line_.text(), from);
   s.error = static_cast<uint32_t>(out_.errors.size());
-  out_.errors.push_back(
-      {kind, line_.span(from, to), std::move(message), {}, item_begins_, static_cast<ExprId>(out_.exprs.size())});
+  out_.errors.push_back({kind,
+                         line_.span(from, to),
+                         std::move(message),
+                         {},
+                         kNoExpr,
+                         item_begins_,
+                         static_cast<ExprId>(out_.exprs.size())});
 }
 
 size_t LineParser::skip_comments(size_t at, bool* any) const {
@@ -70,8 +75,13 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   s.inner_cr = line_.has_inner_cr();
   if (comment != StopKind::kNone) {
     s.error = static_cast<uint32_t>(out_.errors.size());
-    out_.errors.push_back({comment, line_.error(),
-                           comment == StopKind::kCommentNested ? "Nested comment found" : "Unclosed comment found", {}, 0, 0});
+    out_.errors.push_back({comment,
+                           line_.error(),
+                           comment == StopKind::kCommentNested ? "Nested comment found" : "Unclosed comment found",
+                           {},
+                           kNoExpr,
+                           0,
+                           0});
     return true;
   }
   line_begins_ = item_begins_ = static_cast<ExprId>(out_.exprs.size());

@@ -1,6 +1,8 @@
 // Turns one normalised line into a Statement. Called by the scanner for the lines that can matter.
 #pragma once
 
+#include <array>
+
 #include "analyzer/syntax/statement.h"
 #include "analyzer/syntax/word_line.h"
 
@@ -70,8 +72,9 @@ class LineParser {
   LineText line_;
   WordLine words_;
   bool has_words_ = false;
-  uint32_t unsure_ = kNoError;  // an error with which some machines stop
-  ExprId contour_sub_ = kNoExpr;  ///< the value of the line's Q word
+  std::array<ExprId, 2> value_of_{};  // of the line's last P and Q
+  uint32_t unsure_ = kNoError;        // an error with which some machines stop
+  ExprId contour_sub_ = kNoExpr;      ///< the value of the line's Q word
   size_t contour_from_ = 0, contour_to_ = 0;
   bool cuts_contour_ = false;                  ///< the line has a G70, G71 or G72
   size_t number_at_ = std::string_view::npos;  // where the line number is, if there is one

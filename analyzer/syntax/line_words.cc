@@ -12,7 +12,9 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// Of an axis that the stand-alone interpreter does not have: refused before its value is read.
 bool foreign_letter(char c) { return c == 'u' || c == 'v' || c == 'w'; }
 
-bool begins_value(char c) { return is_digit(c) || (c != '\0' && std::string_view("+-.[#").find(c) != std::string_view::npos); }
+bool begins_value(char c) {
+  return is_digit(c) || (c != '\0' && std::string_view("+-.[#").find(c) != std::string_view::npos);
+}
 
 constexpr double kStopCodes[] = {0, 1, 2, 30, 60};
 
@@ -179,7 +181,7 @@ void LineParser::fail(Statement& s, const Fault& fault, size_t from, size_t to) 
 uint32_t LineParser::add_error(const Fault& fault) {
   Span span = span_of_word(fault.word);
   if (fault.word == kNoWord) span = {line_.offset(0), line_.span(0, line_.size()).end};
-  out_.errors.push_back({kind_of(fault.kind), span, fault.message, span_of_word(fault.other), 0, 0});
+  out_.errors.push_back({kind_of(fault.kind), span, fault.message, span_of_word(fault.other), kNoExpr, 0, 0});
   return static_cast<uint32_t>(out_.errors.size() - 1);
 }
 
@@ -191,7 +193,7 @@ bool LineParser::passes(Statement& s, const Fault& fault, size_t from, size_t to
   }
   if (unsure_ == kNoError) {
     unsure_ = static_cast<uint32_t>(out_.errors.size());
-    out_.errors.push_back({kind_of(fault.kind), line_.span(from, to), fault.message, {}, 0, 0});
+    out_.errors.push_back({kind_of(fault.kind), line_.span(from, to), fault.message, {}, kNoExpr, 0, 0});
   }
   return true;
 }
@@ -216,8 +218,9 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   const size_t from = in.cursor;
   const char letter = line_[from];
   const std::optional<Fault> letter_fault = words_.letter(letter);
-  if (letter_fault && letter_fault->certain && letter_fault->kind != WordFault::kWordUnknown) {
+  if (letter_fault && letter_fault->kind != WordFault::kWordUnknown) {
     fail(s, *letter_fault, from, from + 1);
+    if (!letter_fault->certain && s.has_error()) out_.errors[s.error].first_value = value_of_[letter == 'q' ? 1 : 0];
     return false;
   }
   ++in.cursor;
@@ -228,11 +231,14 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   ExprId value = kNoExpr;
   if (!number_of(in, from, &value, s)) return false;
   // The letter of an axis that is not there is refused before its value; but where that is no number it is a word of text.
-  if (letter_fault && letter_fault->kind == WordFault::kWordUnknown && !passes(s, *letter_fault, from, in.cursor)) return false;
+  if (letter_fault && letter_fault->kind == WordFault::kWordUnknown && !passes(s, *letter_fault, from, in.cursor))
+    return false;
   double number = 0;
   const bool known = literal_value(out_.exprs, value, &number);
   if (letter == 'g' && known) cuts_contour_ = cuts_contour_ || is_contour_code(number);
+  if (letter == 'p') value_of_[0] = value;
   if (letter == 'q') {
+    value_of_[1] = value;
     contour_sub_ = value;
     contour_from_ = from;
     contour_to_ = in.cursor;
@@ -240,7 +246,8 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   if (is_letter(letter)) letters_ |= 1U << (letter - 'a');
   if (letter == 'm' && !m_code(value, from, in.cursor, s)) return false;
   const auto end = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
-  if (const auto fault = words_.add({letter, known, number, relative(from), end}); fault && !passes(s, *fault, from, in.cursor))
+  if (const auto fault = words_.add({letter, known, number, relative(from), end});
+      fault && !passes(s, *fault, from, in.cursor))
     return false;
   if (!known) {
     Item item{.value = value, .from = relative(from), .letter = letter};

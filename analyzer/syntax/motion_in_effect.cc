@@ -49,7 +49,8 @@ void MotionInEffect::check(const WordLine& words, Statement& statement) {
   MotionSet passes = in_effect_;
   for (MotionSet rest = asked; rest != 0; rest &= rest - 1) {
     const Motion motion = only(rest);
-    const std::optional<Fault> fault = words.check({.motion = motion, .distance = Modes::kDistanceUnknown, .plane = Modes::kPlaneUnknown});
+    const std::optional<Fault> fault =
+        words.check({.motion = motion, .distance = Modes::kDistanceUnknown, .plane = Modes::kPlaneUnknown});
     if (!fault || !fault->certain) continue;
     passes &= ~set_of(motion);
     if (faults_.empty() || out_.errors[faults_.back().error].message != fault->message)

@@ -31,8 +31,8 @@ class MotionInEffect {
   Syntax& out_;
   LineParser& parser_;
   MotionSet in_effect_ = all_modes();
-  uint8_t effect_ = kLeavesMotion;          // of the line that is judged
-  std::vector<MotionFault> faults_;         // that it has with some motions
+  uint8_t effect_ = kLeavesMotion;   // of the line that is judged
+  std::vector<MotionFault> faults_;  // that it has with some motions
 };
 
 }  // namespace owlint

@@ -137,8 +137,8 @@ struct Found {
   uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
   uint32_t plain_last = 0;
   Motion plain_motion = Motion::kNone;  ///< that plain lines set last
-  uint32_t line = 0;  ///< the line after them; at the end of the stretch the number of all lines
-  bool over = false;  ///< no line comes after them: the end of the stretch
+  uint32_t line = 0;                    ///< the line after them; at the end of the stretch the number of all lines
+  bool over = false;                    ///< no line comes after them: the end of the stretch
   LineView view;
   size_t begin = 0;
   size_t end = 0;  ///< without its line feed
@@ -212,7 +212,7 @@ class Reader {
       statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
       statement.error = static_cast<uint32_t>(out_.errors.size());
       out_.errors.push_back(
-          {StopKind::kLineTooLong, {found.begin + kLineLimit, found.end}, "Command too long", {}, 0, 0});
+          {StopKind::kLineTooLong, {found.begin + kLineLimit, found.end}, "Command too long", {}, kNoExpr, 0, 0});
       out_.last_code = number;
     } else {
       const LineView& view = found.view;

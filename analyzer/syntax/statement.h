@@ -19,18 +19,18 @@ namespace owlint {
 
 enum class LineKind : uint8_t {
   kOWord,
-  kM98,         // Fanuc-style call, as the line's first word
-  kM99,         // Fanuc-style return, as the line's first word
-  kM99Behind,   // M99 behind other words: no return, but in the main program an end
-  kProgramEnd,  // M2 or M30, with whatever else is on the line
-  kAbort,       // a comment `(abort, …)`: stops the program on purpose, before anything else on the line (measured)
-  kPercent,     // `%` alone on its line
-  kContour,     // G70, G71 or G72 with Q: runs the sub of that number for the contour
-  kWords,       // any other line that is kept
-  kUserCode,    // no line of its own: a line has M100 to M199, whose number is `first`, and whose word is the keyword
+  kM98,           // Fanuc-style call, as the line's first word
+  kM99,           // Fanuc-style return, as the line's first word
+  kM99Behind,     // M99 behind other words: no return, but in the main program an end
+  kProgramEnd,    // M2 or M30, with whatever else is on the line
+  kAbort,         // a comment `(abort, …)`: stops the program on purpose, before anything else on the line (measured)
+  kPercent,       // `%` alone on its line
+  kContour,       // G70, G71 or G72 with Q: runs the sub of that number for the contour
+  kWords,         // any other line that is kept
+  kUserCode,      // no line of its own: a line has M100 to M199, whose number is `first`, and whose word is the keyword
   kMachineCheck,  // no line of its own: only some machines stop at the line, with the error
-  kMotionCheck, // no line of its own: what the words of a line need of the motion in effect before it
-  kFileEnd,     // no line: where one file ends in a program joined from several
+  kMotionCheck,   // no line of its own: what the words of a line need of the motion in effect before it
+  kFileEnd,       // no line: where one file ends in a program joined from several
 };
 
 /// Bytes from the beginning of a line. A line that LinuxCNC reads has at most 253; longer lines have no parts.
@@ -53,6 +53,8 @@ struct LineError {
   std::string message;
   /// Another word that it is about, such as the first of two codes of one group; empty if there is none.
   Span other;
+  /// Of a second P or Q: the value of the first, if it is computed. Where that is -1 or less, the second one is the first.
+  ExprId first_value = kNoExpr;
   /// What the interpreter has read of the unfinished word or setting before the error, in this order: it computes while it reads,
   /// so a name that is not there or a division by 0 among these is what it reports.
   ExprId read_from = 0, read_to = 0;
@@ -149,14 +151,14 @@ struct Syntax {
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;
   Names names;
-  uint32_t lines = 0;             ///< number of lines in the file
-  uint32_t last_code = 0;         ///< the last line that is neither blank nor comment; 0 if there is none
-  uint32_t first_plain_line = 0;  ///< the first code line before the first statement, 0 if none
+  uint32_t lines = 0;                    ///< number of lines in the file
+  uint32_t last_code = 0;                ///< the last line that is neither blank nor comment; 0 if there is none
+  uint32_t first_plain_line = 0;         ///< the first code line before the first statement, 0 if none
   uint8_t first_motion = kLeavesMotion;  ///< as Statement::motion, of the plain lines before the first statement
-  bool percent = false;           ///< the file begins with `%`: another `%` ends it
-  bool deletes_lines = false;     ///< a statement has block delete, `/` first on its line
-  bool runs_python = false;       ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
-  bool blank = false;             ///< nothing but blank lines: LinuxCNC refuses to open it
+  bool percent = false;                  ///< the file begins with `%`: another `%` ends it
+  bool deletes_lines = false;            ///< a statement has block delete, `/` first on its line
+  bool runs_python = false;  ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
+  bool blank = false;        ///< nothing but blank lines: LinuxCNC refuses to open it
 
   const LineError* error(const Statement& s) const { return s.has_error() ? &errors[s.error] : nullptr; }
   std::span<const ExprId> values_of(const Statement& s) const {

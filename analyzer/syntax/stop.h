@@ -49,8 +49,8 @@ enum class StopKind : uint8_t {
   kM99Jump,    // `M99 P…` in the main program
   // Found while a line is executed.
   kUserCodeMissing,  // `M110`: no file of that name, as far as is known
-  kM99Behind,  // the same of M99, in a sub
-  kM99Rest,    // words behind M99, in a sub
+  kM99Behind,        // the same of M99, in a sub
+  kM99Rest,          // words behind M99, in a sub
   kSubNested,
   kSubNestedInCall,  // LinuxCNC 2.10: a definition within a called sub
   kReturnOutside,

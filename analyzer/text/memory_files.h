@@ -14,8 +14,8 @@ namespace owlint {
 /// Files and folders in memory, and no others: for tests, and for programs that stand alone. Errors are those of disk().
 class MemoryFiles : public Files {
  public:
-  /// Adds a file, or replaces one; the folders that it lies in are made, as for all that is added. One that begins with `#!` may be
-  /// executed.
+  /// Adds a file, or replaces one; the folders that it lies in are made, as for all that is added. One that begins with `#!`
+  /// may be executed.
   void add_file(const std::string& path, std::string bytes);
   void add_folder(const std::string& path);
   /// `target`: absolute, or seen from the link's folder; it need not exist.

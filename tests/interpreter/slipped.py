@@ -60,7 +60,8 @@ def programs_to_slip(folders):
                 programs.append(Program(os.path.relpath(path, folder), with_called(path)))
     # A file with a sub of its own name is checked as one that others call; rs274 would run it as a program.
     own_sub = re.compile(r"(?im)^\s*o<%s>\s*sub\b" % bundle.MAIN.removesuffix(".ngc"))
-    return [p for p in programs if len(p.text) <= LARGEST and not own_sub.search(p.text)]
+    # What is no text is one finding, wherever it stops.
+    return [p for p in programs if len(p.text) <= LARGEST and not own_sub.search(p.text) and "\0" not in p.text]
 
 
 def with_called(path):

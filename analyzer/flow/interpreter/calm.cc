@@ -118,8 +118,8 @@ class CalmBuilder {
     return harmful_[end] == harmful_[id] && lines_.jumps_to(block) >= id ? end : id;
   }
 
-  /// Whether the line, or the plain lines behind it, change the motion in effect on some ways only, or in a sub. A stretch knows the
-  /// motion that it leaves, whatever was in effect before it.
+  /// Whether the line, or the plain lines behind it, change the motion in effect on some ways only, or in a sub. A stretch knows
+  /// the motion that it leaves, whatever was in effect before it.
   bool moves_on_one_way(StatementId id) {
     const BlockId block = program_.block_of[id];
     const bool part = program_.at(id).kind == LineKind::kOWord && block != kNoBlock;

@@ -21,7 +21,7 @@ struct CalmStretch {
   StatementId last = 0;  ///< one past the last line
   bool tests = false;    ///< has an `if`: afterwards, "a branch has been taken"
   bool calls = false;
-  bool ends_defining = false;  ///< a definition comes after the last call
+  bool ends_defining = false;      ///< a definition comes after the last call
   uint8_t motion = kLeavesMotion;  ///< as Statement::motion
   // Into the lists of CalmStretches, up to those of the next stretch.
   uint32_t reads = 0;

@@ -56,50 +56,6 @@ PersistentMap Evaluator::share_numbers(PersistentMap names, const PersistentMap&
   return names;
 }
 
-void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) {
-  for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
-  // A remap passes named parameters: those that the file reads before any of its lines assigns them. Expressions
-  // are in the order of the lines, so the ones before an assignment's own value come earlier.
-  std::vector<ExprId> assigned(syntax_.names.size(), kNoExpr);
-  for (const Item& item : syntax_.items) {
-    if (item.target_name != kNoName) assigned[item.target_name] = std::min(assigned[item.target_name], item.value);
-  }
-  for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
-    const Expr& expr = syntax_.exprs[id];
-    if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
-    // Without an INI, a name that some line assigns may be one that Python gives the sub.
-    const bool may_be_python = profile_.setup == nullptr && tracked_.is_assigned(expr.name());
-    if (tracked_.is_global(expr.name()) || may_be_python ||
-        remap_gives(syntax_.names.text(expr.name()), sub, profile_)) {
-      // A word that the author asks for may be left out where the code is used.
-      set_name(p, expr.name(),
-               tracked_.is_asked_for(expr.name()) && !tracked_.is_global(expr.name()) ? kMaybeUnassigned : kUnknown);
-    }
-  }
-}
-
-void Evaluator::expect_from_python(Parameters& p) {
-  for (const Expr& expr : syntax_.exprs) {
-    if (expr.op == Operator::kNamed && !expr.target && tracked_.is_global(expr.name()))
-      set_name(p, expr.name(), kMaybeUnassigned);
-  }
-}
-
-ValueId Evaluator::motion(const Parameters& in) const {
-  const ValueId value = in.globals.get(kMotionKey);
-  return value < kFirstConstant ? kUnknown : value;
-}
-
-void Evaluator::set_motion(Parameters& p, Motion motion) {
-  if (!syntax_.motion_faults.empty()) p.globals.set(pool_, kMotionKey, values_.intern(motion_number(motion)));
-}
-
-void Evaluator::leave_motion(Parameters& p, uint8_t leaves) {
-  if (leaves == kLeavesMotion || syntax_.motion_faults.empty()) return;
-  if (leaves != kLeavesAny) return set_motion(p, static_cast<Motion>(leaves));
-  p.globals.set(pool_, kMotionKey, kUnknown);
-}
-
 void Evaluator::forget_numbers(Parameters& p) {
   for (const uint32_t number : tracked_.numbers()) set_number(p, number, kUnknown);
   p.local_outcomes = {};
@@ -186,7 +142,15 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, const Reading
 
 Evaluation Evaluator::exists(const Expr& expr, const Parameters& in) {
   Evaluation out;
-  if (expr.op == Operator::kExistsNumbered) return out;
+  if (expr.op == Operator::kExistsNumbered) {
+    double number = 0;
+    long whole = 0;
+    if (literal_value(syntax_.exprs, expr.left(), &number) && !to_integer(number, &whole)) {
+      out.fails = StopKind::kParameterRange;
+      out.message = "Non integer value for integer";
+    }
+    return out;
+  }
   if (tracked_.is_global(expr.name())) {
     const ValueId value =
         tracked_.kind(expr.name()) == NameKind::kPredefined ? kUnknown : in.globals.get(kGlobalNames + expr.name());
@@ -249,11 +213,12 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, const Reading& h
   if (KnownValues::is_constant(left.value) && KnownValues::is_constant(right_value)) {
     double result = 0;
     const char* message = apply(expr.op, values_.value(left.value), values_.value(right_value), &result);
-    if (message != nullptr) {
+    const bool within = expr.right() != kNoExpr && expr.op != Operator::kAtan && !expr.complete;
+    if (message == nullptr) {
+      out.value = values_.intern(result);
+    } else if (!within || !is_not_finite(message)) {
       out.fails = StopKind::kValueFails;
       out.message = message;
-    } else {
-      out.value = values_.intern(result);
     }
   } else if (left.value >= kFirstConstant || right_value >= kFirstConstant) {
     const Range a = values_.range(left.value);

@@ -231,6 +231,7 @@ struct AbstractMachine::Step {
   void motion_check();
   void user_code();
   void machine_check();
+  void repeated_word(const LineError& repeated);
   bool may_end(const Statement& line) const;
   void call_elsewhere(FullLabel sub);
   bool times_called(const Evaluation& of_l, int* times);

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyzer/flow/interpreter/step.h"
 #include "analyzer/flow/domain/motion.h"
+#include "analyzer/flow/interpreter/step.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -55,6 +55,7 @@ void AbstractMachine::Step::plain() {
   if (!settle(e)) return;
   state.parameters = std::move(after);
   if (may_end(s)) out.end(state);
+  if (error() != nullptr && error()->first_value != kNoExpr) return repeated_word(*error());
   if (error() != nullptr) return stop_error();
   if (e.read_only != kNoName) {
     const std::string& name = m.name(e.read_only);
@@ -82,10 +83,20 @@ bool AbstractMachine::Step::may_end(const Statement& line) const {
   return std::ranges::any_of(m.program_.syntax.items_of(line), [](const Item& item) { return item.letter == 'm'; });
 }
 
+/// A second P or Q behind one whose value is computed. What comes behind it on the line has not been read.
+void AbstractMachine::Step::repeated_word(const LineError& repeated) {
+  const ValueId first = evaluate(repeated.first_value).value;
+  const Range range = m.values_.range(first);
+  if (range.low > -1) return stop_error();
+  if (range.high > -1) may_stop(repeated.kind, repeated.message);
+  next_line();
+}
+
 /// Without the machine's INI it is not known which codes it has.
 void AbstractMachine::Step::user_code() {
   const std::string code = "M" + std::to_string(s.first);
-  const UserCode known = m.profile_.setup == nullptr ? UserCode::kUnknown : m.profile_.setup->user_code(static_cast<int>(s.first));
+  const UserCode known =
+      m.profile_.setup == nullptr ? UserCode::kUnknown : m.profile_.setup->user_code(static_cast<int>(s.first));
   if (known == UserCode::kMissing) return stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
   if (known == UserCode::kUnknown) may_stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
   next_line();

@@ -110,6 +110,9 @@ void TrackedParameters::find_uses() {
 void TrackedParameters::find_what_matters(const Limits& limits) {
   for (const ExprId value : syntax_.values) mark(value);
   for (const Item& item : syntax_.items) mark_what_can_fail(item.value);
+  for (const LineError& error : syntax_.errors) {
+    if (error.first_value != kNoExpr) mark(error.first_value);
+  }
   for (const Statement& s : syntax_.statements) {
     if (s.label_expr != kNoExpr) mark(s.label_expr);
   }

@@ -21,7 +21,8 @@ std::vector<std::string> told(const Syntax& syntax) {
     if (const LineError* error = syntax.error(s)) one += " " + error->message;
     if (s.kind == LineKind::kMotionCheck) {
       for (uint32_t i = s.first;; ++i) {
-        one += " " + std::to_string(syntax.motion_faults[i].motions) + syntax.errors[syntax.motion_faults[i].error].message;
+        one += " " + std::to_string(syntax.motion_faults[i].motions) +
+            syntax.errors[syntax.motion_faults[i].error].message;
         if (syntax.motion_faults[i].last) break;
       }
     }
@@ -52,9 +53,10 @@ std::vector<std::string> told_line_by_line(const std::string& text) {
 
 /// Lines as in programs, most of them plain, and such that are nearly plain.
 std::string random_program(std::mt19937& random) {
-  static const std::vector<std::string> kWords = {"G0", "G1", "G2", "G03", "X1", "Y-2.5", "Z.5", "F100", "S200", "I1", "J-1", "K0", "R5",
-                                                  "A1", "B2", "C3", "X1", "Y2", "G1", "N10", "G81", "G80", "G90", "M3", "P1", "Q2", "U1", "F-1",
-                                                  "X", "X1..2", "G4", "X1 0", "G 1", "x+5.", "G01.5", "L1", "H1", "T1", "D1", "G28", "X.", "(c)", "/"};
+  static const std::vector<std::string> kWords = {
+      "G0", "G1",   "G2",  "G03",  "X1",    "Y-2.5", "Z.5", "F100", "S200", "I1",  "J-1", "K0",  "R5",  "A1", "B2",
+      "C3", "X1",   "Y2",  "G1",   "N10",   "G81",   "G80", "G90",  "M3",   "P1",  "Q2",  "U1",  "F-1", "X",  "X1..2",
+      "G4", "X1 0", "G 1", "x+5.", "G01.5", "L1",    "H1",  "T1",   "D1",   "G28", "X.",  "(c)", "/"};
   std::string text;
   const auto lines = random() % 12;
   for (size_t i = 0; i <= lines; ++i) {
@@ -96,7 +98,8 @@ TEST_CASE("the fast path keeps of files what reading line by line keeps", "[bulk
       if (long_lines || bytes.find('\0') != std::string::npos || bytes.starts_with("%")) continue;
       INFO(path);
       const Syntax fast = scan(*Source::own(path, bytes));
-      if (std::ranges::any_of(fast.errors, [](const LineError& e) { return e.kind == StopKind::kLineTooLong; })) continue;
+      if (std::ranges::any_of(fast.errors, [](const LineError& e) { return e.kind == StopKind::kLineTooLong; }))
+        continue;
       if (std::ranges::any_of(fast.statements, [](const Statement& s) { return s.kind == LineKind::kAbort; })) continue;
       ++compared;
       CHECK(told(fast) == told_line_by_line(bytes));
@@ -108,15 +111,18 @@ TEST_CASE("the fast path keeps of files what reading line by line keeps", "[bulk
 TEST_CASE("what may matter is never passed over", "[bulk]") {
   const auto stops_at = [](const std::string& text) { return pass_plain_lines(text, 0, Taken::kNothing).next; };
   for (const char* line :
-       {"o100 sub", "  O1 if [1]", "G1 X1 (o)", "M2", "m30", "%", "N10 M98 P1", "/G0 X1", "#1=2", "G0 X[1]", "100 sub",
-        " 5", "sub", "if [1]", "G1 X1\rG0", "\xEF\xBB\xBFG1", "G1 X\xE4", "G0 X1 ; c", "$(x)", "X1 X2", "G1 G0", "G1 I1", "U1",
-        "G4", "X", "X.", "X1..", "F-1", "G5", "G1.5", "X1 2", "R5", "N", "N1. X1"}) {
+       {"o100 sub", "  O1 if [1]", "G1 X1 (o)", "M2",    "m30",   "%",      "N10 M98 P1", "/G0 X1",
+        "#1=2",     "G0 X[1]",     "100 sub",   " 5",    "sub",   "if [1]", "G1 X1\rG0",  "\xEF\xBB\xBFG1",
+        "G1 X\xE4", "G0 X1 ; c",   "$(x)",      "X1 X2", "G1 G0", "G1 I1",  "U1",         "G4",
+        "X",        "X.",          "X1..",      "F-1",   "G5",    "G1.5",   "X1 2",       "R5",
+        "N",        "N1. X1"}) {
     INFO(line);
     CHECK(stops_at(std::string("G1 X1\n") + line + "\nG1 X2\n") == 6);
   }
   CHECK(stops_at(std::string("G1 X1\nX") + std::string(252, '1') + "\nG1\n") == 6);
   CHECK(stops_at(std::string("G1 X1\nX") + std::string(251, '1') + "\nG1\n") == 6 + 253 + 3);
-  for (const char* line : {"G1 X1 Y-2.5", "  X1", "", "  \t", "N10 G1 X1", "X1\r", "G1X1Y1", "F500", "G2 X1 I1", "g03x1r.5", "A1"}) {
+  for (const char* line :
+       {"G1 X1 Y-2.5", "  X1", "", "  \t", "N10 G1 X1", "X1\r", "G1X1Y1", "F500", "G2 X1 I1", "g03x1r.5", "A1"}) {
     INFO(line);
     const std::string text = std::string("G1 X1\n") + line + "\nG1 X2\n";
     CHECK(stops_at(text) == text.size());

@@ -1,0 +1,54 @@
+// With what a run begins, and the motion that is in effect from then on.
+#include <algorithm>
+
+#include "analyzer/flow/domain/motion.h"
+#include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/machine/remap_names.h"
+
+namespace owlint::flow {
+
+void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) {
+  for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
+  // A remap passes named parameters: those that the file reads before any of its lines assigns them. Expressions
+  // are in the order of the lines, so the ones before an assignment's own value come earlier.
+  std::vector<ExprId> assigned(syntax_.names.size(), kNoExpr);
+  for (const Item& item : syntax_.items) {
+    if (item.target_name != kNoName) assigned[item.target_name] = std::min(assigned[item.target_name], item.value);
+  }
+  for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
+    const Expr& expr = syntax_.exprs[id];
+    if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
+    // Without an INI, a name that some line assigns may be one that Python gives the sub.
+    const bool may_be_python = profile_.setup == nullptr && tracked_.is_assigned(expr.name());
+    if (tracked_.is_global(expr.name()) || may_be_python ||
+        remap_gives(syntax_.names.text(expr.name()), sub, profile_)) {
+      // A word that the author asks for may be left out where the code is used.
+      set_name(p, expr.name(),
+               tracked_.is_asked_for(expr.name()) && !tracked_.is_global(expr.name()) ? kMaybeUnassigned : kUnknown);
+    }
+  }
+}
+
+void Evaluator::expect_from_python(Parameters& p) {
+  for (const Expr& expr : syntax_.exprs) {
+    if (expr.op == Operator::kNamed && !expr.target && tracked_.is_global(expr.name()))
+      set_name(p, expr.name(), kMaybeUnassigned);
+  }
+}
+
+ValueId Evaluator::motion(const Parameters& in) const {
+  const ValueId value = in.globals.get(kMotionKey);
+  return value < kFirstConstant ? kUnknown : value;
+}
+
+void Evaluator::set_motion(Parameters& p, Motion motion) {
+  if (!syntax_.motion_faults.empty()) p.globals.set(pool_, kMotionKey, values_.intern(motion_number(motion)));
+}
+
+void Evaluator::leave_motion(Parameters& p, uint8_t leaves) {
+  if (leaves == kLeavesMotion || syntax_.motion_faults.empty()) return;
+  if (leaves != kLeavesAny) return set_motion(p, static_cast<Motion>(leaves));
+  p.globals.set(pool_, kMotionKey, kUnknown);
+}
+
+}  // namespace owlint::flow
