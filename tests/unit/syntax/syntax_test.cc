@@ -33,6 +33,9 @@ struct Read {
         case LineKind::kProgramEnd: out += "end"; break;
         case LineKind::kPercent: out += "%"; break;
         case LineKind::kAbort: out += "abort"; break;
+        case LineKind::kUserCode: out += "user code"; break;
+        case LineKind::kMachineCheck: out += "machine?"; break;
+        case LineKind::kMotionCheck: out += "motion?"; break;
         case LineKind::kWords:
         case LineKind::kFileEnd: out += "words"; break;
       }
