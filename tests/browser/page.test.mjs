@@ -319,7 +319,7 @@ test("the findings of a program stand above its lines, the worst first", () => r
   await page.locator("li.chosen").waitFor();
 }));
 
-test("on paper there are the findings and no controls", () => reading("#/findings?severity=2", {}, async (page) => {
+test("on paper there are the findings and no controls", () => reading("#/findings?severity=2&q=OW1", {}, async (page) => {
   await page.emulateMedia({ media: "print" });
   await page.locator("ul.print-only li").first().waitFor();
   await counts(page.locator("ul.print-only li"), await found(page));
