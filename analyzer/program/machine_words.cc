@@ -9,9 +9,6 @@
 namespace owlint {
 namespace {
 
-/// Up to 2.9 as in the interpreter that everything is measured with.
-Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
-
 /// The axis letters of `[TRAJ]COORDINATES`; X, Y and Z if it has none (measured).
 uint32_t axes_of(const MachineSetup& setup) {
   const Ini::Entry* const coordinates = setup.ini.find("TRAJ", "COORDINATES");
@@ -48,6 +45,8 @@ void add_remap(std::string_view line, std::vector<RemappedCode>& out) {
 }
 
 }  // namespace
+
+Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
 
 WordsOfMachine::WordsOfMachine(const Profile& profile) {
   words.release = release_of(profile);

@@ -10,6 +10,9 @@
 
 namespace owlint {
 
+/// The release whose table of codes holds for a profile. Up to 2.9 that of the interpreter with which all is measured.
+Release release_of(const Profile& profile);
+
 struct WordsOfMachine {
   explicit WordsOfMachine(const Profile& profile);
   WordsOfMachine(const WordsOfMachine&) = delete;

@@ -10,6 +10,17 @@ Motion only(MotionSet set) { return static_cast<Motion>(std::countr_zero(set)); 
 
 }  // namespace
 
+Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
+  Statement asks;
+  asks.offset = line.offset;
+  asks.length = line.length;
+  asks.line = line.line;
+  asks.kind = kind;
+  asks.block_delete = line.block_delete;
+  asks.first = first;
+  return asks;
+}
+
 void MotionInEffect::pass(Motion motion) {
   if (motion == Motion::kNone) return;
   in_effect_ = set_of(motion);
@@ -93,13 +104,8 @@ void MotionInEffect::push(const Statement& statement) {
     return;
   }
   faults_.back().last = true;
-  Statement asks;
-  asks.offset = statement.offset;
-  asks.length = statement.length;
-  asks.line = statement.line;
-  asks.kind = LineKind::kMotionCheck;
-  asks.block_delete = statement.block_delete;
-  asks.first = static_cast<uint32_t>(out_.motion_faults.size());
+  const Statement asks =
+      question_about(statement, LineKind::kMotionCheck, static_cast<uint32_t>(out_.motion_faults.size()));
   out_.motion_faults.insert(out_.motion_faults.end(), faults_.begin(), faults_.end());
   // The words are checked when the line's values have been computed, and before it does anything.
   const bool computes = statement.kind == LineKind::kWords && statement.item_count > 0;

@@ -9,6 +9,9 @@
 
 namespace owlint {
 
+/// A question to the flow about a line, which may have no statement itself: a kMotionCheck, kMachineCheck or kUserCode.
+Statement question_about(const Statement& line, LineKind kind, uint32_t first);
+
 class MotionInEffect {
  public:
   MotionInEffect(Syntax& out, LineParser& parser) : out_(out), parser_(parser) {}

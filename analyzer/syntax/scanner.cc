@@ -263,16 +263,8 @@ class Reader {
   }
 
  private:
-  /// A question to the flow about a line that may have no statement itself.
   Statement& ask(const Statement& line, LineKind kind, uint32_t first) {
-    Statement asks;
-    asks.offset = line.offset;
-    asks.length = line.length;
-    asks.line = line.line;
-    asks.kind = kind;
-    asks.block_delete = line.block_delete;
-    asks.first = first;
-    return out_.statements.emplace_back(asks);
+    return out_.statements.emplace_back(question_about(line, kind, first));
   }
 
   void note_first_line(std::string_view line) {

@@ -168,11 +168,6 @@ Fix without_word(const Program& program, const Statement& statement, Span word, 
   return {"remove `" + shown + "`", good, {std::move(edit)}, true};
 }
 
-Release release_of(const Profile& profile) {
-  if (profile.version >= Version::k2_10) return Release::k2_10;
-  return profile.version == Version::k2_9 ? Release::k2_9 : Release::k2_8;
-}
-
 std::string spoken(const CodeSet& codes, Release release, std::string_view joint) {
   std::vector<int> g;
   for (const GCode& code : g_codes()) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/program/machine_words.h"
 #include "analyzer/syntax/codes.h"
 #include "rules/driver/stops.h"
 
@@ -47,8 +48,6 @@ Fix without_word(const Program& program, const Statement& statement, Span word, 
 /// The same of any edit of the line.
 bool runs_with(const Program& program, const Statement& statement, const Edit& edit);
 
-/// The release whose table of codes holds for a profile.
-Release release_of(const Profile& profile);
 /// `G4, G10 and G64`, as one speaks; runs of codes are drawn together: `M50 to M53`. `joint`: "and", "or".
 std::string spoken(const CodeSet& codes, Release release, std::string_view joint = "and");
 /// What the codes of a group have to do with each other: `both say how the tool moves`.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/syntax/last_statement.h"
+#include "analyzer/syntax/next_comment.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules {
@@ -73,29 +74,16 @@ class Checker {
   Checker(const Input& in, Reporter& out) : in_(in), out_(out), source_(*in.program.source), text_(source_.bytes()) {}
 
   void run() {
-    for (size_t at = next_comment(0); at < text_.size();) {
+    for (size_t at = next_comment(source_, 0); at < text_.size();) {
       const size_t feed = text_.rfind('\n', at);
       const size_t begin = feed == std::string_view::npos ? 0 : feed + 1;
       const size_t end = std::min(text_.find('\n', at), text_.size());
       line(begin, end);
-      at = next_comment(end);
+      at = next_comment(source_, end);
     }
   }
 
  private:
-  /// A file of gigabytes is never in memory as a whole.
-  size_t next_comment(size_t at) const {
-    constexpr size_t kStretch = 4 << 20;
-    while (at < text_.size()) {
-      const size_t end = std::min(text_.size(), at + kStretch);
-      const size_t found = text_.substr(at, end - at).find('(');
-      if (found != std::string_view::npos) return at + found;
-      if (text_.size() > kStretch) source_.let_go({at, end});
-      at = end;
-    }
-    return at;
-  }
-
   void line(size_t begin, size_t end) {
     std::vector<Comment> found;
     size_t last = 0;  // where the last comment begins

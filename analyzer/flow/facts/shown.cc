@@ -3,6 +3,7 @@
 // shown as `######`.
 #include "analyzer/flow/facts/shown.h"
 #include "analyzer/syntax/last_statement.h"
+#include "analyzer/syntax/next_comment.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,7 @@ class Finder {
   explicit Finder(const Program& program) : program_(program), text_(program.source->bytes()) {}
 
   std::vector<Shown> run() {
-    for (size_t at = next_comment(0); at < text_.size(); at = next_comment(at)) {
+    for (size_t at = next_comment(*program_.source, 0); at < text_.size(); at = next_comment(*program_.source, at)) {
       const size_t feed = text_.rfind('\n', at);
       const size_t begin = feed == std::string_view::npos || feed < done_ ? done_ : feed + 1;
       const size_t end = std::min(text_.find('\n', at), text_.size());
@@ -42,20 +43,6 @@ class Finder {
   }
 
  private:
-  /// The next `(` from a place on; the end of the text if there is none. What has no comment is let go: a file of gigabytes is
-  /// never in memory as a whole.
-  size_t next_comment(size_t at) const {
-    constexpr size_t kStretch = 4 << 20;
-    while (at < text_.size()) {
-      const size_t end = std::min(text_.size(), at + kStretch);
-      const size_t found = text_.substr(at, end - at).find('(');
-      if (found != std::string_view::npos) return at + found;
-      if (text_.size() > kStretch) program_.source->let_go({at, end});
-      at = end;
-    }
-    return at;
-  }
-
   void line(size_t begin, size_t end) {
     size_t last = 0;  // of the parameters, the first one of the last comment
     bool any = false;
