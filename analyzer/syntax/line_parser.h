@@ -23,7 +23,6 @@ class LineParser {
   uint32_t unsure() const { return unsure_; }
   /// Records a fault of the words against each other: returns its index in Syntax::errors.
   uint32_t add_error(const Fault& fault);
-  static StopKind kind_of(WordFault fault);
   /// Whether a comment begins on the line that was parsed last.
   bool has_comment() const { return line_.has_comment(); }
 

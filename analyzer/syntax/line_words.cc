@@ -152,20 +152,6 @@ bool LineParser::assignment(ExpressionParser& in, Statement& s) {
   return true;
 }
 
-StopKind LineParser::kind_of(WordFault fault) {
-  switch (fault) {
-    case WordFault::kWordUnknown: return StopKind::kWordUnknown;
-    case WordFault::kNumberOutOfRange: return StopKind::kNumberOutOfRange;
-    case WordFault::kWordRepeated: return StopKind::kWordRepeated;
-    case WordFault::kCodeUnknown: return StopKind::kCodeUnknown;
-    case WordFault::kCodesConflict: return StopKind::kCodesConflict;
-    case WordFault::kWordUnused: return StopKind::kWordUnused;
-    case WordFault::kWordMissing: return StopKind::kWordMissing;
-    case WordFault::kAxisWords: return StopKind::kAxisWords;
-  }
-  return StopKind::kNone;
-}
-
 Span LineParser::span_of_word(uint8_t word) const {
   if (word >= words_.size()) return {};
   return {line_.begin() + words_[word].from, line_.begin() + words_[word].to};
@@ -174,14 +160,14 @@ Span LineParser::span_of_word(uint8_t word) const {
 /// A fault of the word at [from, to), which has been read.
 void LineParser::fail(Statement& s, const Fault& fault, size_t from, size_t to) {
   if (s.has_error()) return;
-  fail(s, kind_of(fault.kind), from, to, fault.message);
+  fail(s, fault.kind, from, to, fault.message);
   out_.errors[s.error].other = span_of_word(fault.other);
 }
 
 uint32_t LineParser::add_error(const Fault& fault) {
   Span span = span_of_word(fault.word);
   if (fault.word == kNoWord) span = {line_.offset(0), line_.span(0, line_.size()).end};
-  out_.errors.push_back({kind_of(fault.kind), span, fault.message, span_of_word(fault.other), kNoExpr, 0, 0});
+  out_.errors.push_back({fault.kind, span, fault.message, span_of_word(fault.other), kNoExpr, 0, 0});
   return static_cast<uint32_t>(out_.errors.size() - 1);
 }
 
@@ -193,7 +179,7 @@ bool LineParser::passes(Statement& s, const Fault& fault, size_t from, size_t to
   }
   if (unsure_ == kNoError) {
     unsure_ = static_cast<uint32_t>(out_.errors.size());
-    out_.errors.push_back({kind_of(fault.kind), line_.span(from, to), fault.message, {}, kNoExpr, 0, 0});
+    out_.errors.push_back({fault.kind, line_.span(from, to), fault.message, {}, kNoExpr, 0, 0});
   }
   return true;
 }
@@ -218,7 +204,7 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   const size_t from = in.cursor;
   const char letter = line_[from];
   const std::optional<Fault> letter_fault = words_.letter(letter);
-  if (letter_fault && letter_fault->kind != WordFault::kWordUnknown) {
+  if (letter_fault && letter_fault->kind != StopKind::kWordUnknown) {
     fail(s, *letter_fault, from, from + 1);
     if (!letter_fault->certain && s.has_error()) out_.errors[s.error].first_value = value_of_[letter == 'q' ? 1 : 0];
     return false;
@@ -231,7 +217,7 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   ExprId value = kNoExpr;
   if (!number_of(in, from, &value, s)) return false;
   // The letter of an axis that is not there is refused before its value; but where that is no number it is a word of text.
-  if (letter_fault && letter_fault->kind == WordFault::kWordUnknown && !passes(s, *letter_fault, from, in.cursor))
+  if (letter_fault && letter_fault->kind == StopKind::kWordUnknown && !passes(s, *letter_fault, from, in.cursor))
     return false;
   double number = 0;
   const bool known = literal_value(out_.exprs, value, &number);

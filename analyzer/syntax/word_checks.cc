@@ -13,7 +13,7 @@ class WordLine::Outcome {
   explicit Outcome(bool unknown_code) : unknown_code_(unknown_code) {}
 
   /// True if the line stops here for certain.
-  bool stop(WordFault kind, const char* message, uint8_t word, uint8_t other = kNoWord, bool certain = true) {
+  bool stop(StopKind kind, const char* message, uint8_t word, uint8_t other = kNoWord, bool certain = true) {
     certain &= !unknown_code_;
     if (certain || message_ == nullptr) {
       kind_ = kind;
@@ -32,7 +32,7 @@ class WordLine::Outcome {
 
  private:
   bool unknown_code_;
-  WordFault kind_{};
+  StopKind kind_{};
   const char* message_ = nullptr;
   uint8_t word_ = kNoWord, other_ = kNoWord;
   bool certain_ = true;
@@ -128,7 +128,7 @@ std::optional<Fault> WordLine::check(const Modes& before, MotionSet* after) cons
   if (after != nullptr) *after = this->after(set_of(before.motion));
   Outcome out(unknown_code_);
   if (axis_words(before, out) || non_modal(before, out)) return out.fault();
-  if (fifth_m_ != kNoWord && out.stop(WordFault::kCodesConflict, "Too many m codes on line", fifth_m_)) {
+  if (fifth_m_ != kNoWord && out.stop(StopKind::kCodesConflict, "Too many m codes on line", fifth_m_)) {
     return out.fault();
   }
   other_words(motion(before.motion), out);
@@ -138,7 +138,7 @@ std::optional<Fault> WordLine::check(const Modes& before, MotionSet* after) cons
 bool WordLine::polar_words(const Modes& before, Outcome& out) const {
   const uint8_t polar = first_word(kPolarLetters);
   const auto stop = [&](const char* message, uint8_t other = kNoWord, bool certain = true) {
-    return out.stop(WordFault::kAxisWords, message, polar, other, certain);
+    return out.stop(StopKind::kAxisWords, message, polar, other, certain);
   };
   constexpr uint32_t kXY = letter_set("xy");
   if ((machine_->axes & kXY) != kXY && stop("Cannot use polar coordinate on a machine lacking X or Y axes")) {
@@ -161,28 +161,28 @@ bool WordLine::axis_words(const Modes& before, Outcome& out) const {
   const uint8_t taking = word_of(kNonModal);
   const uint8_t moving = word_of(GGroup::kMotion);
   if (code_ != Motion::kNone && code_ != Motion::kG80) {
-    if (taker && out.stop(WordFault::kAxisWords, "Cannot use two g codes that both use axis values", taking, moving))
+    if (taker && out.stop(StopKind::kAxisWords, "Cannot use two g codes that both use axis values", taking, moving))
       return true;
     const GCode* const code = this->code(GGroup::kMotion);
     return code != nullptr && code->axes == GCode::kNeeded && !axis && !polar &&
-        out.stop(WordFault::kWordMissing, "All axes missing with motion code", moving);
+        out.stop(StopKind::kWordMissing, "All axes missing with motion code", moving);
   }
   if (taker) {
     if (polar && has_code(kNonModal, code::kG92) &&
-        out.stop(WordFault::kAxisWords, "Polar coordinates can only be used for motion", first, taking))
+        out.stop(StopKind::kAxisWords, "Polar coordinates can only be used for motion", first, taking))
       return true;
     if (!axis && (has_code(kNonModal, code::kG52) || has_code(kNonModal, code::kG92)) &&
-        out.stop(WordFault::kWordMissing, "All axes missing with g52 or g92", taking))
+        out.stop(StopKind::kWordMissing, "All axes missing with g52 or g92", taking))
       return true;
   } else if (axis || polar) {
-    if (code_ == Motion::kG80) return out.stop(WordFault::kAxisWords, "Cannot use axis values with g80", first, moving);
+    if (code_ == Motion::kG80) return out.stop(StopKind::kAxisWords, "Cannot use axis values with g80", first, moving);
     if (contains(kMotionless, before.motion) && !has_code(GGroup::kToolLength, code::kG43_1) &&
         !has_code(GGroup::kToolLength, code::kG43_2) &&
-        out.stop(WordFault::kAxisWords, "Cannot use axis values without a g code that uses them", first))
+        out.stop(StopKind::kAxisWords, "Cannot use axis values without a g code that uses them", first))
       return true;
   }
   return polar && motion(before.motion) == Motion::kNone &&
-      out.stop(WordFault::kAxisWords, "Polar coordinates can only be used for motion", first);
+      out.stop(StopKind::kAxisWords, "Polar coordinates can only be used for motion", first);
 }
 
 bool WordLine::non_modal(const Modes& before, Outcome& out) const {
@@ -191,29 +191,29 @@ bool WordLine::non_modal(const Modes& before, Outcome& out) const {
   const uint8_t at = word_of(kNonModal);
   const uint8_t moving = word_of(GGroup::kMotion);
   if (code->tenths == code::kG4) {
-    if (given(letter_set("p")) == 0 && out.stop(WordFault::kWordMissing, "Dwell time missing with g4", at)) return true;
+    if (given(letter_set("p")) == 0 && out.stop(StopKind::kWordMissing, "Dwell time missing with g4", at)) return true;
     return contains(kArcs, code_) &&
-        out.stop(WordFault::kCodesConflict, "G4 not allowed with G2 or G3 because they both use P", at, moving);
+        out.stop(StopKind::kCodesConflict, "G4 not allowed with G2 or G3 because they both use P", at, moving);
   }
   if (code->tenths == code::kG10) return g10(out);
   if (code->tenths == code::kG5_3) {
     return code_ != Motion::kNone && code_ != Motion::kG5_2 &&
-        out.stop(WordFault::kCodesConflict, "Between G5.2 and G5.3 codes, only additional G5.2 codes are allowed.", at,
+        out.stop(StopKind::kCodesConflict, "Between G5.2 and G5.3 codes, only additional G5.2 codes are allowed.", at,
                  moving);
   }
   if (contains(kNurbs, code_)) return false;  // and so G53 is not checked
   if (code->tenths == code::kG6_3)
-    return out.stop(WordFault::kCodesConflict, "Bug bad g code modal group 0", at, moving);
+    return out.stop(StopKind::kCodesConflict, "Bug bad g code modal group 0", at, moving);
   if (code->tenths != code::kG53) return false;
   const Motion moved = motion(before.motion);
   if (moved != Motion::kG0 && moved != Motion::kG1 &&
-      out.stop(WordFault::kCodesConflict, "Must use g0 or g1 with g53", at, moving))
+      out.stop(StopKind::kCodesConflict, "Must use g0 or g1 with g53", at, moving))
     return true;
   const GCode* const distance = this->code(GGroup::kDistance);
   const bool known = distance != nullptr || before.distance != Modes::kDistanceUnknown;
   const bool absolute = distance != nullptr ? distance->tenths == code::kG90 : before.distance == Modes::kAbsolute;
   return !absolute &&
-      out.stop(WordFault::kCodesConflict, "Cannot use g53 incremental", at, word_of(GGroup::kDistance), known);
+      out.stop(StopKind::kCodesConflict, "Cannot use g53 incremental", at, word_of(GGroup::kDistance), known);
 }
 
 bool WordLine::g10(Outcome& out) const {
@@ -225,7 +225,7 @@ bool WordLine::g10(Outcome& out) const {
   const bool in_system = what == 2 || what == 20;
   const bool in_tool_table = what == 1 || what == 10 || what == 11;
   if (what_known && !in_system && !in_tool_table && what != 0 &&
-      out.stop(WordFault::kWordMissing, "Line with G10 does not have L0, L1, L10, L11, L2, or L20", code, l))
+      out.stop(StopKind::kWordMissing, "Line with G10 does not have L0, L1, L10, L11, L2, or L20", code, l))
     return true;
   const uint8_t p = find('p');
   if (p != kNoWord && !words_[p].known) return false;
@@ -233,7 +233,7 @@ bool WordLine::g10(Outcome& out) const {
   const int32_t number = nearest_integer(value);
   const uint8_t about = p == kNoWord ? code : p;
   const auto stop = [&](const char* message) {
-    return out.stop(WordFault::kNumberOutOfRange, message, about, about == code ? kNoWord : code);
+    return out.stop(StopKind::kNumberOutOfRange, message, about, about == code ? kNoWord : code);
   };
   // One-sided: what is rounded up passes.
   if (value + 0.0001 - number > 0.0002 && stop("P value not an integer with G10")) return true;
@@ -263,22 +263,22 @@ bool WordLine::other_words(Motion motion, Outcome& out) const {
 bool WordLine::fails(const LineCheck& check, const CodeSet& line, Outcome& out) const {
   if (check.kind == LineCheck::kMissing) {
     return line.meets(check.codes) && given(check.letters) != check.letters &&
-        out.stop(WordFault::kWordMissing, check.message, word_of(check.codes));
+        out.stop(StopKind::kWordMissing, check.message, word_of(check.codes));
   }
   if ((letters_ & check.letters) == 0) return false;
   const uint8_t word = first_word(check.letters);
   switch (check.kind) {
     case LineCheck::kRefused:
       if (!line.meets(check.codes) || (!check.also.empty() && !line.meets(check.also))) return false;
-      return out.stop(check.also.empty() ? WordFault::kWordUnused : WordFault::kCodesConflict, check.message, word,
+      return out.stop(check.also.empty() ? StopKind::kWordUnused : StopKind::kCodesConflict, check.message, word,
                       word_of(check.codes));
-    case LineCheck::kUnused: return !line.meets(check.codes) && out.stop(WordFault::kWordUnused, check.message, word);
+    case LineCheck::kUnused: return !line.meets(check.codes) && out.stop(StopKind::kWordUnused, check.message, word);
     case LineCheck::kUnusedUnlessMinusOne:
       if (line.meets(check.codes) || given(check.letters) == 0) return false;
-      return out.stop(WordFault::kWordUnused, check.message, word, kNoWord, words_[word].known);
+      return out.stop(StopKind::kWordUnused, check.message, word, kNoWord, words_[word].known);
     case LineCheck::kValue:
       return line.meets(check.codes) && words_[word].known && fails_value(check) &&
-          out.stop(WordFault::kNumberOutOfRange, check.message, word, word_of(check.codes));
+          out.stop(StopKind::kNumberOutOfRange, check.message, word, word_of(check.codes));
     default: return false;
   }
 }

@@ -30,7 +30,7 @@ uint8_t WordLine::find(char letter) const {
 std::optional<Fault> WordLine::letter(char letter) const {
   const uint32_t bit = letter_set({&letter, 1});
   if ((bit & kAxisLetters) != 0 && (bit & machine_->axes) == 0)
-    return Fault{WordFault::kWordUnknown, std::string("Bad character '") + letter + "' used", size_, kNoWord,
+    return Fault{StopKind::kWordUnknown, std::string("Bad character '") + letter + "' used", size_, kNoWord,
                  !machine_->unsure};
   if ((letters_ & bit) == 0) return std::nullopt;
   const WordRow* row = word_row(letter);
@@ -39,7 +39,7 @@ std::optional<Fault> WordLine::letter(char letter) const {
   const Word& earlier = words_[before];
   const bool either_way = row->repeated == WordRow::kStops;
   if (!either_way && earlier.known && earlier.value <= -1) return std::nullopt;
-  return Fault{WordFault::kWordRepeated, "Multiple " + std::string(row->name) + " words on one line", size_, before,
+  return Fault{StopKind::kWordRepeated, "Multiple " + std::string(row->name) + " words on one line", size_, before,
                either_way || earlier.known};
 }
 
@@ -64,7 +64,7 @@ std::optional<Fault> WordLine::add(const Word& word) {
 /// Whether a known value is one that the letter may have; an integer is converted.
 std::optional<Fault> WordLine::range(const Word& word, uint8_t at, int32_t* whole) const {
   if (const char* message = refused_number(word.letter, word.value))
-    return Fault{WordFault::kNumberOutOfRange, message, at, kNoWord, true};
+    return Fault{StopKind::kNumberOutOfRange, message, at, kNoWord, true};
   const NumberKind kind = word_row(word.letter)->number;
   if (kind == NumberKind::kInteger) word_integer(word.value, whole);
   if (kind == NumberKind::kTenths) g_tenths(word.value, whole);
@@ -86,14 +86,14 @@ std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {
       motion.word = at;
       code_ = Motion::kRemapped;
     }
-    return Fault{WordFault::kCodeUnknown, "Unknown g code used", at, kNoWord, !machine_->unsure};
+    return Fault{StopKind::kCodeUnknown, "Unknown g code used", at, kNoWord, !machine_->unsure};
   }
   const GGroup group = code == nullptr ? GGroup::kMotion : code->group;
   Place<GCode>& place = g_[static_cast<size_t>(group)];
   if (place.word != kNoWord) {
     if (tenths == code::kG80) return std::nullopt;  // gives way to every other motion, without a word
     if (code == nullptr || code_ != Motion::kG80 || group != GGroup::kMotion)
-      return Fault{WordFault::kCodesConflict, "Two g codes used from same modal group", at, place.word, true};
+      return Fault{StopKind::kCodesConflict, "Two g codes used from same modal group", at, place.word, true};
   }
   place = {code, at};
   if (group == GGroup::kMotion) {
@@ -113,11 +113,11 @@ std::optional<Fault> WordLine::add_m(int32_t number, uint8_t at) {
     // A code that an INI may define passes all checks of the other words.
     const bool maybe = machine_->unsure && number < kRemappedEnd && (code == nullptr || code->group != MGroup::kCall);
     remapped_m_ = remapped_m_ || maybe;
-    return Fault{WordFault::kCodeUnknown, message + std::to_string(number), at, kNoWord, !maybe};
+    return Fault{StopKind::kCodeUnknown, message + std::to_string(number), at, kNoWord, !maybe};
   }
   Place<MCode>& place = m_[static_cast<size_t>(machines != nullptr ? machines->group : code->group)];
   if (place.word != kNoWord)
-    return Fault{WordFault::kCodesConflict, "Two m codes used from same modal group", at, place.word, true};
+    return Fault{StopKind::kCodesConflict, "Two m codes used from same modal group", at, place.word, true};
   place = {machines != nullptr ? nullptr : code, at};
   if (machines != nullptr) {
     remapped_m_ = true;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "analyzer/syntax/codes.h"
+#include "analyzer/syntax/stop.h"
 
 namespace owlint {
 
@@ -30,22 +31,10 @@ struct Word {
   uint8_t from, to;  ///< bytes of the line
 };
 
-/// What is wrong, by the rule that reports it.
-enum class WordFault : uint8_t {
-  kWordUnknown,       ///< OW701: the letter of an axis that the machine lacks
-  kNumberOutOfRange,  ///< OW703
-  kWordRepeated,      ///< OW704
-  kCodeUnknown,       ///< OW705
-  kCodesConflict,     ///< OW706
-  kWordUnused,        ///< OW707
-  kWordMissing,       ///< OW708
-  kAxisWords,         ///< OW709: axis or polar words with no code that uses them, with two, or with a wrong one
-};
-
 inline constexpr uint8_t kNoWord = 255;
 
 struct Fault {
-  WordFault kind;
+  StopKind kind;
   std::string message;  ///< the interpreter's
   uint8_t word;   ///< index of the word it is about, or of the code that wants one; kNoWord: that is a modal motion
   uint8_t other;  ///< index of another word concerned, such as the first of two conflicting codes, or kNoWord

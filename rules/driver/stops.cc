@@ -58,6 +58,17 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kWordUnused: return "OW707";
     case StopKind::kWordMissing: return "OW708";
     case StopKind::kAxisWords: return "OW709";
+    case StopKind::kFeedMissing: return "OW801";
+    case StopKind::kSpindleStopped: return "OW802";
+    case StopKind::kFeedMode: return "OW803";
+    case StopKind::kPlaneWrong: return "OW804";
+    case StopKind::kCompensation: return "OW805";
+    case StopKind::kToolMissing: return "OW806";
+    case StopKind::kSavedModes: return "OW807";
+    case StopKind::kModeConflict: return "OW808";
+    case StopKind::kArcWords: return "OW903";
+    case StopKind::kCycleWords: return "OW904";
+    case StopKind::kContourWords: return "OW908";
     case StopKind::kM98NoTarget: return "OW208";
     case StopKind::kM98Words:
     case StopKind::kM98Behind:

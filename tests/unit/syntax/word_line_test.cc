@@ -45,7 +45,7 @@ TEST_CASE("a word that is on the line twice stops, but for a few", "[words]") {
 
   const auto fault = fault_of("G0 X1 Y2 X3");
   REQUIRE(fault);
-  CHECK(fault->kind == WordFault::kWordRepeated);
+  CHECK(fault->kind == StopKind::kWordRepeated);
   CHECK(fault->word == 3);
   CHECK(fault->other == 1);
   CHECK(fault->certain);
@@ -53,7 +53,7 @@ TEST_CASE("a word that is on the line twice stops, but for a few", "[words]") {
 
 TEST_CASE("an axis that the machine lacks is no letter", "[words]") {
   CHECK(stops("G0 U1") == "Bad character 'u' used");
-  CHECK(fault_of("G0 X1 W2")->kind == WordFault::kWordUnknown);
+  CHECK(fault_of("G0 X1 W2")->kind == StopKind::kWordUnknown);
   CHECK(stops("G0 C1", kStart, {.release = Release::k2_8, .axes = letter_set("xyz"), .remapped = {}}) ==
         "Bad character 'c' used");
 }
@@ -117,7 +117,7 @@ TEST_CASE("a line has one code of a group", "[words]") {
   CHECK(stops("M3 M7 M48 M6").empty());
   const auto fault = fault_of("X1 G0 G90 G1");
   REQUIRE(fault);
-  CHECK(fault->kind == WordFault::kCodesConflict);
+  CHECK(fault->kind == StopKind::kCodesConflict);
   CHECK(fault->word == 3);
   CHECK(fault->other == 1);
 }
@@ -170,8 +170,8 @@ TEST_CASE("axis words need one code that takes them", "[words]") {
   CHECK(stops("G52") == "All axes missing with g52 or g92");
   CHECK(stops("G92") == "All axes missing with g52 or g92");
   CHECK(stops("G28").empty());
-  CHECK(fault_of("G92")->kind == WordFault::kWordMissing);
-  CHECK(fault_of("G80 X1")->kind == WordFault::kAxisWords);
+  CHECK(fault_of("G92")->kind == StopKind::kWordMissing);
+  CHECK(fault_of("G80 X1")->kind == StopKind::kAxisWords);
 }
 
 TEST_CASE("polar words are for motions in the XY plane", "[words]") {

@@ -1,0 +1,110 @@
+// What is in effect before a line: the modes of the machine as the interpreter keeps them, each as the set of the values that it
+// may have there. Lines change them and need them (mode_run.h). Source: measured with rs274, see docs/interpreter.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "analyzer/syntax/codes.h"
+
+namespace owlint {
+
+/// A mode. Its values are numbered from 0, and 0 is that of an interpreter that was just started, but for the motion, whose
+/// values are those of Motion: there it is Motion::kNone.
+enum class Mode : uint8_t {
+  kMotion,
+  kFeedMode,
+  kFeed,
+  kSpeed,
+  kTurning,
+  kSpindleMode,
+  kPlane,
+  kUnits,
+  kDistance,
+  kArcDistance,
+  kDiameter,
+  kSystem,
+  kToolOffset,
+  kRetract,
+  kPathControl,
+  kCompensation,
+  kRadius,  ///< of compensation
+  kEntry,   ///< of compensation
+  kStraightOwed,
+  kNurbs,
+  kOverrides,
+  kCoolant,
+  kSaved,  ///< by M70 or M73, on this level of calls
+};
+inline constexpr size_t kModes = static_cast<size_t>(Mode::kSaved) + 1;
+
+/// Names of the values.
+namespace modes {
+enum FeedMode : uint8_t { kG94, kG93, kG95 };
+enum Feed : uint8_t { kNoFeed, kFeedSet };
+enum Speed : uint8_t { kNoSpeed, kSpeedSet };
+enum Turning : uint8_t { kStopped, kClockwise, kCounterclockwise };
+enum SpindleMode : uint8_t { kG97, kG96 };
+enum Plane : uint8_t { kG17, kG18, kG19, kG17_1, kG18_1, kG19_1 };
+enum Units : uint8_t { kG21, kG20 };
+enum Distance : uint8_t { kG90, kG91 };
+enum ArcDistance : uint8_t { kG91_1, kG90_1 };
+enum Diameter : uint8_t { kG8, kG7 };
+enum System : uint8_t { kG54, kG55, kG56, kG57, kG58, kG59, kG59_1, kG59_2, kG59_3 };
+enum ToolOffset : uint8_t { kG49, kOffsetOn };
+enum Retract : uint8_t { kG99, kG98 };
+enum PathControl : uint8_t { kG64, kG61, kG61_1 };
+enum Compensation : uint8_t { kG40, kG41, kG42 };
+enum Radius : uint8_t { kNoRadius, kRadiusSet };
+enum Entry : uint8_t { kToCome, kMade };
+enum StraightOwed : uint8_t { kNotOwed, kOwed };
+enum Nurbs : uint8_t { kNoPoints, kPoints };
+enum Overrides : uint8_t { kOn, kChanged };
+enum Coolant : uint8_t { kNoCoolant, kMist, kFlood, kBoth };
+enum Saved : uint8_t { kNotSaved, kSavedByM70, kSavedByM73 };
+}  // namespace modes
+
+/// Values of one mode as the bits of a number.
+using ValueSet = uint64_t;
+/// Modes as the bits of a number.
+using ModeMask = uint32_t;
+constexpr ValueSet value_bit(uint8_t value) { return ValueSet{1} << value; }
+constexpr ModeMask mask_of(Mode mode) { return ModeMask{1} << static_cast<int>(mode); }
+
+/// All values that the mode has.
+ValueSet all_values(Mode mode);
+/// `feed mode`, as a reader understands it.
+std::string_view mode_name(Mode mode);
+/// `G93`, `stopped`.
+std::string_view value_name(Mode mode, uint8_t value);
+
+/// For every mode the values that may be in effect: never none. A mode that is not `open` has each of them on some run; of one
+/// that is open it is only known that it has no other.
+struct ModeSets {
+  std::array<ValueSet, kModes> may{};
+  ModeMask open = 0;
+
+  ValueSet& operator[](Mode mode) { return may[static_cast<size_t>(mode)]; }
+  ValueSet operator[](Mode mode) const { return may[static_cast<size_t>(mode)]; }
+  bool is_open(Mode mode) const { return (open & mask_of(mode)) != 0; }
+  bool operator==(const ModeSets&) const = default;
+
+  static ModeSets started();  ///< those of an interpreter that was just started
+  static ModeSets unknown();  ///< any, and all open
+};
+
+/// What an interpreter remembers of modes between two lines.
+struct ModeState {
+  ModeSets now;
+  ModeSets saved;  ///< what M72 restores, or the end of a sub behind M73
+
+  bool operator==(const ModeState&) const = default;
+  static ModeState started() { return {ModeSets::started(), ModeSets::started()}; }
+  static ModeState unknown() { return {ModeSets::unknown(), ModeSets::unknown()}; }
+};
+
+/// The least sets that hold both.
+ModeSets join(const ModeSets& a, const ModeSets& b);
+
+}  // namespace owlint
