@@ -1,0 +1,109 @@
+#include "rules/driver/modes.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace owlint::rules {
+namespace {
+
+constexpr std::string_view kAxes = "xyzabcuvw@^";
+
+/// Whether a word is the one that a name means.
+bool is_meant(const WrittenWord& word, std::string_view name) {
+  const bool axis = kAxes.find(word.letter) != std::string_view::npos;
+  if (name == "*") return axis;
+  if (capital(word.letter)[0] != name[0]) return false;
+  if (name.size() == 1) return true;
+  double number = 0;
+  std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  constexpr double kNear = 0.01;
+  return word.value && std::abs(*word.value - number) < kNear;
+}
+
+/// The word that a stop is about is `word`.
+void set_word(const Source& source, const WrittenWord& word, WordStop& stop) {
+  stop.span = word.span;
+  stop.letter = word.letter;
+  stop.value = word.value;
+  stop.word = shown(source, word.span);
+}
+
+}  // namespace
+
+const Said* said_of(std::span<const Said> rows, std::string_view interpreter) {
+  const auto found = std::ranges::find_if(
+      rows, [&](const Said& row) { return interpreter.find(row.interpreter) != std::string::npos; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+const WrittenWord* find_word(const std::vector<WrittenWord>& line, std::string_view names) {
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(' '));
+    const auto found = std::ranges::find_if(line, [&](const WrittenWord& word) { return is_meant(word, name); });
+    if (found != line.end()) return &*found;
+    names.remove_prefix(std::min(name.size() + 1, names.size()));
+  }
+  return nullptr;
+}
+
+WordStop word_stop(const Input& in, const FlowStop& stop, std::string_view names) {
+  WordStop out = word_stop(in, stop);
+  const Statement& s = in.program.at(stop.statement);
+  if (const WrittenWord* word = find_word(out.line, names))
+    set_word(*in.program.source, *word, out);
+  else if (out.line.empty())
+    out.span = s.head_span();
+  return out;
+}
+
+std::string subject(const WordStop& stop) { return stop.letter == 0 ? "this line" : "`" + stop.word + "`"; }
+
+std::optional<Setter> setter_of(const Input& in, const FlowStop& stop, std::string_view names, bool own) {
+  Setter out{.place = place_of(in, stop.other, stop.other_elsewhere), .span = {}, .word = {}};
+  const bool known = out.place.program != nullptr;
+  if (!known) out.place = {&in.program, stop.statement};
+  out.on_line = out.place.program == &in.program && out.place.statement == stop.statement;
+  if (out.on_line && !own) return std::nullopt;
+  const Source& source = *out.place.program->source;
+  const Statement& s = out.place.program->at(out.place.statement);
+  const std::vector<WrittenWord> line = words_of(source, s.whole());
+  if (const WrittenWord* word = find_word(line, names)) {
+    out.span = word->span;
+    out.word = shown(source, word->span);
+    return out;
+  }
+  if (!known || out.on_line) return std::nullopt;
+  // M72, or the end of a sub behind M73.
+  const WrittenWord* restore = find_word(line, "M72");
+  out.span = restore != nullptr ? restore->span : line.empty() ? s.head_span() : s.whole();
+  return out;
+}
+
+std::string where(const Input& in, const Setter& setter) {
+  return setter.on_line ? "on this line" : "on " + line_words(in, setter.place);
+}
+
+void relate_setter(const Input& in, Finding& finding, const std::optional<Setter>& setter, std::string_view what) {
+  if (!setter) return;
+  std::string message =
+      setter->restores() ? "the mode is restored here" : "`" + setter->word + "` " + std::string(what);
+  const Program* program = setter->place.program;
+  finding.related.push_back({setter->span, std::move(message), program == &in.program ? nullptr : program->source});
+}
+
+Finding& add_said(const Input& in, Reporter& out, const FlowStop& stop, std::span<const Said> rows) {
+  const Said* said = said_of(rows, stop.interpreter);
+  const WordStop at = word_stop(in, stop, said == nullptr ? "" : said->about);
+  const std::string_view message = said == nullptr ? "stops in the modes that are in effect" : said->message;
+  Finding& f = out.add(at.span, subject(at) + " " + std::string(message));
+  if (said != nullptr) f.help = said->help;
+  f.interpreter = stop.interpreter;
+  return f;
+}
+
+Fix with_code(Span word, const std::string& code) {
+  return {"write `" + code + "`", false, {{{word.begin, word.begin}, code + " "}}};
+}
+
+}  // namespace owlint::rules
