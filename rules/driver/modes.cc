@@ -95,7 +95,7 @@ void relate_setter(const Input& in, Finding& finding, const std::optional<Setter
 Finding& add_said(const Input& in, Reporter& out, const FlowStop& stop, std::span<const Said> rows) {
   const Said* said = said_of(rows, stop.interpreter);
   const WordStop at = word_stop(in, stop, said == nullptr ? "" : said->about);
-  const std::string_view message = said == nullptr ? "stops in the modes that are in effect" : said->message;
+  const std::string_view message = said == nullptr ? "cannot be carried out here" : said->message;
   Finding& f = out.add(at.span, subject(at) + " " + std::string(message));
   if (said != nullptr) f.help = said->help;
   f.interpreter = stop.interpreter;
