@@ -32,7 +32,7 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop, "M72");
     Finding& f = out.add(at.span, "");
-    const bool m72 = at.letter == 'm';
+    const bool m72 = find_word(at.line, "M72") != nullptr;
     if (stop.interpreter.find(kFailed) == std::string::npos) {
       f.message = "`M72` restores modes, and nothing has saved them";
       f.help = "write `M70` before the modes change, in the same sub as `M72`";
