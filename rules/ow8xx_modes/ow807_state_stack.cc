@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kFailed = "restore_settings";
 
-/// The line that LinuxCNC makes, and what it stops with: `M7x: restore_settings failed executing: ' G96': S word missing with G96`.
+/// The line that LinuxCNC makes, and what it stops with, from `M7x: restore_settings failed executing: ' G96': S word …`.
 std::pair<std::string, std::string> line_and_message(const std::string& said) {
   const size_t from = said.find('\'');
   const size_t to = said.find("': ");
