@@ -156,7 +156,7 @@ std::optional<LineError> word_error(const Input& in, const FlowStop& stop) {
   const Syntax& syntax = in.program.syntax;
   const Statement& s = in.program.at(stop.statement);
   if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
-  if (s.kind != LineKind::kModes) {
+  if (s.kind != LineKind::kModeLine) {
     const LineError* const error = syntax.error(s);
     return error == nullptr ? std::nullopt : std::optional(*error);
   }
