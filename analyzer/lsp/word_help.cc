@@ -56,7 +56,7 @@ void name_axes(std::vector<std::string>& words, const Profile& profile) {
 std::string g_help(const GCode& code, const Profile& profile) {
   Points points;
   if (code.group == GGroup::kNonModal) {
-    points.add("it holds for its line only");
+    points.add("not modal: it acts once");
   } else {
     points.add("group", rules::group_text(code.group));
   }
@@ -117,7 +117,7 @@ std::string letter_help(const WordRow& row, const std::vector<WrittenWord>& line
                          row.below == nullptr ? "" : fmt::format(", {} or more", row.least)));
   std::string takers = is_axis(row.letter) ? "motions" : "";
   if (!taking.empty())
-    takers += (takers.empty() ? "" : "; ") + rules::spoken({taking.motions, taking.g, taking.m, 0}, release);
+    takers += (takers.empty() ? "" : "; ") + rules::spoken(taking, release);
   points.add("taken by", takers);
   if (std::string_view("fst").find(row.letter) != std::string_view::npos) points.add("stands with any code, and alone");
   points.add("needed by", rules::spoken(rules::codes_needing(row.letter, release), release));

@@ -85,7 +85,7 @@ session('hover over words', { files: machine }, async (client) => {
   assert.match(pitch, /^\*\*K\*\* arc center in Z; pitch of a thread; its full depth\n\n- number: real\n- taken by: G2, G3, G33/);
   assert.match(pitch, /needed by: G33, G33\.1 and G76\n- on this line for: G33\n- twice on a line: stops$/);
   assert.match(await hover('G6.2'), /since LinuxCNC 2\.10\n- the program is checked for LinuxCNC 2\.9, which does not have it$/);
-  assert.match(await hover('G4'), /it holds for its line only\n- needs: P\n/);
+  assert.match(await hover('G4'), /not modal: it acts once\n- needs: P\n/);
   assert.match(await hover('X['), /taken by: motions; G10, G28/);
   assert.match(await hover('G[#1]'), /^\*\*G\*\* preparatory code/);
   for (const piece of ['(G1', 'G777', 'G12', 'L2', '%']) assert.equal(await hover(piece, 1), null, piece);
