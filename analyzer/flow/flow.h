@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analyzer/program/program.h"
+#include "analyzer/syntax/word_line.h"
 #include "analyzer/text/reach.h"
 
 namespace owlint {
@@ -26,6 +27,13 @@ struct Decision {
   const Program* program = nullptr;  ///< where, if in another file
 };
 
+/// The words of a kModes that it stops at.
+struct FaultyWords {
+  uint8_t word = kNoWord;   ///< index of the one that it is about; kNoWord: a motion that an earlier line has set
+  uint8_t other = kNoWord;  ///< another one concerned, or kNoWord
+  ModeMask decided_by = 0;  ///< the modes that decide it
+};
+
 /// The interpreter stops at `statement` on some run.
 struct FlowStop {
   StatementId statement = kNoStatement;  ///< for ends of file: the line that causes it (see `kind`)
@@ -41,6 +49,9 @@ struct FlowStop {
   const Program* file = nullptr;      ///< the file that was called and lacks the sub
   std::string interpreter;            ///< the interpreter's message
   std::string detail;                 ///< a name that the message is about
+  FaultyWords words;                  ///< if `statement` is a kModes
+  const Program* set_in = nullptr;    ///< the file in which one of the deciding modes was set last on the way here, if one was
+  uint32_t set_line = 0;              ///< the line of that
   std::vector<Decision> path;         ///< the conditions that lead here; empty if every run stops here
 };
 

@@ -22,7 +22,7 @@ class Joiner {
     value0_ = static_cast<uint32_t>(out_.syntax.values.size());
     item0_ = static_cast<uint32_t>(out_.syntax.items.size());
     error0_ = static_cast<uint32_t>(out_.syntax.errors.size());
-    fault0_ = static_cast<uint32_t>(out_.syntax.motion_faults.size());
+    word0_ = static_cast<uint32_t>(out_.syntax.mode_words.size());
     expr0_ = static_cast<uint32_t>(out_.syntax.exprs.size());
     region0_ = static_cast<uint32_t>(out_.regions.size());
     block0_ = static_cast<uint32_t>(out_.blocks.size());
@@ -54,7 +54,7 @@ class Joiner {
     switch (s.kind) {
       case LineKind::kUserCode: return 0;
       case LineKind::kMachineCheck: return error0_;
-      case LineKind::kMotionCheck: return fault0_;
+      case LineKind::kModes: return word0_;
       default: return s.has_items() ? item0_ : value0_;
     }
   }
@@ -75,9 +75,13 @@ class Joiner {
       item.target_name = name(item.target_name);
       out.items.push_back(item);
     }
-    for (MotionFault fault : in.motion_faults) {
-      fault.error += error0_;
-      out.motion_faults.push_back(fault);
+    for (ModeWord word : in.mode_words) {
+      word.computed = expr(word.computed);
+      out.mode_words.push_back(word);
+    }
+    for (ModeChange change : in.mode_changes) {
+      change.after += statement0_;
+      out.mode_changes.push_back(change);
     }
     for (LineError error : in.errors) {
       error.first_value = expr(error.first_value);
@@ -125,7 +129,7 @@ class Joiner {
 
   Program& out_;
   std::vector<NameId> names_;
-  uint32_t statement0_ = 0, value0_ = 0, item0_ = 0, error0_ = 0, fault0_ = 0, expr0_ = 0, region0_ = 0, block0_ = 0;
+  uint32_t statement0_ = 0, value0_ = 0, item0_ = 0, error0_ = 0, word0_ = 0, expr0_ = 0, region0_ = 0, block0_ = 0;
 };
 
 }  // namespace
@@ -206,7 +210,7 @@ void Linked::join() {
   for (size_t i = 0; i < files_.size(); ++i) joiner.append(*files_[i].program, i + 1 == files_.size());
   joined->syntax.percent = main.syntax.percent;
   joined->syntax.blank = main.syntax.blank;
-  joined->syntax.first_motion = main.syntax.first_motion;
+  joined->syntax.first_changes = main.syntax.first_changes;
   joined->sub_file = main.sub_file;
   joined->entry = main.entry == kNoName ? kNoName : joined->syntax.names.find(main.name(main.entry));
   index_labels(*joined);

@@ -4,6 +4,8 @@
 #include <charconv>
 
 #include "analyzer/machine/setup.h"
+#include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/mode_run.h"
 #include "analyzer/text/source.h"
 
 namespace owlint {
@@ -57,6 +59,23 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) {
     if (const auto code = remapped_code(remap->value)) remapped.push_back(*code);
   }
   words.remapped = remapped;
+}
+
+ModeState modes_at_start(const Profile& profile, const MachineWords& machine) {
+  ModeState state = ModeState::started();
+  if (profile.setup == nullptr) return state;
+  const Ini::Entry* code = profile.setup->ini.find("RS274NGC", "RS274NGC_STARTUP_CODE");
+  if (code == nullptr) code = profile.setup->ini.find("EMC", "RS274NGC_STARTUP_CODE");
+  if (code == nullptr) return state;
+  Syntax syntax;
+  LineParser parser(syntax, machine);
+  Statement line;
+  parser.parse(code->value, 0, &line);
+  // A call may set anything.
+  if (parser.words() == nullptr) return line.has_error() ? state : ModeState::unknown();
+  std::vector<ModeFault> faults;
+  ModeState after = state;
+  return ModeRun(machine, *parser.words()).run(&after, &faults) ? after : state;
 }
 
 std::string WordsOfMachine::key() const {

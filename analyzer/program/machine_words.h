@@ -9,6 +9,7 @@
 
 #include "analyzer/machine/profile.h"
 #include "analyzer/syntax/codes.h"
+#include "analyzer/syntax/modes.h"
 
 namespace owlint {
 
@@ -30,5 +31,8 @@ struct WordsOfMachine {
   std::vector<RemappedCode> remapped;
   MachineWords words;  ///< refers to `remapped`
 };
+
+/// The modes in which a program begins on a machine that was just started: its start-up code has run.
+ModeState modes_at_start(const Profile& profile, const MachineWords& machine);
 
 }  // namespace owlint

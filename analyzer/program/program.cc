@@ -147,12 +147,19 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
   out->source = program->source;
   out->syntax = program->syntax;
   auto& statements = out->syntax.statements;
+  auto& changes = out->syntax.mode_changes;
   statements.clear();
-  for (const Statement& s : program->syntax.statements) {
+  changes.clear();
+  for (StatementId id = 0; id < program->size(); ++id) {
+    const Statement& s = program->at(id);
     const LineError* error = program->syntax.error(s);
     const bool read = error != nullptr && error->kind <= StopKind::kCommentUnclosed;
     if (!s.block_delete || read) {
       statements.push_back(s);
+      for (ModeChange change : program->syntax.changes_after(id)) {
+        change.after = static_cast<StatementId>(statements.size() - 1);
+        changes.push_back(change);
+      }
       continue;
     }
     if (s.plain_code_follows && !statements.empty() && !statements.back().plain_code_follows) {

@@ -12,19 +12,14 @@ constexpr uint32_t kXyzWords = letter_set("xyz");
 constexpr uint32_t kRotaryWords = letter_set("abc");
 constexpr uint32_t kAxisWords = kXyzWords | kRotaryWords;
 constexpr uint32_t kCenterWords = letter_set("ijk");
-constexpr uint32_t kArcWords = kCenterWords | letter_set("r");
+constexpr uint32_t kRadius = letter_set("r");
+constexpr uint32_t kArcWords = kCenterWords | kRadius;
+constexpr uint32_t kXY = letter_set("xy");
 constexpr uint32_t kFeed = letter_set("f");
 constexpr uint32_t kSpeed = letter_set("s");
 constexpr uint32_t kG = letter_set("g");
-constexpr uint32_t kPlainWords = kAxisWords | kArcWords | kFeed | kSpeed | kG;
-
-/// Which words without a code are taken, by Taken.
-constexpr std::array<uint32_t, 4> kTaken = {
-    kSpeed,
-    kSpeed | kXyzWords,
-    kSpeed | kAxisWords | kFeed,
-    kSpeed | kAxisWords | kFeed | kArcWords,
-};
+constexpr uint32_t kMoves = kAxisWords | kArcWords | kG;
+constexpr uint32_t kPlainWords = kMoves | kFeed | kSpeed;
 
 /// By byte: the bit of a letter that a plain line may have, in capitals or not; 0 for all else.
 constexpr std::array<uint32_t, 256> make_letters() {
@@ -74,25 +69,63 @@ class PlainLine {
     return true;
   }
 
-  /// Whether the words go together, and with the motion in effect, which they change.
-  bool fits(Taken* taken) const {
-    if (has_code()) {
-      const bool arc = code_ >= 2;
-      if ((words_ & kArcWords) != 0 && !arc) return false;
-      *taken = arc ? Taken::kArcWords : Taken::kAxes;
+  /// Whether the line surely runs. Then what it does is added to `proven` and `effect`.
+  bool runs(Proven* proven, PlainEffect* effect) const {
+    if ((words_ & kMoves) == 0) {  // nothing moves, and nothing uses S up; F has an effect of its own
+      if ((words_ & kFeed) != 0) return false;
+      effect->speed |= (words_ & kSpeed) != 0;
       return true;
     }
-    if ((words_ & (kAxisWords | kArcWords)) == 0) return true;      // nothing moves, and nothing uses F and S up
-    if ((words_ & (kAxisWords | kCenterWords)) == 0) return false;  // a radius alone is no arc
-    return (words_ & ~kTaken[static_cast<size_t>(*taken)]) == 0;
+    const uint8_t* const table = table_of(*proven);
+    if (table == nullptr || ((table[0] | table[has_feed() ? 1 : 0]) >> key(*proven) & 1) == 0) return false;
+    take(proven, effect);
+    return true;
+  }
+
+  /// The line has run, for all that is known: so will others like it.
+  void learn(Proven* proven) const {
+    if ((words_ & kMoves) == 0) return;
+    if (uint8_t* const table = table_of(*proven)) table[has_feed() ? 1 : 0] |= static_cast<uint8_t>(1U << key(*proven));
+    if (has_code()) proven->code = static_cast<int8_t>(code_);
   }
 
   bool has_code() const { return (words_ & kG) != 0; }
-  Motion motion() const { return static_cast<Motion>(code_); }
   bool blank() const { return words_ == 0 && !numbered_; }
   const char* end() const { return at_; }
 
  private:
+  bool has_feed() const { return (words_ & kFeed) != 0; }
+  int code(const Proven& proven) const { return has_code() ? code_ : proven.code; }
+
+  /// The table of `Proven` that says whether the line runs, or null if none does.
+  uint8_t* table_of(Proven& proven) const {
+    const int code = this->code(proven);
+    if (code == Proven::kNoCode) return (words_ & (kRotaryWords | kArcWords)) == 0 ? proven.alone : nullptr;
+    if (code < 2) return (words_ & kArcWords) == 0 ? proven.straight : nullptr;
+    // By its radius an arc needs an end in the plane: with both of these it has one in any.
+    const bool radius = (words_ & kRadius) != 0;
+    return radius && ((words_ & kCenterWords) != 0 || (words_ & kXY) != kXY) ? nullptr : proven.arcs;
+  }
+  /// The line's bit in that table.
+  uint32_t key(const Proven& proven) const {
+    const int code = this->code(proven);
+    if (code == Proven::kNoCode) return three(words_, kXyzWords);
+    return code < 2 ? static_cast<uint32_t>(code) : three(words_, kCenterWords);
+  }
+  /// Three letters that follow each other, as a number.
+  static uint32_t three(uint32_t words, uint32_t letters) { return (words & letters) / (letters & ~(letters - 1)); }
+
+  void take(Proven* proven, PlainEffect* effect) const {
+    if (has_code()) {
+      proven->code = static_cast<int8_t>(code_);
+      effect->motion = static_cast<Motion>(code_);
+    }
+    effect->feed |= has_feed();
+    effect->speed |= (words_ & kSpeed) != 0;
+    effect->moves |= (words_ & kAxisWords) != 0;
+    effect->straight |= proven->code == 0 || proven->code == 1;
+  }
+
   void skip_blanks() {
     while (is_blank(*at_)) ++at_;
   }
@@ -121,8 +154,10 @@ class PlainLine {
       skip_digits();
       digits += static_cast<size_t>(at_ - point - 1);
     }
-    return digits > 0;
+    return digits > 0 && ((letter & (kFeed | kSpeed)) == 0 || !is_zero({from, static_cast<size_t>(at_ - from)}));
   }
+
+  static bool is_zero(std::string_view number) { return number.find_first_not_of("0.") == std::string_view::npos; }
 
   /// Blanks behind a word; not inside it, where they would vanish.
   bool word_ends() {
@@ -139,18 +174,17 @@ class PlainLine {
 
 }  // namespace
 
-Passed pass_plain_lines(std::string_view bytes, size_t from, Taken taken) {
+Passed pass_plain_lines(std::string_view bytes, size_t from, const Proven& proven) {
   Passed out;
-  out.taken = taken;
+  out.proven = proven;
   out.next = from;
   const char* const begin = bytes.data();
   while (out.next < bytes.size()) {
     PlainLine line(begin + out.next);
-    if (!line.read() || !line.fits(&out.taken)) break;
+    if (!line.read() || !line.runs(&out.proven, &out.effect)) break;
     const auto length = static_cast<size_t>(line.end() - begin) - out.next;
     if (length > kLineLimit) break;
     ++out.lines;
-    if (line.has_code()) out.motion = line.motion();
     if (!line.blank()) {
       if (out.first_code == 0) out.first_code = out.lines;
       out.last_code = out.lines;
@@ -160,24 +194,25 @@ Passed pass_plain_lines(std::string_view bytes, size_t from, Taken taken) {
   return out;
 }
 
-Taken taken_after(std::string_view line, Taken before) {
-  uint32_t words = 0;
-  bool code = false;
-  bool others = false;
+Proven proven_after(std::string_view line, const Proven& before) {
+  // The line without its comments.
+  std::array<char, kLineLimit + 2> code;
+  size_t length = 0;
   for (size_t i = 0; i < line.size() && line[i] != ';'; ++i) {
-    const char c = line[i];
-    if (c == '(') i = std::min(line.find(')', i), line.size() - 1);
-    if (c == '(' || is_blank(c) || c == '\r') continue;
-    code = true;
-    const uint32_t bit = kLetterBits[static_cast<unsigned char>(c)];
-    words |= bit;
-    others = others || (bit == 0 && !is_digit(c) && c != '.' && c != '-' && c != '+' && c != 'N' && c != 'n');
+    if (line[i] == '(') {
+      i = line.find(')', i);
+      if (i == std::string_view::npos) return {};
+      continue;
+    }
+    if (length > kLineLimit) return {};
+    code[length++] = line[i];
   }
-  if (!code) return before;
-  if (others || (words & kG) != 0) return Taken::kNothing;
-  // Where axis words alone run, some motion is in effect: it may be a cycle, unless more was known before. With a K it may be a
-  // thread, which wants one on every line.
-  return (words & kAxisWords) == 0 || (words & kArcWords) != 0 ? before : std::max(before, Taken::kXyz);
+  code[length] = '\n';
+  PlainLine plain(code.data());
+  if (!plain.read()) return {};
+  Proven out = before;
+  plain.learn(&out);
+  return out;
 }
 
 }  // namespace owlint

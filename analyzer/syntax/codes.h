@@ -161,6 +161,8 @@ constexpr uint32_t letter_set(std::string_view letters) {
 }
 inline constexpr uint32_t kAxisLetters = letter_set("xyzabcuvw");
 inline constexpr uint32_t kPolarLetters = letter_set("@^");
+/// Of words that say where a line goes: no mode depends on their values.
+inline constexpr uint32_t kPlaceLetters = kAxisLetters | kPolarLetters;
 
 /// What the machine adds to the table of codes, or lacks; the defaults are those of `rs274` without an INI.
 struct RemappedCode {

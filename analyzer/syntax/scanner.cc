@@ -6,7 +6,7 @@
 
 #include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/line_parser.h"
-#include "analyzer/syntax/motion_in_effect.h"
+#include "analyzer/syntax/modes_in_effect.h"
 #include "analyzer/syntax/statement.h"
 #include "analyzer/text/parallel.h"
 
@@ -136,9 +136,9 @@ std::vector<Stretch> cut(const Source& source) {
 struct Found {
   uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
   uint32_t plain_last = 0;
-  Motion plain_motion = Motion::kNone;  ///< that plain lines set last
-  uint32_t line = 0;                    ///< the line after them; at the end of the stretch the number of all lines
-  bool over = false;                    ///< no line comes after them: the end of the stretch
+  PlainEffect plain_effect;
+  uint32_t line = 0;  ///< the line after them; at the end of the stretch the number of all lines
+  bool over = false;  ///< no line comes after them: the end of the stretch
   LineView view;
   size_t begin = 0;
   size_t end = 0;  ///< without its line feed
@@ -150,11 +150,11 @@ void look_through(std::string_view bytes, const Stretch& stretch, const Take& ta
   // What comes after the last line feed of the file is not plain.
   const std::string_view until_end = bytes.substr(0, bytes.substr(0, stretch.end).rfind('\n') + 1);
   uint32_t line = 0;
-  Taken taken = Taken::kNothing;
+  Proven proven;
   for (size_t at = stretch.begin;;) {
-    const Passed passed = pass_plain_lines(until_end, at, taken);
+    const Passed passed = pass_plain_lines(until_end, at, proven);
     Found found;
-    found.plain_motion = passed.motion;
+    found.plain_effect = passed.effect;
     if (passed.first_code != 0) {
       found.plain_first = line + passed.first_code;
       found.plain_last = line + passed.last_code;
@@ -169,7 +169,7 @@ void look_through(std::string_view bytes, const Stretch& stretch, const Take& ta
     found.end = feed == nullptr ? stretch.end : static_cast<size_t>(feed - bytes.data());
     found.line = ++line;
     const std::string_view text = bytes.substr(at, found.end - at);
-    taken = taken_after(text, passed.taken);
+    proven = proven_after(text, passed.proven);
     // The limit counts the line feed: a last line without one may be a character longer.
     const size_t limit = kLineLimit + (feed == nullptr ? 1 : 0);
     if (text.size() <= limit) {
@@ -186,14 +186,14 @@ void look_through(std::string_view bytes, const Stretch& stretch, const Take& ta
 class Reader {
  public:
   Reader(Syntax& out, std::string_view bytes, const MachineWords& machine)
-      : out_(out), bytes_(bytes), parser_(out, machine), motion_(out, parser_) {}
+      : out_(out), bytes_(bytes), parser_(out, machine), modes_(out, parser_, machine) {}
 
   void take(const Found& found) {
     if (found.plain_first != 0) {
       seen_first_ = true;
       note_plain(before_ + found.plain_first);
       out_.last_code = before_ + found.plain_last;
-      motion_.pass(found.plain_motion);
+      modes_.pass(found.plain_effect, out_.last_code);
     }
     if (found.over) {
       before_ += found.line;
@@ -221,7 +221,7 @@ class Reader {
       if (code) out_.last_code = number;
       if (view.matters || view.too_long) {
         keep = parser_.parse(line, found.begin, &statement);
-        keep = motion_.judge(statement, keep);
+        keep = modes_.judge(statement, keep);
       }
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
@@ -241,23 +241,23 @@ class Reader {
     const WordLine* const words = found.view.matters && !too_long ? parser_.words() : nullptr;
     const bool unsure = found.view.matters && !too_long && parser_.unsure() != kNoError;
     const bool asks_machine = unsure || (words != nullptr && words->is_user_m());
-    if (!keep && !asks_machine) return motion_.leave();
+    if (!keep && !asks_machine) return;
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;
     make_room(out_.statements, found.begin);
     make_room(out_.exprs, found.begin);
     make_room(out_.values, found.begin);
     if (unsure) ask(statement, LineKind::kMachineCheck, parser_.unsure());
-    if (keep) motion_.push(statement);
+    if (keep) modes_.push(statement);
     if (words != nullptr && words->is_user_m()) {
       const Word& code = (*words)[words->word_of(MGroup::kUser)];
       Statement& asks = ask(statement, LineKind::kUserCode, static_cast<uint32_t>(code.value + 0.5));
       asks.keyword_from = code.from;
       asks.keyword_to = code.to;
     }
-    if (!keep) motion_.leave();
   }
 
   void finish() {
+    modes_.finish();
     out_.lines = before_;
     out_.blank = !seen_first_;
   }
@@ -297,7 +297,7 @@ class Reader {
   Syntax& out_;
   std::string_view bytes_;
   LineParser parser_;
-  MotionInEffect motion_;
+  ModesInEffect modes_;
   uint32_t before_ = 0;      // lines in the stretches before
   bool seen_first_ = false;  // a line that is not blank
 };

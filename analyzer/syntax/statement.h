@@ -11,6 +11,7 @@
 #include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/expression.h"
 #include "analyzer/syntax/keyword.h"
+#include "analyzer/syntax/modes.h"
 #include "analyzer/syntax/names.h"
 #include "analyzer/syntax/stop.h"
 #include "analyzer/text/source.h"
@@ -29,7 +30,7 @@ enum class LineKind : uint8_t {
   kWords,         // any other line that is kept
   kUserCode,      // no line of its own: a line has M100 to M199, whose number is `first`, and whose word is the keyword
   kMachineCheck,  // no line of its own: only some machines stop at the line, with the error
-  kMotionCheck,   // no line of its own: what the words of a line need of the motion in effect before it
+  kModes,         // no line of its own: the words of a line, for what they need of the modes, and do to them
   kFileEnd,       // no line: where one file ends in a program joined from several
 };
 
@@ -62,20 +63,26 @@ struct LineError {
 
 inline constexpr uint32_t kNoError = UINT32_MAX;
 
-/// What stops a line of words if one of these motions is in effect before it.
-struct MotionFault {
-  MotionSet motions = 0;
-  uint32_t error = 0;  ///< into Syntax::errors
-  bool last = false;   ///< of its statement
+/// A word of a line that the modes decide about.
+struct ModeWord {
+  double value = 0;           ///< if it is not computed
+  ExprId computed = kNoExpr;  ///< what the value is computed by, if it reads parameters
+  char letter = 0;            ///< small
+  LineByte from = 0, to = 0;
 };
 
 using StatementId = uint32_t;
 inline constexpr StatementId kNoStatement = UINT32_MAX;
 
-/// How a statement's line, and the plain lines behind it, change the motion in effect: a Motion, or one of these.
-inline constexpr uint8_t kLeavesMotion = 63;  ///< not at all
-inline constexpr uint8_t kLeavesAny = 62;     ///< in a way that is not known
-static_assert(static_cast<uint8_t>(Motion::kNone) < kLeavesAny);
+/// What the lines behind a statement, up to the next one, set a mode to.
+struct ModeChange {
+  static constexpr uint8_t kAny = UINT8_MAX;  ///< it is not known which value
+
+  StatementId after = 0;  ///< the statement
+  uint32_t line = 0;      ///< the line that sets it, from 1
+  Mode mode{};
+  uint8_t value = kAny;
+};
 
 /// Kept small (48 bytes): a program of nothing but O-words is as fast as memory is.
 struct Statement {
@@ -86,7 +93,7 @@ struct Statement {
   NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
   ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98, the Q of G71)
   uint32_t first =
-      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kMotionCheck into Syntax::motion_faults
+      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kModes into Syntax::mode_words
   uint32_t error = kNoError;      ///< into Syntax::errors; raised after the values before it
   uint32_t first_plain_line = 0;  ///< the first of the lines meant by plain_code_follows
 
@@ -103,7 +110,7 @@ struct Statement {
   bool refused : 1 = false;             ///< because of something before the O-word, the line is an error
   bool repeats : 1 = false;             ///< M98 with an L, its first value
   bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
-  uint8_t motion : 6 = kLeavesMotion;   ///< what is in effect before the next statement
+  bool changes_modes : 1 = false;       ///< lines without a statement, before the next one, change modes
 
   // Equal if there is no such part.
   LineByte label_from = 0, label_to = 0;      ///< with the `o`
@@ -146,27 +153,35 @@ struct Syntax {
   std::vector<ExprId> values;
   std::vector<Item> items;
   std::vector<LineError> errors;
-  std::vector<MotionFault> motion_faults;
+  std::vector<ModeWord> mode_words;
+  std::vector<ModeChange> mode_changes;   ///< in the order of statements
+  std::vector<ModeChange> first_changes;  ///< by plain lines before the first statement
   std::vector<Directive> directives;
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;
   Names names;
-  uint32_t lines = 0;                    ///< number of lines in the file
-  uint32_t last_code = 0;                ///< the last line that is neither blank nor comment; 0 if there is none
-  uint32_t first_plain_line = 0;         ///< the first code line before the first statement, 0 if none
-  uint8_t first_motion = kLeavesMotion;  ///< as Statement::motion, of the plain lines before the first statement
-  bool percent = false;                  ///< the file begins with `%`: another `%` ends it
-  bool deletes_lines = false;            ///< a statement has block delete, `/` first on its line
-  bool runs_python = false;  ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
-  bool blank = false;        ///< nothing but blank lines: LinuxCNC refuses to open it
+  uint32_t lines = 0;             ///< number of lines in the file
+  uint32_t last_code = 0;         ///< the last line that is neither blank nor comment; 0 if there is none
+  uint32_t first_plain_line = 0;  ///< the first code line before the first statement, 0 if none
+  bool percent = false;           ///< the file begins with `%`: another `%` ends it
+  bool deletes_lines = false;     ///< a statement has block delete, `/` first on its line
+  bool runs_python = false;       ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
+  bool blank = false;             ///< nothing but blank lines: LinuxCNC refuses to open it
 
   const LineError* error(const Statement& s) const { return s.has_error() ? &errors[s.error] : nullptr; }
   std::span<const ExprId> values_of(const Statement& s) const {
     return s.value_count == 0 ? std::span<const ExprId>() : std::span(values).subspan(s.first, s.value_count);
   }
   std::span<const Item> items_of(const Statement& s) const {
-    return s.item_count == 0 ? std::span<const Item>() : std::span(items).subspan(s.first, s.item_count);
+    return s.item_count == 0 || !s.has_items() ? std::span<const Item>()
+                                               : std::span(items).subspan(s.first, s.item_count);
   }
+  /// Of a kModes.
+  std::span<const ModeWord> words_of(const Statement& s) const {
+    return std::span(mode_words).subspan(s.first, s.item_count);
+  }
+  /// What the lines behind a statement do to the modes.
+  std::span<const ModeChange> changes_after(StatementId id) const;
 };
 
 /// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.

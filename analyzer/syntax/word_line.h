@@ -80,6 +80,8 @@ class WordLine {
   uint8_t word_of(MGroup group) const { return m_[static_cast<size_t>(group)].word; }
   /// M100 to M199: known to every machine, but a program of its own must be there for it.
   bool is_user_m() const { return code(MGroup::kUser) != nullptr; }
+  /// A code that the machine's INI defines, or may define.
+  bool has_remapped_code() const { return remapped_m_ || code_ == Motion::kRemapped; }
   /// A G or M word whose value is not known.
   bool has_unknown_code() const { return unknown_code_; }
 

@@ -17,14 +17,16 @@ namespace rules {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kGroupTitles = {"comments for owlint",
-                                                          "LinuxCNC's documented O-word errors",
-                                                          "blocks and calls",
-                                                          "the line",
-                                                          "files and machine configuration",
-                                                          "hazards",
-                                                          "parameters",
-                                                          "words of a line"};
+constexpr std::array<std::string_view, 10> kGroupTitles = {"comments for owlint",
+                                                           "LinuxCNC's documented O-word errors",
+                                                           "blocks and calls",
+                                                           "the line",
+                                                           "files and machine configuration",
+                                                           "hazards",
+                                                           "parameters",
+                                                           "words of a line",
+                                                           "the machine's modes",
+                                                           "geometry"};
 
 std::string capital_letters(std::string_view text) {
   std::string out(text);

@@ -27,7 +27,18 @@ class DataFlow;
 }
 
 /// The catalogue's groups, by the digit after `OW`.
-enum class Group : uint8_t { kLinter, kAbortList, kBlocks, kLine, kFiles, kHazards, kDataFlow, kWords };
+enum class Group : uint8_t {
+  kLinter,
+  kAbortList,
+  kBlocks,
+  kLine,
+  kFiles,
+  kHazards,
+  kDataFlow,
+  kWords,
+  kModes,
+  kGeometry,
+};
 std::string_view group_title(Group group);
 
 /// What rules look for in a file, collected in one pass over its lines: the flow's stops by rule and by statement, and the

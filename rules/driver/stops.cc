@@ -152,16 +152,24 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
   return code_of(stop.kind, s);
 }
 
-const LineError* word_error(const Input& in, const FlowStop& stop) {
+std::optional<LineError> word_error(const Input& in, const FlowStop& stop) {
   const Syntax& syntax = in.program.syntax;
   const Statement& s = in.program.at(stop.statement);
-  if (s.kind == LineKind::kMachineCheck) return &syntax.errors[s.first];
-  if (s.kind != LineKind::kMotionCheck) return syntax.error(s);
-  for (uint32_t i = s.first;; ++i) {
-    const MotionFault& fault = syntax.motion_faults[i];
-    if (syntax.errors[fault.error].message == stop.interpreter) return &syntax.errors[fault.error];
-    if (fault.last) return nullptr;
+  if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
+  if (s.kind != LineKind::kModes) {
+    const LineError* const error = syntax.error(s);
+    return error == nullptr ? std::nullopt : std::optional(*error);
   }
+  const auto words = syntax.words_of(s);
+  const auto span_of = [&](uint8_t word, Span none) {
+    return word < words.size() ? s.span(words[word].from, words[word].to) : none;
+  };
+  LineError error;
+  error.kind = stop.kind;
+  error.span = span_of(stop.words.word, s.whole());
+  error.message = stop.interpreter;
+  error.other = span_of(stop.words.other, Span{});
+  return error;
 }
 
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {

@@ -121,7 +121,7 @@ WordStop word_stop(const Input& in, const FlowStop& stop) {
   const Statement& s = p.at(stop.statement);
   WordStop out;
   out.line = words_of(source, s.whole());
-  if (const LineError* error = word_error(in, stop)) {
+  if (const auto error = word_error(in, stop)) {
     out.span = error->span;
     out.other = error->other;
   } else {

@@ -19,9 +19,9 @@ std::string rest_of(const Input& in, const FlowStop& stop, const WordStop& at) {
 bool letter_for_zero(const Input& in, const FlowStop& stop, Finding& f) {
   const Program& p = in.program;
   const Statement& s = p.at(stop.statement);
-  const LineError* error = word_error(in, stop);
+  const auto error = word_error(in, stop);
   uint64_t o = 0;
-  if (error == nullptr || !writes_o_for_zero(p, s, *error, &o)) return false;
+  if (!error || !writes_o_for_zero(p, s, *error, &o)) return false;
   // The whole word: back to its letter, on over digits.
   const auto byte = [&](uint64_t at) { return p.source->slice({at, at + 1})[0]; };
   const auto of_number = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; };
@@ -45,8 +45,8 @@ bool letter_for_zero(const Input& in, const FlowStop& stop, Finding& f) {
 /// `Gl X5`: an l or an i in place of a 1.
 bool letter_for_one(const Input& in, const FlowStop& stop, Finding& f) {
   const Program& p = in.program;
-  const LineError* error = word_error(in, stop);
-  if (error == nullptr || !writes_letter_for_one(p, p.at(stop.statement), *error)) return false;
+  const auto error = word_error(in, stop);
+  if (!error || !writes_letter_for_one(p, p.at(stop.statement), *error)) return false;
   f.span = {error->span.begin, error->span.begin + 2};
   const std::string written(p.source->slice(f.span));
   f.message = "`" + written + "` has a letter in place of a number";

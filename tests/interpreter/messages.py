@@ -23,6 +23,8 @@ _KEYWORDS = ("endsub", "sub", "endwhile", "while", "endrepeat", "repeat", "elsei
 
 # (pattern, codes), the first match counts
 _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in (
+    # What restores modes quotes another message.
+    (r"restore context from invalid stack frame|restore_settings", "OW807"),
     (r"no matching 'if' label", "OW106"),
     (r"no matching while/do label", "OW107"),
     (r"not in a subroutine definition|Not in subroutine definition", "OW101"),
@@ -52,7 +54,24 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"^[A-Z] word with no|\$ \(spindle selection\) word with no|Cannot put an? [abc] in canned cycle|F word used with a g33", "OW707"),
     (r"Dwell time missing|Line with G10 does not have|All axes missing with|S word missing with G96|K word missing with g33|"
      r"P word missing with G76|I J or K words missing", "OW708"),
-    (r"Cannot use axis values|Cannot use two g codes that both|[Pp]olar coordinate", "OW709"),
+    (r"Cannot use axis values|Cannot use two g codes that both|polar coordinate (except|on a machine|and)|Polar coordinates can only", "OW709"),
+    (r"with zero feed rate|NURBS with 0 feedrate|nurbs with 0 feedrate", "OW801"),
+    (r"Cannot feed with zero spindle speed|^Spindle not turning|^Chosen spindle|^Spindle turning", "OW802"),
+    (r"F word missing with inverse time|inverse time feed with canned cycles|probe with feed per rev", "OW803"),
+    (r"Cannot do an arc in planes|^[IJK] word given for arc|Splines must be in the XY|can only be used in XZ plane|"
+     r"Cannot put an? [UVWXYZ] in a canned cycle|canned cycle is not possible|for plane .* not implemented|one plane must be selected", "OW804"),
+    (r"^(?!Length of|Radius of|BUG: cutter).*[Cc]utter (radius )?comp|G4[12]\.1 with (no D|L) word|G4[12] requires D word|G4[12] with lathe tool|cutter compensation mode must be straight|"
+     r"Cannot use g53 with|Bug code not g0 or g1", "OW805"),
+    (r"Requested tool|Need tool prepared", "OW806"),
+    (r"spindle \(\$\) number|Spindle \(\$\) number|Invalid [DE]-number|G10 L1 without|Q number in G10|Invalid tool orientation|"
+     r"I J words not allowed|R not allowed in G10|G10 L0 not allowed|Need non-negative Q-word|Q word with M19|No valid P word|"
+     r"both a digital and an analog|Zero timeout|Can't select analog|valid P or a valid E|input selected out of bounds|Invalid analog index|"
+     r"^G43\.2: |polar coordinates with G53|wrapped rotary axis|Indexing axis|along with an indexer", "OW808"),
+    (r"words all missing for arc|Mixed radius ijk|word missing in absolute center arc|words missing for arc in", "OW903"),
+    (r"R clearance plane|zero repeats of cycle|value unspecified in|^R less than|Dwell time p word|Q word missing with g|"
+     r"[Nn]egative or zero q|^[IJK] word missing with g87", "OW904"),
+    (r"requires a Q word|Splines may not|Must specify both|You must specify|P without X and Y|positive weight P|G5\.3 without|^In G76|"
+     r"rotary axes with G76|[Nn]urbs", "OW908"),
     (r"Unknown control command", "OW301 OW314"),
     (r"Left bracket missing after (unary|slash)", "OW302 OW303 OW701 OW702"),
     (r"Left bracket missing", "OW302"),

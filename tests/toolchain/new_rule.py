@@ -15,7 +15,7 @@ import sys
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 GROUPS = {"0": "kLinter", "1": "kAbortList", "2": "kBlocks", "3": "kLine", "4": "kFiles", "5": "kHazards", "6": "kDataFlow",
-          "7": "kWords"}
+          "7": "kWords", "8": "kModes", "9": "kGeometry"}
 
 RULE = """// {code} {name}: …
 // Depends on: …
@@ -67,7 +67,7 @@ def write(path, text):
 
 
 def main(argv):
-    if len(argv) != 2 or not re.fullmatch(r"OW[0-7]\d\d", argv[0]) or not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", argv[1]):
+    if len(argv) != 2 or not re.fullmatch(r"OW\d{3}", argv[0]) or not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", argv[1]):
         print(__doc__.split("\n\n")[1], file=sys.stderr)
         return 2
     code, name = argv

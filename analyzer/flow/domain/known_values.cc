@@ -37,7 +37,15 @@ ValueId KnownValues::intern(const Range& range) {
   return alike.back();
 }
 
+ValueId KnownValues::intern(const KnownSet& set) {
+  const auto [entry, added] =
+      set_ids_[set.open ? 1 : 0].try_emplace(set.members, kFirstSet + static_cast<ValueId>(sets_.size()));
+  if (added) sets_.push_back(set);
+  return entry->second;
+}
+
 Range KnownValues::range(ValueId id) const {
+  if (is_set(id)) return {};
   if (id >= kFirstRange) return ranges_[id - kFirstRange];
   return is_constant(id) ? Range::of(value(id)) : Range();
 }
@@ -48,6 +56,8 @@ ValueId KnownValues::join(ValueId a, ValueId b) {
   if (not_returned(a) || not_returned(b)) return kMaybeNotReturned;
   const auto assigned = [](ValueId v) { return v != kUnassigned && v != kMaybeUnassigned; };
   if (!assigned(a) || !assigned(b)) return kMaybeUnassigned;
+  if (is_set(a) && is_set(b)) return intern(KnownSet{set(a).members | set(b).members, set(a).open || set(b).open});
+  if (is_set(a) || is_set(b)) return kUnknown;
   return a >= kFirstConstant && b >= kFirstConstant ? intern(hull(range(a), range(b))) : kUnknown;
 }
 

@@ -23,8 +23,9 @@ namespace owlint::flow {
 //         kNotPassed
 //         ranges, the wider ones above
 //           constants
+//         sets of modes, the larger ones above
 
-/// A value in a state's parameter maps. Constants are numbered from kFirstConstant, ranges from kFirstRange.
+/// A value in a state's parameter maps. Constants are numbered from kFirstConstant, ranges from kFirstRange, sets from kFirstSet.
 using ValueId = uint32_t;
 inline constexpr ValueId kUnassigned = 0;        ///< not assigned on any path so far
 inline constexpr ValueId kUnknown = 1;           ///< assigned, value not known
@@ -35,18 +36,29 @@ inline constexpr ValueId kCleared = 5;           ///< the same if an earlier cal
 inline constexpr ValueId kMaybeNotReturned = 6;  ///< one of these on some paths
 inline constexpr ValueId kFirstConstant = 7;
 inline constexpr ValueId kFirstRange = 1U << 31;
+inline constexpr ValueId kFirstSet = 3U << 30;
 
-/// Constants and ranges by number.
+/// Some numbers from 0 to 63, for the modes of the machine.
+struct KnownSet {
+  uint64_t members = 0;  ///< one bit each
+  bool open = false;     ///< it is not known of each that some run has it
+  bool operator==(const KnownSet&) const = default;
+};
+
+/// Constants, ranges and sets by number.
 class KnownValues {
  public:
   ValueId intern(double value);
   /// A range is widened to the thresholds first; one that contains all numbers is kUnknown.
   ValueId intern(const Range& range);
+  ValueId intern(const KnownSet& set);
+  static bool is_set(ValueId id) { return id >= kFirstSet; }
+  const KnownSet& set(ValueId id) const { return sets_[id - kFirstSet]; }
   static bool is_constant(ValueId id) { return id >= kFirstConstant && id < kFirstRange; }
   double value(ValueId id) const { return constants_[id - kFirstConstant]; }
   Range range(ValueId id) const;
   /// What is known after two paths are joined: the least value that holds both. Two constants or ranges make the range over
-  /// both, widened to the thresholds. Commutative, associative and idempotent; as there are few thresholds, a value that is
+  /// both, widened to the thresholds, and two sets the set of what is in one of them. Commutative, associative and idempotent; as there are few thresholds, a value that is
   /// joined with more and more others comes to rest.
   ValueId join(ValueId a, ValueId b);
   void set_thresholds(Thresholds thresholds) { thresholds_ = std::move(thresholds); }
@@ -57,6 +69,8 @@ class KnownValues {
   std::unordered_map<uint64_t, ValueId> ids_;  ///< of all but the first few
   std::vector<Range> ranges_;
   std::unordered_map<uint64_t, std::vector<ValueId>> range_ids_;
+  std::vector<KnownSet> sets_;
+  std::unordered_map<uint64_t, ValueId> set_ids_[2];  ///< by whether they are open
   Thresholds thresholds_;
 };
 

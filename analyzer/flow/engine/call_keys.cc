@@ -17,7 +17,7 @@ void add_number(std::string& key, uint64_t number) {
 bool CallKeys::note_line(StatementId id, Dependence& out) const {
   const Statement& s = program_.at(id);
   if (s.has_error() || s.is(Keyword::kCall)) return false;
-  if (s.motion != kLeavesMotion && !program_.syntax.motion_faults.empty()) return false;
+  if (machine_.mode_uses().changed_at(id) != 0) return false;
   if (s.kind == LineKind::kWords) return machine_.dependences().note_assignments(s, out);
   if (s.kind != LineKind::kOWord) return false;
   const BlockId block = program_.block_of[id];

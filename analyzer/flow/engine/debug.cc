@@ -22,6 +22,8 @@ std::string text_of(ValueId value, const KnownValues& values) {
     default: break;
   }
   if (KnownValues::is_constant(value)) return fmt::format("{:g}", values.value(value));
+  if (KnownValues::is_set(value))
+    return fmt::format("{:#x}{}", values.set(value).members, values.set(value).open ? " open" : "");
   const Range range = values.range(value);
   return fmt::format("{}{:g}..{:g}{}", range.above_low ? ">" : "", range.low, range.high, range.below_high ? "<" : "");
 }

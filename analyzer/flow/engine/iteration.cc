@@ -34,8 +34,8 @@ void Iteration::start() {
     machine_.evaluator().expect_from_outside(program_.name(program_.entry), state.parameters);
   } else {
     calls_.begin({}, false);
-    machine_.evaluator().set_motion(state.parameters, Motion::kG80);  // of an interpreter that has just been started
-    machine_.evaluator().leave_motion(state.parameters, program_.syntax.first_motion);
+    machine_.modes().set(state.parameters, machine_.start());
+    machine_.modes().apply(state.parameters, program_.syntax.first_changes);
     if (program_.syntax.runs_python) machine_.evaluator().expect_from_python(state.parameters);
   }
   successor(std::move(state));

@@ -18,12 +18,16 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       remembered_(program_.syntax, limits, pool),
       evaluator_(program_.syntax, profile_, tracked_, remembered_, values_, pool),
       refinement_(program_.syntax, tracked_, limits, evaluator_, pool),
+      machine_words_(profile),
+      start_(program_.sub_file ? ModeState::unknown() : modes_at_start(profile, machine_words_.words)),
+      mode_uses_(program_, machine_words_.words, start_.now),
+      modes_(mode_uses_, program_.syntax.names.size(), values_, pool),
       states_(values_, definers_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
       // Under FEATURE 0x20 any block can be taken for a `do` loop.
       reads_break_(profile.warn_only()),
       structure_(program_),
-      effects_(program_, structure_.regular, limits) {
+      effects_(program_, structure_.regular, mode_uses_, limits) {
   if (profile.setup != nullptr && profile.setup->has_remaps) evaluator_.distrust_globals();
   labels_.emplace_back(kNoName, kNoName);
   index();
@@ -68,7 +72,8 @@ void AbstractMachine::set_coarse(bool passes_over) {
   evaluator_.set_coarse();
   remembered_.set_coarse();
   refinement_.set_coarse();
-  if (passes_over && !calm_) calm_.emplace(program_, structure_, tracked_, evaluator_, limits_, profile_.warn_only());
+  if (passes_over && !calm_)
+    calm_.emplace(program_, structure_, tracked_, evaluator_, mode_uses_, limits_, profile_.warn_only());
 }
 
 const CalmStretch* AbstractMachine::pass_over(State& state, const Context& context) {
@@ -97,10 +102,14 @@ const CalmStretch* AbstractMachine::pass_over(State& state, const Context& conte
   for (const StatementId opener : defined) state.table.set(pool_, label_of_sub(opener), Definers::one(opener));
   if (stretch->tests) state.flags.executed = kYes;
   if (!called && (stretch->calls || stretch->ends_defining)) state.flags.returned = stretch->ends_defining ? kNo : kYes;
-  evaluator_.leave_motion(state.parameters, stretch->motion);
+  modes_.apply(state.parameters, calm_->changes(*stretch));
   state.position = stretch->last;
   state.branch = Branch::kNone;
   return stretch;
+}
+
+void AbstractMachine::leave_modes(Parameters& p, StatementId line) {
+  if (program_.at(line).changes_modes) modes_.apply(p, program_.syntax.changes_after(line));
 }
 
 uint32_t AbstractMachine::entry(const State& state, FullLabel label) const {
@@ -238,7 +247,7 @@ State AbstractMachine::resume(const State& caller, const State& exit, const Cont
   out.parameters.locals =
       fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;
   out.parameters.local_outcomes = fanuc ? PersistentMap() : caller.parameters.local_outcomes;
-  evaluator_.leave_motion(out.parameters, program_.at(caller.position).motion);
+  leave_modes(out.parameters, caller.position);
   return out;
 }
 

@@ -19,11 +19,13 @@
 #include "analyzer/flow/interpreter/calm.h"
 #include "analyzer/flow/interpreter/dependence.h"
 #include "analyzer/flow/interpreter/evaluator.h"
+#include "analyzer/flow/interpreter/mode_access.h"
 #include "analyzer/flow/interpreter/refinement.h"
 #include "analyzer/flow/limits.h"
 #include "analyzer/flow/summaries/effects.h"
 #include "analyzer/machine/profile.h"
 #include "analyzer/program/linker.h"
+#include "analyzer/program/machine_words.h"
 
 namespace owlint::flow {
 
@@ -45,6 +47,7 @@ struct StopReport {
   StatementId other = kNoStatement;  ///< the line that the message names
   std::string message;               ///< the interpreter's
   std::string detail;                ///< a name that the message is about
+  FaultyWords words;                 ///< if it stops at words in the modes that are in effect
 };
 
 /// Something runs, but not as written.
@@ -147,7 +150,13 @@ class AbstractMachine {
   NameId label_of(FullLabel label) const { return labels_[label].second; }
   Definers& definers() { return definers_; }
   Version version() const { return profile_.version; }
+  /// A line is left for the one behind it, by way of the lines without a statement.
+  void leave_modes(Parameters& p, StatementId line);
   Evaluator& evaluator() { return evaluator_; }
+  /// The modes in which a program begins.
+  const ModeState& start() const { return start_; }
+  ModeAccess& modes() { return modes_; }
+  const ModeUses& mode_uses() const { return mode_uses_; }
   const Evaluator& evaluator() const { return evaluator_; }
   const TrackedParameters& tracked() const { return tracked_; }
   const Refinement& refinement() const { return refinement_; }
@@ -180,6 +189,10 @@ class AbstractMachine {
   RememberedConditions remembered_;
   Evaluator evaluator_;
   Refinement refinement_;
+  WordsOfMachine machine_words_;
+  ModeState start_;
+  ModeUses mode_uses_;
+  ModeAccess modes_;
   Definers definers_;
   StateDomain states_;
   bool no_fanuc_;     // DISABLE_FANUC_STYLE_SUB

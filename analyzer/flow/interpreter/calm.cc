@@ -43,10 +43,11 @@ struct CalmSub {
 class CalmBuilder {
  public:
   CalmBuilder(CalmStretches& out, const Program& program, const Structure& structure, const TrackedParameters& tracked,
-              const Evaluator& evaluator, const Limits& limits)
+              const Evaluator& evaluator, const ModeUses& modes, const Limits& limits)
       : out_(out),
         program_(program),
         structure_(structure),
+        modes_(modes),
         limits_(limits),
         lines_(program, structure, tracked, evaluator),
         read_(program.syntax.names.size()),
@@ -69,7 +70,7 @@ class CalmBuilder {
       while (call != program_.calls.end() && call->statement < id) ++call;
       const bool calls = call != program_.calls.end() && call->statement == id;
       stopping_[id + 1] = stopping_[id] + (lines_.stop_when_skipped(id) ? 1 : 0);
-      const bool harmful = (calls ? !harmless_call(*call) : !lines_.harmless(id)) || moves_on_one_way(id);
+      const bool harmful = (calls ? !harmless_call(*call) : !lines_.harmless(id)) || changes_on_one_way(id);
       harmful_[id + 1] = harmful_[id] + (harmful ? 1 : 0);
     }
     for (StatementId id = 0; id < count;) {
@@ -118,15 +119,14 @@ class CalmBuilder {
     return harmful_[end] == harmful_[id] && lines_.jumps_to(block) >= id ? end : id;
   }
 
-  /// Whether the line, or the plain lines behind it, change the motion in effect on some ways only, or in a sub. A stretch knows
-  /// the motion that it leaves, whatever was in effect before it.
-  bool moves_on_one_way(StatementId id) {
+  /// Whether the line, or the lines behind it, change modes on some ways only, or in a sub. A stretch knows what it leaves in
+  /// effect, whatever was before it.
+  bool changes_on_one_way(StatementId id) {
     const BlockId block = program_.block_of[id];
     const bool part = program_.at(id).kind == LineKind::kOWord && block != kNoBlock;
     if (part && program_.blocks[block].opener == id) ++open_blocks_;
     if (part && program_.blocks[block].end == id && open_blocks_ > 0) --open_blocks_;
-    return program_.at(id).motion != kLeavesMotion && !program_.syntax.motion_faults.empty() &&
-        (open_blocks_ > 0 || program_.region_of[id] != kMainRegion);
+    return modes_.changed_at(id) != 0 && (open_blocks_ > 0 || program_.region_of[id] != kMainRegion);
   }
 
   bool harmless_call(const Call& call) {
@@ -190,6 +190,7 @@ class CalmBuilder {
     stretch.writes = static_cast<uint32_t>(out_.writes_.size());
     stretch.called = static_cast<uint32_t>(out_.called_.size());
     stretch.defined = static_cast<uint32_t>(out_.defined_.size());
+    stretch.changes = static_cast<uint32_t>(out_.changes_.size());
   }
 
   void add(StatementId first, StatementId last) {
@@ -210,7 +211,7 @@ class CalmBuilder {
       const Statement& s = program_.at(id);
       if (s.kind == LineKind::kWords) {
         note_words(s);
-        note_motion(s, stretch);
+        note_modes(id);
         continue;
       }
       if (!s.is(Keyword::kElseif)) {
@@ -225,12 +226,13 @@ class CalmBuilder {
       } else {
         note_block(id, stretch);
       }
-      note_motion(program_.at(id), stretch);  // of a definition its end, for it is passed over
+      note_modes(id);  // of a definition its end, for it is passed over
     }
   }
 
-  static void note_motion(const Statement& s, CalmStretch* stretch) {
-    if (s.motion != kLeavesMotion) stretch->motion = s.motion;
+  void note_modes(StatementId id) {
+    if (modes_.changed_at(id) == 0) return;
+    for (const ModeChange& change : program_.syntax.changes_after(id)) out_.changes_.push_back(change);
   }
 
   void note_words(const Statement& s) {
@@ -315,7 +317,7 @@ class CalmBuilder {
     const Region& region = program_.regions[number];
     subs_[number].calm_definition = is_calm_definition(region);
     if (!subs_[number].calm_definition || harmful_[region.end] != harmful_[region.opener + 1]) return;
-    if (program_.at(region.opener).motion != kLeavesMotion && !program_.syntax.motion_faults.empty()) return;
+    if (modes_.changed_at(region.opener) != 0) return;
     const Statement& end = program_.at(region.end);
     CalmStretch body;
     end_lists(body);
@@ -355,6 +357,7 @@ class CalmBuilder {
   CalmStretches& out_;
   const Program& program_;
   const Structure& structure_;
+  const ModeUses& modes_;
   const Limits& limits_;
   CalmLines lines_;
   std::vector<uint32_t> harmful_;    // by statement: how many harmful lines come before it
@@ -376,9 +379,9 @@ class CalmBuilder {
 };
 
 CalmStretches::CalmStretches(const Program& program, const Structure& structure, const TrackedParameters& tracked,
-                             const Evaluator& evaluator, const Limits& limits, bool warn_only)
+                             const Evaluator& evaluator, const ModeUses& modes, const Limits& limits, bool warn_only)
     : begins_(program.size(), kNone) {
-  if (!warn_only) CalmBuilder(*this, program, structure, tracked, evaluator, limits).run();
+  if (!warn_only) CalmBuilder(*this, program, structure, tracked, evaluator, modes, limits).run();
 }
 
 }  // namespace owlint::flow

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "analyzer/flow/facts/mode_uses.h"
 #include "analyzer/flow/facts/structured.h"
 #include "analyzer/flow/interpreter/evaluator.h"
 
@@ -21,20 +22,20 @@ struct CalmStretch {
   StatementId last = 0;  ///< one past the last line
   bool tests = false;    ///< has an `if`: afterwards, "a branch has been taken"
   bool calls = false;
-  bool ends_defining = false;      ///< a definition comes after the last call
-  uint8_t motion = kLeavesMotion;  ///< as Statement::motion
+  bool ends_defining = false;  ///< a definition comes after the last call
   // Into the lists of CalmStretches, up to those of the next stretch.
   uint32_t reads = 0;
   uint32_t writes = 0;
   uint32_t called = 0;
   uint32_t defined = 0;
+  uint32_t changes = 0;
 };
 
 class CalmStretches {
  public:
   /// `warn_only`: under FEATURE 0x20 nothing is calm.
   CalmStretches(const Program& program, const Structure& structure, const TrackedParameters& tracked,
-                const Evaluator& evaluator, const Limits& limits, bool warn_only);
+                const Evaluator& evaluator, const ModeUses& modes, const Limits& limits, bool warn_only);
 
   /// The stretch that begins at a statement; null if none does.
   const CalmStretch* at(StatementId id) const { return begins_[id] == kNone ? nullptr : &stretches_[begins_[id]]; }
@@ -53,6 +54,10 @@ class CalmStretches {
   std::span<const StatementId> defined(const CalmStretch& s) const {
     return {defined_.data() + s.defined, defined_.data() + (&s + 1)->defined};
   }
+  /// How it changes the modes that are followed.
+  std::span<const ModeChange> changes(const CalmStretch& s) const {
+    return {changes_.data() + s.changes, changes_.data() + (&s + 1)->changes};
+  }
 
  private:
   friend class CalmBuilder;
@@ -63,6 +68,7 @@ class CalmStretches {
   std::vector<ParameterId> reads_;
   std::vector<CalmWrite> writes_;
   std::vector<StatementId> called_, defined_;
+  std::vector<ModeChange> changes_;
 };
 
 }  // namespace owlint::flow

@@ -1,5 +1,4 @@
 #include "analyzer/flow/interpreter/evaluator.h"
-#include "analyzer/flow/domain/motion.h"
 
 #include <algorithm>
 #include <array>

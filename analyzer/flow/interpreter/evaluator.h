@@ -84,11 +84,6 @@ class Evaluator {
   PersistentMap share_numbers(PersistentMap names, const PersistentMap& numbers);
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
   void expect_from_outside(std::string_view sub, Parameters& p);
-  /// The motion that is in effect: a constant, a range with its ends as motion_number(), or unknown.
-  ValueId motion(const Parameters& in) const;
-  void set_motion(Parameters& p, Motion motion);
-  /// A line is left for the one behind it, by way of its plain lines; `leaves`: Statement::motion.
-  void leave_motion(Parameters& p, uint8_t leaves);
   /// Python code in the program's comments may give any global a value, or none.
   void expect_from_python(Parameters& p);
   /// A sub returns, or its definition is skipped: sets `#<_value>` and `#<_value_returned>`. `value`: null without

@@ -1,7 +1,6 @@
-// With what a run begins, and the motion that is in effect from then on.
+// With what a run begins.
 #include <algorithm>
 
-#include "analyzer/flow/domain/motion.h"
 #include "analyzer/flow/interpreter/evaluator.h"
 #include "analyzer/machine/remap_names.h"
 
@@ -34,21 +33,6 @@ void Evaluator::expect_from_python(Parameters& p) {
     if (expr.op == Operator::kNamed && !expr.target && tracked_.is_global(expr.name()))
       set_name(p, expr.name(), kMaybeUnassigned);
   }
-}
-
-ValueId Evaluator::motion(const Parameters& in) const {
-  const ValueId value = in.globals.get(kMotionKey);
-  return value < kFirstConstant ? kUnknown : value;
-}
-
-void Evaluator::set_motion(Parameters& p, Motion motion) {
-  if (!syntax_.motion_faults.empty()) p.globals.set(pool_, kMotionKey, values_.intern(motion_number(motion)));
-}
-
-void Evaluator::leave_motion(Parameters& p, uint8_t leaves) {
-  if (leaves == kLeavesMotion || syntax_.motion_faults.empty()) return;
-  if (leaves != kLeavesAny) return set_motion(p, static_cast<Motion>(leaves));
-  p.globals.set(pool_, kMotionKey, kUnknown);
 }
 
 }  // namespace owlint::flow

@@ -53,14 +53,14 @@ struct AbstractMachine::Step {
     next.position = position;
     next.branch = decided ? Branch::kNone : branch;
     const bool goes_on = position == here + 1 && next.skip == kNoLabel && next.defining == kNoName && !next.seek;
-    if (goes_on) m.evaluator_.leave_motion(next.parameters, s.motion);
+    if (goes_on) m.leave_modes(next.parameters, here);
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
     out.successor(std::move(next));
   }
   void next_line() { go(std::move(state), here + 1); }
 
   void stop(StopKind kind, std::string message, StatementId other = kNoStatement, std::string detail = {}) {
-    out.stop(state, {kind, other, std::move(message), std::move(detail)});
+    out.stop(state, {kind, other, std::move(message), std::move(detail), {}});
   }
   /// Stops on some of the runs that are followed here as one, or on some machines.
   void may_stop(StopKind kind, std::string message) {
@@ -228,7 +228,11 @@ struct AbstractMachine::Step {
   void run();
   void plain();
   void m98();
-  void motion_check();
+  void modes();
+  bool computed_words(WordLine& words);
+  bool line_computes() const;
+  bool take_faults(std::span<const ModeFault> faults);
+  bool restore_modes();
   void user_code();
   void machine_check();
   void repeated_word(const LineError& repeated);

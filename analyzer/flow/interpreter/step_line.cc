@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyzer/flow/domain/motion.h"
 #include "analyzer/flow/interpreter/step.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
@@ -38,7 +37,7 @@ void AbstractMachine::Step::plain() {
   }
   if (s.kind == LineKind::kM98) return m98();
   if (skipping) return next_line();
-  if (s.kind == LineKind::kMotionCheck) return motion_check();
+  if (s.kind == LineKind::kModes) return modes();
   if (s.kind == LineKind::kUserCode) return user_code();
   if (s.kind == LineKind::kMachineCheck) return machine_check();
   if (s.kind == LineKind::kAbort) return context.contour ? next_line() : out.end(state);
@@ -112,24 +111,6 @@ void AbstractMachine::Step::machine_check() {
   next_line();
 }
 
-/// What is not known of the motion is no claim: a file that others call may be entered with any.
-void AbstractMachine::Step::motion_check() {
-  const ValueId motion = m.evaluator_.motion(state.parameters);
-  if (motion == kUnknown || context.contour) return next_line();
-  const bool known = m.values_.is_constant(motion);
-  const MotionSet in_effect = motions_at_ends(m.values_.range(motion));
-  for (uint32_t i = s.first;; ++i) {
-    const MotionFault& fault = m.program_.syntax.motion_faults[i];
-    if ((fault.motions & in_effect) != 0) {
-      const LineError& what = m.program_.syntax.errors[fault.error];
-      if (known) return stop(what.kind, what.message);
-      may_stop(what.kind, what.message);
-    }
-    if (fault.last) break;
-  }
-  next_line();
-}
-
 /// Measured: M98 is read with all its values wherever it stands, and stops there; where lines are skipped it only does
 /// not call.
 void AbstractMachine::Step::m98() {
@@ -177,7 +158,7 @@ void AbstractMachine::Step::m99() {
                 "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
   }
   m.evaluator_.come_back(state.parameters, nullptr, true);
-  out.leave(state);
+  if (restore_modes()) out.leave(state);
 }
 
 /// Finds the full label. False when evaluating it stops; `label` stays none when it cannot be known.

@@ -86,6 +86,7 @@ void AbstractMachine::Step::leave_sub() {
       if (!is_called_sub()) hazard(HazardKind::kForeignEnd);
     }
     come_back();
+    if (!restore_modes()) return;
     return out.leave(state);
   }
   if (defining()) {
@@ -162,11 +163,12 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
       m.evaluator_.set_name(enter.parameters, count, m.values_.intern(static_cast<double>(passed.size())));
     }
   }
+  m.modes_.begin_level(enter.parameters);
   if (repeats == 0 || repeats == kUnknownRepeats) {
     // Measured: with L0 the call is made and simply goes on with the next line, inside; M99 comes back to that line.
     State inside = enter;
     inside.position = here + 1;
-    m.evaluator_.leave_motion(inside.parameters, s.motion);
+    m.leave_modes(inside.parameters, here);
     out.call(state, std::move(inside), callee, 1);
     if (repeats == 0) return;
   }

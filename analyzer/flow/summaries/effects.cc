@@ -1,8 +1,9 @@
 #include "analyzer/flow/summaries/effects.h"
 
 #include <algorithm>
+#include <bit>
 
-#include "analyzer/flow/domain/motion.h"
+#include "analyzer/flow/domain/modes.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -12,7 +13,6 @@ namespace {
 void add_line(const Program& program, const Statement& s, Effects& effects) {
   if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) effects.jumps = true;
   if (s.is(Keyword::kIf)) effects.tests = true;
-  if (s.motion != kLeavesMotion) effects.globals.insert(kMotionKey);
   for (const Item& item : program.syntax.items_of(s)) {
     if (item.target_name != kNoName) {
       if (is_global_name(program.name(item.target_name))) effects.globals.insert(kGlobalNames + item.target_name);
@@ -31,8 +31,8 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
 
 }  // namespace
 
-EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular, const Limits& limits)
-    : program_(program), regular_(regular), reached_subs_(limits.reached_subs) {
+EffectsOfSubs::EffectsOfSubs(const Program& program, bool regular, const ModeUses& modes, const Limits& limits)
+    : program_(program), regular_(regular), modes_(modes), reached_subs_(limits.reached_subs) {
   const auto name_of = [&](RegionId r) { return r == kMainRegion ? kNoName : program.regions[r].name; };
   regions_.assign(program.syntax.names.size(), static_cast<uint32_t>(program.regions.size()), name_of);
   calls_.assign(program.regions.size(), static_cast<uint32_t>(program.calls.size()),
@@ -57,7 +57,11 @@ const Effects& EffectsOfSubs::of(NameId sub) {
     if (name >= regions_.size()) continue;  // a computed one
     for (const RegionId r : regions_[name]) {
       const Region& region = program_.regions[r];
-      for (StatementId id = region.opener; id < region.last; ++id) add_line(program_, program_.at(id), effects);
+      for (StatementId id = region.opener; id < region.last; ++id) {
+        add_line(program_, program_.at(id), effects);
+        for (ModeMask changed = modes_.changed_at(id); changed != 0; changed &= changed - 1)
+          effects.globals.insert(mode_key(static_cast<Mode>(std::countr_zero(changed))));
+      }
       for (const uint32_t call : calls_[r]) todo.push_back(program_.calls[call].callee);
     }
   }

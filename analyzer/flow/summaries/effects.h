@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "analyzer/flow/facts/mode_uses.h"
 #include "analyzer/flow/limits.h"
 #include "analyzer/program/program.h"
 
@@ -22,12 +23,13 @@ struct Effects {
 class EffectsOfSubs {
  public:
   /// `regular`: see Structure.
-  EffectsOfSubs(const Program& program, bool regular, const Limits& limits);
+  EffectsOfSubs(const Program& program, bool regular, const ModeUses& modes, const Limits& limits);
   const Effects& of(NameId sub);
 
  private:
   const Program& program_;
   bool regular_;
+  const ModeUses& modes_;
   size_t reached_subs_;
   Grouped regions_;  ///< by name of the sub
   std::unordered_map<NameId, Effects> known_;

@@ -39,6 +39,7 @@ class Verdicts final : public Events {
     StatementId read;
   };
 
+  void find_setter(const State& at, FlowStop& stop);
   bool find_origin(const State& at, Hazard& hazard);
   void find_arguments_not_passed();
   void find_endless_recursions();

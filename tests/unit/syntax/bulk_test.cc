@@ -4,27 +4,32 @@
 #include <catch2/catch.hpp>
 
 #include "analyzer/syntax/bulk.h"
-#include "analyzer/syntax/motion_in_effect.h"
+#include "analyzer/syntax/modes_in_effect.h"
 #include "support/files.h"
 
 using namespace owlint;
 
 namespace {
 
+std::string told(std::span<const ModeChange> changes) {
+  std::string out;
+  for (const ModeChange& change : changes)
+    out += " " + std::string(mode_name(change.mode)) + "=" + std::to_string(change.value);
+  return out;
+}
+
 /// What statements say of words, one line for each.
 std::vector<std::string> told(const Syntax& syntax) {
-  std::vector<std::string> out{"first " + std::to_string(syntax.first_motion)};
-  for (const Statement& s : syntax.statements) {
+  std::vector<std::string> out{"first" + told(syntax.first_changes)};
+  for (StatementId id = 0; id < syntax.statements.size(); ++id) {
+    const Statement& s = syntax.statements[id];
     if (s.kind == LineKind::kUserCode || s.kind == LineKind::kMachineCheck) continue;  // the scanner adds them
     std::string one = std::to_string(s.line) + " kind " + std::to_string(static_cast<int>(s.kind));
-    if (!s.has_error()) one += " motion " + std::to_string(s.motion);
+    if (!s.has_error()) one += told(syntax.changes_after(id));
     if (const LineError* error = syntax.error(s)) one += " " + error->message;
-    if (s.kind == LineKind::kMotionCheck) {
-      for (uint32_t i = s.first;; ++i) {
-        one += " " + std::to_string(syntax.motion_faults[i].motions) +
-            syntax.errors[syntax.motion_faults[i].error].message;
-        if (syntax.motion_faults[i].last) break;
-      }
+    if (s.kind == LineKind::kModes) {
+      for (const ModeWord& word : syntax.words_of(s))
+        one += " " + std::string(1, word.letter) + std::to_string(word.value);
     }
     out.push_back(one);
     if (s.has_error()) break;  // no run goes on to the lines behind it
@@ -36,18 +41,19 @@ std::vector<std::string> told(const Syntax& syntax) {
 std::vector<std::string> told_line_by_line(const std::string& text) {
   Syntax syntax;
   LineParser parser(syntax);
-  MotionInEffect motion(syntax, parser);
+  const MachineWords machine;
+  ModesInEffect modes(syntax, parser, machine);
   uint32_t number = 0;
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size());
     Statement s;
     s.line = ++number;
     bool keep = parser.parse(std::string_view(text).substr(at, end - at), at, &s);
-    keep = motion.judge(s, keep);
-    if (keep) motion.push(s);
-    if (!keep) motion.leave();
+    keep = modes.judge(s, keep);
+    if (keep) modes.push(s);
     at = end + 1;
   }
+  modes.finish();
   return told(syntax);
 }
 
@@ -109,27 +115,49 @@ TEST_CASE("the fast path keeps of files what reading line by line keeps", "[bulk
 }
 
 TEST_CASE("what may matter is never passed over", "[bulk]") {
-  const auto stops_at = [](const std::string& text) { return pass_plain_lines(text, 0, Taken::kNothing).next; };
+  Proven all;
+  all.code = 1;
+  all.straight[0] = all.arcs[0] = all.alone[0] = 0xFF;
+  const auto stops_at = [](const std::string& text, const Proven& proven) {
+    return pass_plain_lines(text, 0, proven).next;
+  };
   for (const char* line :
-       {"o100 sub", "  O1 if [1]", "G1 X1 (o)", "M2",    "m30",   "%",      "N10 M98 P1", "/G0 X1",
-        "#1=2",     "G0 X[1]",     "100 sub",   " 5",    "sub",   "if [1]", "G1 X1\rG0",  "\xEF\xBB\xBFG1",
-        "G1 X\xE4", "G0 X1 ; c",   "$(x)",      "X1 X2", "G1 G0", "G1 I1",  "U1",         "G4",
-        "X",        "X.",          "X1..",      "F-1",   "G5",    "G1.5",   "X1 2",       "R5",
-        "N",        "N1. X1"}) {
+       {"o100 sub", "  O1 if [1]", "G1 X1 (o)", "M2",    "m30",   "%",       "N10 M98 P1", "/G0 X1",
+        "#1=2",     "G0 X[1]",     "100 sub",   " 5",    "sub",   "if [1]",  "G1 X1\rG0",  "\xEF\xBB\xBFG1",
+        "G1 X\xE4", "G0 X1 ; c",   "$(x)",      "X1 X2", "G1 G0", "G1 I1",   "U1",         "G4",
+        "X",        "X.",          "X1..",      "F-1",   "G5",    "G1.5",    "X1 2",       "R5",
+        "N",        "N1. X1",      "G1 X1 F0",  "S0",    "F100",  "G2 X1 R5"}) {
     INFO(line);
-    CHECK(stops_at(std::string("G1 X1\n") + line + "\nG1 X2\n") == 6);
+    CHECK(stops_at(std::string("G1 X1\n") + line + "\nG1 X2\n", all) == 6);
   }
-  CHECK(stops_at(std::string("G1 X1\nX") + std::string(252, '1') + "\nG1\n") == 6);
-  CHECK(stops_at(std::string("G1 X1\nX") + std::string(251, '1') + "\nG1\n") == 6 + 253 + 3);
-  for (const char* line :
-       {"G1 X1 Y-2.5", "  X1", "", "  \t", "N10 G1 X1", "X1\r", "G1X1Y1", "F500", "G2 X1 I1", "g03x1r.5", "A1"}) {
+  CHECK(stops_at(std::string("G1 X1\nX") + std::string(252, '1') + "\nG1\n", all) == 6);
+  CHECK(stops_at(std::string("G1 X1\nX") + std::string(251, '1') + "\nG1\n", all) == 6 + 253 + 3);
+  for (const char* line : {"G1 X1 Y-2.5", "  X1", "", "  \t", "N10 G1 X1", "X1\r", "G1X1Y1", "S500", "G2 X1 I1",
+                           "g03x1y0r.5", "A1", "X1 F05"}) {
     INFO(line);
     const std::string text = std::string("G1 X1\n") + line + "\nG1 X2\n";
-    CHECK(stops_at(text) == text.size());
+    CHECK(stops_at(text, all) == text.size());
   }
-  CHECK(pass_plain_lines("X1\n", 0, Taken::kNothing).next == 0);
-  CHECK(pass_plain_lines("X1\n", 0, Taken::kXyz).next == 3);
-  CHECK(pass_plain_lines("A1\n", 0, Taken::kXyz).next == 0);
-  CHECK(pass_plain_lines("I1\n", 0, Taken::kAxes).next == 0);
-  CHECK(pass_plain_lines("I1\n", 0, Taken::kArcWords).next == 3);
+}
+
+TEST_CASE("a plain line is passed where one like it has run", "[bulk]") {
+  const auto passes = [](const char* line, std::initializer_list<const char*> before) {
+    Proven proven;
+    for (const char* one : before) proven = proven_after(one, proven);
+    return pass_plain_lines(std::string(line) + "\n", 0, proven).lines == 1;
+  };
+  CHECK_FALSE(passes("G1 X1", {}));
+  CHECK(passes("G1 X1", {"G1 Y2 (down)"}));
+  CHECK(passes("G1 X1 F5", {"G1 Y2"}));
+  CHECK_FALSE(passes("G1 X1", {"G1 Y2 F5"}));  // the feed mode may be one that wants F on every line
+  CHECK_FALSE(passes("G1 X1", {"G0 Y2"}));
+  CHECK_FALSE(passes("G1 X1", {"G1 Y2", "M5"}));
+  CHECK(passes("X1", {"G1 Y2"}));
+  CHECK(passes("X1", {"X2"}));
+  CHECK_FALSE(passes("Y1", {"X2"}));  // the motion may be one that wants both
+  CHECK_FALSE(passes("A1", {"A2"}));
+  CHECK(passes("G2 X1 I1", {"G3 X2 I2"}));
+  CHECK_FALSE(passes("G2 X1 J1", {"G3 X2 I2"}));
+  CHECK_FALSE(passes("G2 X1 R1", {"G3 X2 R2"}));
+  CHECK(passes("G2 X1 Y1 R1", {"G3 X2 Y2 R2"}));
 }

@@ -1,0 +1,103 @@
+#include "analyzer/flow/facts/mode_uses.h"
+
+#include <initializer_list>
+
+namespace owlint::flow {
+namespace {
+
+bool has_store(const WordLine& words) {
+  const MCode* const code = words.code(MGroup::kSpindle);
+  return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
+}
+
+ModeSets only(ModeSets sets, const ModeChange& change) {
+  sets[change.mode] |= change.value == ModeChange::kAny ? all_values(change.mode) : value_bit(change.value);
+  return sets;
+}
+
+}  // namespace
+
+void read_words(std::span<const ModeWord> from, WordLine& into) {
+  for (const ModeWord& word : from) into.add({word.letter, word.computed == kNoExpr, word.value, word.from, word.to});
+}
+
+ModeUses::ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start)
+    : program_(program), machine_(machine), reachable_(start) {
+  if (program.syntax.mode_words.empty()) return;
+  find_reachable();
+  find_followed();
+}
+
+void ModeUses::find_reachable() {
+  for (const auto* changes : {&program_.syntax.first_changes, &program_.syntax.mode_changes}) {
+    for (const ModeChange& change : *changes) reachable_ = only(reachable_, change);
+  }
+  // What a line leaves may depend on what others leave.
+  constexpr int kRounds = 8;
+  bool grew = true;
+  for (int round = 0; round < kRounds && grew; ++round) {
+    grew = false;
+    std::vector<ModeFault> faults;
+    for (const Statement& s : program_.syntax.statements) {
+      if (s.kind == LineKind::kModes) grew = run(s, &faults) || grew;
+    }
+  }
+}
+
+bool ModeUses::run(const Statement& s, std::vector<ModeFault>* faults) {
+  WordLine words(machine_);
+  read_words(program_.syntax.words_of(s), words);
+  ModeState after{reachable_, reachable_};
+  if (!ModeRun(machine_, words).run(&after, faults)) return false;
+  const ModeSets before = reachable_;
+  reachable_ = join(before, after.now);
+  return reachable_ != before;
+}
+
+void ModeUses::find_followed() {
+  std::vector<ModeFault> faults;
+  bool stores = false;
+  for (const Statement& s : program_.syntax.statements) {
+    if (s.kind != LineKind::kModes) continue;
+    run(s, &faults);
+    if (stores) continue;
+    WordLine words(machine_);
+    read_words(program_.syntax.words_of(s), words);
+    stores = has_store(words);
+  }
+  for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
+  // What these depend on.
+  const auto needs = [this](Mode mode, std::initializer_list<Mode> others) {
+    if (!follows(mode)) return;
+    for (const Mode other : others) followed_ |= mask_of(other);
+  };
+  needs(Mode::kFeed, {Mode::kFeedMode, Mode::kMotion});
+  needs(Mode::kStraightOwed, {Mode::kEntry});
+  needs(Mode::kEntry, {Mode::kRadius, Mode::kMotion, Mode::kPlane});
+  for (const Mode mode : {Mode::kRadius, Mode::kEntry, Mode::kStraightOwed}) needs(mode, {Mode::kCompensation});
+  if (followed_ != 0 && stores) followed_ |= mask_of(Mode::kSaved);
+}
+
+ModeMask ModeUses::changed_at(StatementId id) const {
+  if (followed_ == 0) return 0;
+  const Statement& s = program_.at(id);
+  ModeMask changed = 0;
+  if (s.changes_modes) {
+    for (const ModeChange& change : program_.syntax.changes_after(id)) changed |= mask_of(change.mode);
+  }
+  if (s.kind == LineKind::kModes) {
+    WordLine words(machine_);
+    read_words(program_.syntax.words_of(s), words);
+    if (words.has_unknown_code() || words.has_remapped_code() || has_store(words)) return followed_;
+    ModeState after{reachable_, reachable_};
+    std::vector<ModeFault> faults;
+    ModeRun(machine_, words).run(&after, &faults);
+    for (size_t i = 0; i < kModes; ++i) {
+      const auto mode = static_cast<Mode>(i);
+      if (after.now[mode] != reachable_[mode]) changed |= mask_of(mode);
+    }
+  }
+  return changed & followed_;
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,39 @@
+// Which modes decide anything in a program: only those are followed. Most programs never leave most modes, so that what a line needs
+// of them is there in any case.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analyzer/program/program.h"
+#include "analyzer/syntax/mode_run.h"
+
+namespace owlint::flow {
+
+/// The words of a kModes, as far as they are not computed.
+void read_words(std::span<const ModeWord> from, WordLine& into);
+
+class ModeUses {
+ public:
+  /// `start`: the modes with which a run begins.
+  ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start);
+
+  /// The modes that decide whether some line stops.
+  ModeMask followed() const { return followed_; }
+  bool follows(Mode mode) const { return (followed_ & mask_of(mode)) != 0; }
+  /// Of these, the ones that a statement, or the lines behind it, may change.
+  ModeMask changed_at(StatementId id) const;
+
+ private:
+  void find_reachable();
+  void find_followed();
+  /// Carries out a kModes in all modes that are reachable; true if more are behind it.
+  bool run(const Statement& s, std::vector<ModeFault>* faults);
+
+  const Program& program_;
+  const MachineWords& machine_;
+  ModeSets reachable_;
+  ModeMask followed_ = 0;
+};
+
+}  // namespace owlint::flow

@@ -1,0 +1,72 @@
+#include "analyzer/flow/interpreter/mode_access.h"
+
+#include <bit>
+
+namespace owlint::flow {
+namespace {
+
+template <typename Visit>
+void for_modes(ModeMask mask, const Visit& visit) {
+  for (; mask != 0; mask &= mask - 1) visit(static_cast<Mode>(std::countr_zero(mask)));
+}
+
+void put(ModeSets& sets, Mode mode, ModeValues values) {
+  sets[mode] = values.may;
+  if (!values.open) sets.open &= ~mask_of(mode);
+}
+
+ModeValues of(const ModeSets& sets, Mode mode) { return {sets[mode], sets.is_open(mode)}; }
+
+constexpr ModeMask kLevel = mask_of(Mode::kSaved);  // belongs to a level of calls, as what is saved does
+
+}  // namespace
+
+ModeState ModeAccess::state(const Parameters& p) const {
+  ModeState out = ModeState::unknown();
+  for_modes(uses_.followed() & ~kLevel, [&](Mode mode) {
+    put(out.now, mode, mode_values(values_, mode, p.globals.get(mode_key(mode))));
+    if (uses_.follows(Mode::kSaved)) put(out.saved, mode, mode_values(values_, mode, p.locals.get(saved_key(mode))));
+  });
+  if (uses_.follows(Mode::kSaved))
+    put(out.now, Mode::kSaved, mode_values(values_, Mode::kSaved, p.locals.get(saved_key(Mode::kSaved))));
+  return out;
+}
+
+void ModeAccess::set(Parameters& p, const ModeState& state) {
+  const PersistentMap::Pool::Batch batch(pool_);
+  for_modes(uses_.followed() & ~kLevel,
+            [&](Mode mode) { p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, of(state.now, mode))); });
+  if (!uses_.follows(Mode::kSaved)) return;
+  const PersistentMap::Pool::Batch locals(pool_);
+  p.locals.set(pool_, saved_key(Mode::kSaved), mode_value(values_, Mode::kSaved, of(state.now, Mode::kSaved)));
+  for_modes(uses_.followed() & ~kLevel,
+            [&](Mode mode) { p.locals.set(pool_, saved_key(mode), mode_value(values_, mode, of(state.saved, mode))); });
+}
+
+void ModeAccess::apply(Parameters& p, std::span<const ModeChange> changes) {
+  for (const ModeChange& change : changes) {
+    const Mode mode = change.mode;
+    if (!uses_.follows(mode)) continue;
+    ModeValues values{all_values(mode), true};
+    if (change.value != ModeChange::kAny) values = {value_bit(change.value), false};
+    // In inverse time mode F only counts for its line, and a move leaves a feed that is worked out.
+    if (mode == Mode::kFeed && uses_.follows(Mode::kFeedMode)) {
+      const ModeValues feed_mode = mode_values(values_, Mode::kFeedMode, p.globals.get(mode_key(Mode::kFeedMode)));
+      if ((feed_mode.may & value_bit(modes::kG93)) != 0) values = {all_values(mode), true};
+    }
+    p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, values));
+  }
+}
+
+void ModeAccess::begin_level(Parameters& p) {
+  if (!uses_.follows(Mode::kSaved)) return;
+  p.locals.set(pool_, saved_key(Mode::kSaved), mode_value(values_, Mode::kSaved, {value_bit(modes::kNotSaved), false}));
+}
+
+bool ModeAccess::restores(const Parameters& p) const {
+  if (!uses_.follows(Mode::kSaved)) return false;
+  const ModeValues saved = mode_values(values_, Mode::kSaved, p.locals.get(saved_key(Mode::kSaved)));
+  return (saved.may & value_bit(modes::kSavedByM73)) != 0;
+}
+
+}  // namespace owlint::flow

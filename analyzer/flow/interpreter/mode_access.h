@@ -1,0 +1,37 @@
+// The modes in a state's parameters: what a line finds in effect, and what it leaves.
+#pragma once
+
+#include <span>
+
+#include "analyzer/flow/domain/known_parameters.h"
+#include "analyzer/flow/domain/modes.h"
+#include "analyzer/flow/facts/mode_uses.h"
+
+namespace owlint::flow {
+
+class ModeAccess {
+ public:
+  /// All must outlive it. Saved modes have the keys behind those of local names, of which there are `names`.
+  ModeAccess(const ModeUses& uses, size_t names, KnownValues& values, PersistentMap::Pool& pool)
+      : uses_(uses), saved_keys_(kLocalNames + static_cast<uint32_t>(names)), values_(values), pool_(pool) {}
+
+  /// What is not followed may be anything.
+  ModeState state(const Parameters& p) const;
+  void set(Parameters& p, const ModeState& state);
+  /// The same of some lines that are not carried out one by one.
+  void apply(Parameters& p, std::span<const ModeChange> changes);
+  /// A call begins: on its level nothing is saved.
+  void begin_level(Parameters& p);
+  /// Whether the modes that M73 has saved come back where the call ends.
+  bool restores(const Parameters& p) const;
+
+ private:
+  uint32_t saved_key(Mode mode) const { return saved_keys_ + static_cast<uint32_t>(mode); }
+
+  const ModeUses& uses_;
+  uint32_t saved_keys_;
+  KnownValues& values_;
+  PersistentMap::Pool& pool_;
+};
+
+}  // namespace owlint::flow

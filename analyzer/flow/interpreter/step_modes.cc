@@ -1,0 +1,80 @@
+// A line of words in the modes that are in effect: what it stops with, and what it leaves in effect.
+#include "analyzer/flow/interpreter/step.h"
+
+namespace owlint::flow {
+
+/// The words with the values that they have here; false if reading them stops.
+bool AbstractMachine::Step::computed_words(WordLine& words) {
+  for (const ModeWord& word : m.program_.syntax.words_of(s)) {
+    Word read{word.letter, true, word.value, word.from, word.to};
+    if (word.computed != kNoExpr) {
+      const Evaluation e = m.evaluator_.evaluate(word.computed, state.parameters);
+      const Range range = m.values_.range(e.value);
+      read.known = KnownValues::is_constant(e.value);
+      if (read.known) read.value = range.low;
+      // Of a feed and a speed it only matters that they are not 0.
+      if (!read.known && (word.letter == 'f' || word.letter == 's') && range.low >= 0 && !range.has(0)) {
+        read.known = true;
+        read.value = 1;
+      }
+    }
+    const std::optional<Fault> of_letter = words.letter(word.letter);
+    const std::optional<Fault> fault = words.add(read);
+    // Of words that are not computed the line itself has said it.
+    if (word.computed == kNoExpr || !fault || of_letter || !fault->certain) continue;
+    const ModeFault found{*fault, true, 0};
+    return take_faults({&found, 1});
+  }
+  return true;
+}
+
+/// Whether the values of this line can be computed: if not, that is what it stops with.
+bool AbstractMachine::Step::line_computes() const {
+  const StatementId next = here + 1;
+  if (next >= m.program_.size()) return true;
+  const Statement& line = m.program_.at(next);
+  if (line.offset != s.offset || !line.has_items()) return true;
+  Parameters after = state.parameters;
+  const Evaluation e = m.evaluator_.assign(line, after, nullptr);
+  return e.fails == StopKind::kNone;
+}
+
+/// Reports what the words stop with. False if no run goes on.
+bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
+  if (!faults.empty() && !line_computes()) return true;
+  for (const ModeFault& found : faults) {
+    const Fault& fault = found.fault;
+    if (!fault.certain && !found.believed) continue;
+    const bool mixed = state.mixed;
+    state.mixed = mixed || !fault.certain;
+    out.stop(state, {fault.kind, kNoStatement, fault.message, {}, {fault.word, fault.other, found.decided_by}});
+    state.mixed = mixed;
+    if (fault.certain) return false;
+  }
+  return true;
+}
+
+void AbstractMachine::Step::modes() {
+  if (context.contour) return next_line();
+  WordLine words(m.machine_words_.words);
+  if (!computed_words(words)) return;
+  ModeState after = m.modes_.state(state.parameters);
+  std::vector<ModeFault> faults;
+  ModeRun(m.machine_words_.words, words).run(&after, &faults);
+  if (!take_faults(faults)) return;
+  m.modes_.set(state.parameters, after);
+  next_line();
+}
+
+/// A call ends: what M73 has saved in it is restored. False if no run comes back.
+bool AbstractMachine::Step::restore_modes() {
+  if (!m.modes_.restores(state.parameters)) return true;
+  ModeState modes = m.modes_.state(state.parameters);
+  std::vector<ModeFault> faults;
+  owlint::restore_modes(m.machine_words_.words, &modes, &faults);
+  if (!take_faults(faults)) return false;
+  m.modes_.set(state.parameters, modes);
+  return true;
+}
+
+}  // namespace owlint::flow

@@ -1,0 +1,170 @@
+#include "analyzer/syntax/modes_in_effect.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace owlint {
+namespace {
+
+Mode mode_at(size_t index) { return static_cast<Mode>(index); }
+
+/// The only value of a mode, or kAny.
+uint8_t value_of(const ModeSets& sets, Mode mode) {
+  return std::has_single_bit(sets[mode]) ? static_cast<uint8_t>(std::countr_zero(sets[mode])) : ModeChange::kAny;
+}
+
+bool stacks_modes(const WordLine& words) {
+  const MCode* const code = words.code(MGroup::kSpindle);
+  return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
+}
+
+}  // namespace
+
+std::span<const ModeChange> Syntax::changes_after(StatementId id) const {
+  const auto first = std::ranges::lower_bound(mode_changes, id, {}, &ModeChange::after);
+  const auto last = std::ranges::upper_bound(mode_changes, id, {}, &ModeChange::after);
+  return {first, last};
+}
+
+Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
+  Statement asks;
+  asks.offset = line.offset;
+  asks.length = line.length;
+  asks.line = line.line;
+  asks.kind = kind;
+  asks.block_delete = line.block_delete;
+  asks.first = first;
+  return asks;
+}
+
+void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
+  pending_[static_cast<size_t>(mode)] = {0, line, mode, value};
+  changed_ |= mask_of(mode);
+}
+
+void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
+  ModeSets& now = state_.now;
+  if (now[mode] == value_bit(value)) return;
+  now[mode] = value_bit(value);
+  now.open &= ~mask_of(mode);
+  note(mode, value, line);
+}
+
+void ModesInEffect::pass(const PlainEffect& effect, uint32_t last) {
+  if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
+  if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
+  if (effect.speed) set(Mode::kSpeed, modes::kSpeedSet, last);
+  if (effect.straight) set(Mode::kStraightOwed, modes::kNotOwed, last);
+  // Whether a compensated path has begun depends on how far the lines move.
+  if (effect.moves && state_.now[Mode::kCompensation] != value_bit(modes::kG40) &&
+      state_.now[Mode::kEntry] != value_bit(modes::kMade)) {
+    state_.now[Mode::kEntry] = all_values(Mode::kEntry);
+    state_.now.open |= mask_of(Mode::kEntry);
+    note(Mode::kEntry, ModeChange::kAny, last);
+  }
+}
+
+/// Writes down what the lines since the last statement have set.
+void ModesInEffect::flush() {
+  if (changed_ == 0) return;
+  const bool first = out_.statements.empty();
+  // What a line with block delete does itself is kept apart from what comes after it.
+  if (!first && out_.statements.back().block_delete) {
+    const Statement deleted = out_.statements.back();
+    Statement after;
+    after.offset = deleted.end();
+    after.line = deleted.line;
+    out_.statements.push_back(after);
+  }
+  for (; changed_ != 0; changed_ &= changed_ - 1) {
+    ModeChange change = pending_[static_cast<size_t>(std::countr_zero(changed_))];
+    change.after = first ? kNoStatement : static_cast<StatementId>(out_.statements.size() - 1);
+    (first ? out_.first_changes : out_.mode_changes).push_back(change);
+  }
+  if (!first) out_.statements.back().changes_modes = true;
+}
+
+/// Whether the flow has to carry out the line: what it stops with or does depends on what is not known here.
+bool ModesInEffect::asks(const WordLine& words, const ModeState& after) const {
+  if (!faults_.empty() || stacks_modes(words) || words.has_unknown_code() || words.has_remapped_code()) return true;
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters) == 0) return true;
+  }
+  for (size_t i = 0; i < kModes; ++i) {
+    const Mode mode = mode_at(i);
+    if (after.now[mode] != state_.now[mode] && after.now.is_open(mode)) return true;
+  }
+  return false;
+}
+
+/// Takes over what a line without a question does.
+void ModesInEffect::take(const ModeState& after, uint32_t line) {
+  for (size_t i = 0; i < kModes; ++i) {
+    const Mode mode = mode_at(i);
+    if (after.now[mode] != state_.now[mode] || after.now.is_open(mode) != state_.now.is_open(mode))
+      note(mode, value_of(after.now, mode), line);
+  }
+  state_ = after;
+}
+
+bool ModesInEffect::judge(Statement& statement, bool keep) {
+  faults_.clear();
+  asks_ = false;
+  const WordLine* words = parser_.words();
+  if (words == nullptr || statement.has_error()) {
+    // At O-words runs come from elsewhere, or go elsewhere and come back; behind a line that stops there is none.
+    const bool stops = statement.kind == LineKind::kWords && statement.has_error();
+    if (keep && !stops) {
+      flush();
+      state_ = ModeState::unknown();
+    }
+    return keep;
+  }
+  ModeState after = state_;
+  ModeRun(machine_, *words).run(&after, &faults_);
+  if (faults_.size() == 1 && faults_.front().fault.certain) {
+    statement.error = parser_.add_error(faults_.front().fault);
+    return true;
+  }
+  asks_ = asks(*words, after);
+  // With block delete on the line does nothing.
+  if (statement.block_delete && (asks_ || after != state_)) {
+    asks_ = true;
+    after = ModeState::unknown();
+  }
+  if (!asks_) {
+    take(after, statement.line);
+    return keep;
+  }
+  flush();
+  state_ = after;
+  return true;
+}
+
+void ModesInEffect::ask(const Statement& statement) {
+  const WordLine& words = *parser_.words();
+  Statement asks = question_about(statement, LineKind::kModes, static_cast<uint32_t>(out_.mode_words.size()));
+  asks.item_count = static_cast<uint8_t>(words.size());
+  // Words that are computed have an item each, in the order of the line.
+  const auto items = out_.items_of(statement);
+  auto item = items.begin();
+  for (size_t i = 0; i < words.size(); ++i) {
+    const Word& word = words[i];
+    ModeWord out{.value = word.value, .computed = kNoExpr, .letter = word.letter, .from = word.from, .to = word.to};
+    if (!word.known) {
+      item = std::find_if(item, items.end(), [&](const Item& it) { return it.letter != 0; });
+      if (item != items.end()) out.computed = (item++)->value;
+    }
+    out_.mode_words.push_back(out);
+  }
+  out_.statements.push_back(asks);
+}
+
+void ModesInEffect::push(const Statement& statement) {
+  flush();
+  if (asks_ && statement.kind != LineKind::kAbort) ask(statement);
+  const bool own = statement.kind != LineKind::kWords || statement.item_count > 0 || statement.has_error();
+  if (own || !asks_) out_.statements.push_back(statement);
+}
+
+}  // namespace owlint

@@ -1,0 +1,53 @@
+// Which modes are in effect, as far as the lines themselves say, while a file is read from the first line to the last. Between
+// two O-words a mode is known from the first line that sets it. What depends on one that is not known becomes a question to the
+// flow: a kModes. What lines set becomes a ModeChange.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "analyzer/syntax/bulk.h"
+#include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/mode_run.h"
+#include "analyzer/syntax/statement.h"
+
+namespace owlint {
+
+/// A question to the flow about a line, which may have no statement itself: a kModes, kMachineCheck or kUserCode.
+Statement question_about(const Statement& line, LineKind kind, uint32_t first);
+
+class ModesInEffect {
+ public:
+  ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine)
+      : out_(out), parser_(parser), machine_(machine) {}
+
+  /// Takes in plain lines; `last`: the number of the last of them.
+  void pass(const PlainEffect& effect, uint32_t last);
+  /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
+  /// Returns whether the line is to be kept: `keep`, or because of its words.
+  bool judge(Statement& statement, bool keep);
+  /// Keeps the line that was judged, with the question that it has.
+  void push(const Statement& statement);
+  /// No line comes after those that were taken in.
+  void finish() { flush(); }
+
+ private:
+  bool asks(const WordLine& words, const ModeState& after) const;
+  void take(const ModeState& after, uint32_t line);
+  void set(Mode mode, uint8_t value, uint32_t line);
+  void note(Mode mode, uint8_t value, uint32_t line);
+  void flush();
+  void ask(const Statement& statement);
+  void blame_setter(Mode mode, LineError& error) const;
+
+  Syntax& out_;
+  LineParser& parser_;
+  MachineWords machine_;
+  ModeState state_ = ModeState::unknown();
+  std::array<ModeChange, kModes> pending_{};  // by mode, where changed_ has it
+  ModeMask changed_ = 0;                      // since the last statement
+  bool asks_ = false;                         // of the line that was judged
+  std::vector<ModeFault> faults_;
+};
+
+}  // namespace owlint

@@ -1,0 +1,104 @@
+// OW807 state-stack: M72 without M70 or M73, or modes that cannot be restored.
+// Depends on: what M70 and M73 save belongs to the call in which they run, M71 discards it. To restore it, LinuxCNC runs a line
+// that it makes of what differs; the end of a sub with M73 restores, too.
+#include <fmt/format.h>
+
+#include "rules/driver/modes.h"
+
+namespace owlint::rules {
+namespace {
+
+constexpr std::string_view kFailed = "restore_settings";
+
+/// The line that LinuxCNC makes, and what it stops with, from `M7x: restore_settings failed executing: ' G96': S word …`.
+std::pair<std::string, std::string> line_and_message(const std::string& said) {
+  const size_t from = said.find('\'');
+  const size_t to = said.find("': ");
+  if (from == std::string::npos || to == std::string::npos || to <= from) return {"", said};
+  std::string line = said.substr(from + 1, to - from - 1);
+  line.erase(0, line.find_first_not_of(' '));
+  return {line, said.substr(to + 3)};
+}
+
+std::string_view remedy(std::string_view message) {
+  if (message.starts_with("S word missing"))
+    return "switch back with `G96` and `S` before the modes are restored, or save them in `G97`";
+  if (message.find("cutter radius comp") != std::string_view::npos)
+    return "save and restore the modes with cutter compensation off: write `G40` before both";
+  return "set these modes back by hand before they are restored";
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    const WordStop at = word_stop(in, stop, "M72");
+    Finding& f = out.add(at.span, "");
+    const bool m72 = find_word(at.line, "M72") != nullptr;
+    if (stop.interpreter.find(kFailed) == std::string::npos) {
+      f.message = "`M72` restores modes, and nothing has saved them";
+      f.help = "write `M70` before the modes change, in the same sub as `M72`";
+      relate_setter(in, f, setter_of(in, stop, "M71", false), "discards what was saved");
+      return &f;
+    }
+    const auto [line, message] = line_and_message(stop.interpreter);
+    f.message = (m72 ? "`M72` cannot restore" : "the end of the sub cannot restore") + std::string(" what ") +
+        (m72 ? "was" : "`M73` has") + " saved" +
+        (line.empty() ? "" : fmt::format(": LinuxCNC runs `{}` for it, and stops there", line));
+    f.help = remedy(message);
+    relate_setter(in, f, setter_of(in, stop, "M70 M73", false), "saves the modes here");
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw807{
+    .code = "OW807",
+    .name = "state-stack",
+    .summary = "`M72` without `M70` or `M73`, or modes that cannot be restored",
+    .group = Group::kModes,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(`M72` where no `M70` or `M73` has saved the modes, or `M71` has discarded them since. Also `M72`, or the
+end of a sub with `M73`, where the saved modes cannot be restored.)",
+            .why =
+                R"(What `M70` and `M73` save belongs to the call that runs them: a sub cannot restore what its caller has
+saved, and at the end of the sub it is gone. LinuxCNC stops with `Cannot restore context from invalid
+stack frame - missing M70/M73?`.
+
+To restore, LinuxCNC makes a line of everything that differs and runs it: `G96` without its `S`, or a
+plane while cutter compensation is on, stops with `M7x: restore_settings failed executing: …`. If
+anything at all was restored, the rest of the line of `M72` is lost, without a message. The motion
+(`G0`, `G1`) is not restored.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90
+o100 sub
+  G91 G0 X1
+  M72
+o100 endsub
+M70
+o100 call
+M2
+)",
+            .good = R"(G21 G90
+o100 sub
+  M70
+  G91 G0 X1
+  M72
+o100 endsub
+o100 call
+M2
+)",
+            .fix =
+                R"(Save and restore in the same sub. `M73` at the start of a sub saves, and restores by itself at its end.)",
+            .level_reason = "Error if a run gets here with nothing saved: the program stops. Where no run gets, owlint "
+                            "says nothing.",
+            .interpreter = "Cannot restore context from invalid stack frame - missing M70/M73?",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

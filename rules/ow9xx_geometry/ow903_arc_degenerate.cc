@@ -1,0 +1,96 @@
+// OW903 arc-degenerate: words of an arc that do not make one.
+// Depends on: an arc has a radius or a center, never both. A missing word of the center is 0 in G91.1 and an error in G90.1. An
+// arc with a radius needs an end point in its plane. Letters that the plane does not have are OW804's.
+#include <array>
+
+#include <fmt/format.h>
+
+#include "rules/driver/modes.h"
+
+namespace owlint::rules {
+namespace {
+
+constexpr std::string_view kArc = "G2 G3 * I J K R";
+constexpr std::string_view kLacksCenter = " word missing in absolute center arc";
+constexpr std::string_view kLacksEnd = " words missing for arc in ";
+
+constexpr std::array kSaid = {
+    Said{"all missing for arc", kArc, "is an arc without a center and without a radius",
+         "write the center as `I` and `J`, or the radius as `R`; a straight move needs its `G1` or `G0`"},
+    Said{"Mixed radius ijk", "R", "gives a radius, and the line gives a center, too",
+         "write `R` or the center, not both"},
+    Said{kLacksCenter, kArc, "lacks a word of its center, and `G90.1` is in effect", ""},
+    Said{kLacksEnd, "R", "gives a radius, and there is no end point in the plane of the arc", ""},
+};
+
+/// `XZ`, as in `X and z words missing for arc in xz plane`.
+std::string plane_in(const std::string& said) {
+  const size_t at = said.find(kLacksEnd);
+  return at == std::string::npos ? "" : capital(said[at + kLacksEnd.size()]) + capital(said[at + kLacksEnd.size() + 1]);
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    Finding& f = add_said(in, out, stop, kSaid);
+    const std::string& said = stop.interpreter;
+    if (said.ends_with(kLacksCenter)) {
+      f.help = fmt::format("write `{}` too, or `G91.1`, in which a missing one is 0", said.substr(0, 1));
+      relate_setter(in, f, setter_of(in, stop, "G90.1"));
+    } else if (const std::string plane = plane_in(said); !plane.empty()) {
+      f.help = fmt::format("write `{}` or `{}`; a full circle needs its center instead of `R`", plane[0], plane[1]);
+      relate_setter(in, f, setter_of(in, stop, "G17 G18 G19"));
+    } else {
+      relate_setter(in, f, setter_of(in, stop, "G2 G3", false));
+    }
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw903{
+    .code = "OW903",
+    .name = "arc-degenerate",
+    .summary = "words of an arc that do not make one",
+    .group = Group::kGeometry,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A `G2` or `G3` without a center (`I`, `J`, `K`) and without a radius (`R`), or with both; with only one
+word of the center in `G90.1`; with `R` and no end point in the plane of the arc. `G2` stays in effect: a
+line with only `X` and `Y` behind an arc is an arc as well.)",
+            .why =
+                R"(LinuxCNC stops with `R i j k words all missing for arc`, `Mixed radius ijk format for arc`, `J word missing
+in absolute center arc` and the like.
+
+With a center, no end point is needed: without one the arc is a full circle. In `G91.1`, which is in effect
+unless a program writes `G90.1`, a missing word of the center is 0.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90 G17
+G0 X0 Y0 Z5
+G1 Z-2 F200
+G2 X20 Y0 I10
+X0 Y10
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90 G17
+G0 X0 Y0 Z5
+G1 Z-2 F200
+G2 X20 Y0 I10
+G1 X0 Y10
+G0 Z5
+M2
+)",
+            .fix =
+                R"(Write the center or the radius of the arc. Behind an arc, write `G1` or `G0` on the next straight move.)",
+            .level_reason = "Error if a run gets here: the program stops. Where no run gets, owlint says nothing.",
+            .interpreter = "R i j k words all missing for arc",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,119 @@
+// OW904 cycle-depth: words of a drilling cycle that are missing or do not fit each other.
+// Depends on: R, the depth, P, Q, I, J and K are kept from hole to hole of one cycle, not for another one and not behind G80, G0
+// or another motion. Heights are those of the line or kept ones; in G91 the depth counts from R.
+#include <array>
+
+#include <fmt/format.h>
+
+#include "rules/driver/modes.h"
+
+namespace owlint::rules {
+namespace {
+
+constexpr std::string_view kCycles = "G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89 *";
+constexpr std::string_view kNoDepth = " value unspecified in ";
+constexpr std::string_view kBelow = "R less than ";
+constexpr std::string_view kBoring = " word missing with g87";
+
+constexpr std::array kSaid = {
+    Said{"R clearance plane", kCycles, "drills without `R`, the height at which the feed begins",
+         "write `R`; it is kept from hole to hole, but not for another cycle, nor behind `G80`, `G0` or `G1`"},
+    Said{"zero repeats", "L", "drills no hole at all", "remove it, or skip the line with an `if`"},
+    Said{kNoDepth, kCycles, "drills without its depth", ""},
+    Said{kBelow, "R *", "", ""},
+    Said{"Dwell time p word", kCycles, "waits at the bottom, and has no time as `P`", "write `P` and the seconds"},
+    Said{"Q word missing", kCycles, "drills in pecks, and has no `Q`", "write `Q` and the depth of one peck"},
+    Said{"zero q value", "Q", "is no depth of a peck", "write a depth above 0: `Q` has no sign"},
+    Said{kBoring, kCycles, "bores from below, and lacks a word of its way through the hole", ""},
+};
+
+/// The letter at a place in the message, as it is written on a line.
+std::string letter_at(const std::string& said, size_t at) { return capital(said[at]); }
+
+void explain_height(const Input& in, const FlowStop& stop, Finding& f) {
+  const WordStop at = word_stop(in, stop, "R *");
+  const std::string depth = letter_at(stop.interpreter, kBelow.size());
+  const WrittenWord* bottom = find_word(at.line, depth);
+  const std::string shown_bottom =
+      bottom == nullptr ? "the depth that is kept" : "`" + shown(*in.program.source, bottom->span) + "`";
+  const bool own_r = at.letter == 'r';
+  if (!own_r && bottom != nullptr) f.span = bottom->span;
+  f.message =
+      (own_r ? subject(at) : "the `R` that is kept") + " lies below " + shown_bottom + ": the cycle would drill upward";
+  f.help =
+      fmt::format("write an `R` above the bottom of the hole; in `G91` a negative `{}`, which counts from `R`", depth);
+  if (own_r && bottom != nullptr) f.related.push_back({bottom->span, shown_bottom + " is here", nullptr});
+  relate_setter(in, f, setter_of(in, stop, "G91", false));
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    Finding& f = add_said(in, out, stop, kSaid);
+    const std::string& said = stop.interpreter;
+    if (said.starts_with(kBelow)) {
+      explain_height(in, stop, f);
+    } else if (said.find(kNoDepth) != std::string::npos) {
+      f.help = fmt::format(
+          "write `{}`; it is kept from hole to hole, but not for another cycle, nor behind `G80`, `G0` or `G1`",
+          letter_at(said, 0));
+      relate_setter(in, f, setter_of(in, stop, "G18 G19 G17"));
+    } else if (said.find(kBoring) != std::string::npos) {
+      f.help = fmt::format(
+          "write `{}`: `I` and `J` are the way to the side of the hole, `K` the height to which the bore reaches",
+          letter_at(said, 0));
+    }
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw904{
+    .code = "OW904",
+    .name = "cycle-depth",
+    .summary = "words of a drilling cycle that are missing or do not fit each other",
+    .group = Group::kGeometry,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A drilling cycle (`G73`, `G74`, `G81` to `G89`) without `R` or without its depth, with an `R` below the
+depth, with `L0`, without the `P` of `G82`, `G86`, `G88` and `G89`, without the `Q` of `G73` and `G83` or with
+one that is not above 0, without `I`, `J` or `K` of `G87`.)",
+            .why =
+                R"(LinuxCNC keeps these words from hole to hole, so the lines behind the first may have only `X` and `Y`. It
+keeps them for the same code only: `G82` behind `G81` needs its own `R` and `Z`, and so does `G81` behind
+`G80` or a `G0`. It stops with `R clearance plane unspecified in cycle`, `Z value unspecified in xy plane
+canned cycle`, `R less than z in cycle in xy plane` and the like.
+
+The depth is `Z` in XY (`G17`), `Y` in XZ (`G18`) and `X` in YZ (`G19`). In `G91`, `R` counts from where the
+tool is, and the depth from `R`.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90 G17
+G0 X10 Y10 Z10
+G81 X10 Y10 Z-5 R2 F80
+G0 X20 Y20
+G81 X30 Y20
+G80
+M2
+)",
+            .good = R"(G21 G90 G17
+G0 X10 Y10 Z10
+G81 X10 Y10 Z-5 R2 F80
+X20 Y20
+X30 Y20
+G80
+M2
+)",
+            .fix =
+                R"(Write the missing words on the first line of each cycle. For a way around a clamp, use `G98` and a high
+start instead of `G0` in the middle of a cycle, or begin the cycle anew with all words.)",
+            .level_reason = "Error if a run gets here: the program stops. Where no run gets, owlint says nothing.",
+            .interpreter = "R clearance plane unspecified in cycle",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,104 @@
+// OW908 contour-malformed: a lathe contour, spline, NURBS curve or thread whose words do not make one.
+// Depends on: G5 and G5.1 need their control points in XY; the points of G5.2 belong to one curve until G5.3; G76 cuts from J to
+// K. What the sub of a lathe contour contains is not looked at.
+#include <array>
+
+#include "rules/driver/modes.h"
+
+namespace owlint::rules {
+namespace {
+
+constexpr std::string_view kCurve =
+    "write the three together: `G5.2` with `X`, `Y` and the weight `P` for each control point";
+constexpr std::string_view kFirst = "write it on the first line with `G6.2`";
+
+constexpr std::array kSaid = {
+    Said{"requires a Q word", "G70 G71 G71.1 G71.2 G72 G72.1 G72.2", "has no `Q`",
+         "write `Q` and the number of the sub with the contour"},
+    Said{"Splines may not have motion", "Z A B C", "cannot stand in a spline, which moves X and Y only",
+         "move this axis on another line"},
+    Said{"both I and J with G5.1", "G5.1 G6.1", "needs its control point as both `I` and `J`",
+         "write the one that is missing, also if it is 0"},
+    Said{"both I and J, or neither", "G5 I J", "has only one of `I` and `J`",
+         "write both, also a 0; without both, the curve goes on as the `G5` before it ended"},
+    Said{"both P and Q with G5", "G5 P Q", "needs its second control point as both `P` and `Q`",
+         "write the one that is missing, also if it is 0"},
+    Said{"You must specify both", "X Y Z", "is only half of a control point", "write both words of the plane"},
+    Said{"P without X and Y", "P", "stands without a control point, and the curve has begun",
+         "write `X` and `Y`; a weight alone is for the start of a curve. A curve that was not ended with `G5.3` goes "
+         "on"},
+    Said{"positive weight P", "P G5.2 *", "gives a control point no weight above 0", kCurve},
+    Said{"without G5.2 first", "G5.3", "ends a curve, and none has been begun",
+         "write the curve with `G5.2` before it"},
+    Said{"number of control points", "G5.3", "ends a curve with too few control points",
+         "write as many points, with the start, as the order `L` says: 3 without `L`"},
+    Said{"I must not be 0", "I", "gives the thread no crest",
+         "write how far the crest is from the drive line: negative for an external thread"},
+    Said{"J must be greater than 0", "J", "is no depth of a cut", "write a first depth above 0: `J` has no sign"},
+    Said{"K must be greater than J", "K", "is a full depth that is not above the first cut's, `J`",
+         "write a `K` above `J`"},
+    Said{"rotary axes with G76", "A B C", "moves a rotary axis, which `G76` cannot", "move it on a line before"},
+    Said{"order P in the first block", "G6.2", "has no order as `P`", kFirst},
+    Said{"order P number", "P", "is not a whole number", "write the order of the curve as a whole number"},
+    Said{"Q value (1,2,3)", "Q G6.2", "has no kind of curve as `Q`", kFirst},
+    Said{"not in range 1 to 3", "Q", "is no kind of curve", "write `Q1`, `Q2` or `Q3`"},
+    Said{"Q number is not an integer", "Q", "is not a whole number", "write `Q1`, `Q2` or `Q3`"},
+    Said{"nurbs weight R", "R *", "gives a control point no weight above 0", "write `R` and the weight"},
+    Said{"K number for every", "G6.2 *", "is a control point without its knot as `K`",
+         "write `K` and the number of the knot"},
+    Said{"K number is not", "K", "is not a whole number", "write the number of the knot as a whole number"},
+};
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    Finding& f = add_said(in, out, stop, kSaid);
+    relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw908{
+    .code = "OW908",
+    .name = "contour-malformed",
+    .summary = "a lathe contour, spline, curve or thread whose words do not make one",
+    .group = Group::kGeometry,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A `G70` to `G72.2` without `Q`; a spline (`G5`, `G5.1`) without its control points, or with an axis other than
+X and Y; a NURBS curve (`G5.2`, `G5.3`) with points that lack a word or with too few of them; a `G76` whose
+`I`, `J` and `K` do not make a thread.)",
+            .why =
+                R"(LinuxCNC stops with `Must specify both P and Q with G5`, `You must specify a number of control points at
+least equal to the order L = 3`, `In G76, K must be greater than J` and the like.
+
+`G5` and `G5.1` do not stay in effect: the next line with only axis words is a move of the motion before
+them. The points of `G5.2` are kept until `G5.3`, before 2.10 even beyond the end of the program.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90 G17
+G0 X0 Y0 Z5
+G1 Z-2 F200
+G5 X10 Y0 I3 J3 P-3
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90 G17
+G0 X0 Y0 Z5
+G1 Z-2 F200
+G5 X10 Y0 I3 J3 P-3 Q3
+G0 Z5
+M2
+)",
+            .fix = R"(Write the words that are missing; a 0 must be written as well.)",
+            .level_reason = "Error if a run gets here: the program stops. Where no run gets, owlint says nothing.",
+            .interpreter = "Must specify both P and Q with G5",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules
