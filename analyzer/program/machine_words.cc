@@ -28,25 +28,25 @@ bool keeps_its_meaning(int code) {
   return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199) || code >= 1000;
 }
 
-/// `REMAP=M400 modalgroup=10 …`: nothing for T, S and F, which are words of every line.
-void add_remap(std::string_view line, std::vector<RemappedCode>& out) {
-  const std::string text = small_letters(line);
-  if (text.empty() || (text[0] != 'm' && text[0] != 'g')) return;
+}  // namespace
+
+std::optional<RemappedCode> remapped_code(std::string_view remap) {
+  const std::string text = small_letters(remap);
+  if (text.empty() || (text[0] != 'm' && text[0] != 'g')) return std::nullopt;
   double number = 0;
   const auto [end, problem] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
-  if (problem != std::errc{} || number < 0 || number >= 1000) return;
+  if (problem != std::errc{} || number < 0 || number >= 1000) return std::nullopt;
   int group = 10;
   if (const size_t at = text.find("modalgroup="); at != std::string::npos)
     std::from_chars(text.data() + at + 11, text.data() + text.size(), group);
   if (text[0] == 'g') {
     int32_t tenths = 0;
-    if (g_tenths(number, &tenths) && tenths < 1000) out.push_back({'g', static_cast<int16_t>(tenths), MGroup::kUser});
-  } else if (!keeps_its_meaning(static_cast<int>(number)) && group >= 4 && group <= 10) {
-    out.push_back({'m', static_cast<int16_t>(number), static_cast<MGroup>(group)});
+    if (!g_tenths(number, &tenths) || tenths >= 1000) return std::nullopt;
+    return RemappedCode{'g', static_cast<int16_t>(tenths), MGroup::kUser};
   }
+  if (keeps_its_meaning(static_cast<int>(number)) || group < 4 || group > 10) return std::nullopt;
+  return RemappedCode{'m', static_cast<int16_t>(number), static_cast<MGroup>(group)};
 }
-
-}  // namespace
 
 Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
 
@@ -55,7 +55,9 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) {
   words.unsure = profile.setup == nullptr;
   if (words.unsure) return;
   words.axes = axes_of(*profile.setup);
-  for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) add_remap(remap->value, remapped);
+  for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) {
+    if (const auto code = remapped_code(remap->value)) remapped.push_back(*code);
+  }
   words.remapped = remapped;
 }
 

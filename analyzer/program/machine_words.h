@@ -2,7 +2,9 @@
 // away.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analyzer/machine/profile.h"
@@ -13,6 +15,10 @@ namespace owlint {
 
 /// The release whose table of codes holds for a profile. Up to 2.9 that of the interpreter with which all is measured.
 Release release_of(const Profile& profile);
+
+/// The code that a REMAP line of an INI (`M400 modalgroup=10 …`) is for. Nothing for T, S and F, which are words of every line,
+/// and for M codes that stay what they are.
+std::optional<RemappedCode> remapped_code(std::string_view remap);
 
 struct WordsOfMachine {
   explicit WordsOfMachine(const Profile& profile);
