@@ -41,15 +41,16 @@ struct FlowStop {
   Reach reach = Reach::kMaybe;
   bool unproven =
       false;  ///< depends on something that owlint cannot know: files elsewhere, how deep a recursion with an exit goes
-  StatementId end_of = kNoStatement;  ///< for ends of file: that end
-  StatementId other = kNoStatement;   ///< the line that the message names (first definition, opener)
-  StatementId call = kNoStatement;    ///< the call in which it happens, if in a sub
-  Elsewhere other_elsewhere;          ///< instead of `other`, in another file
-  Elsewhere call_elsewhere;           ///< instead of `call`, in another file
-  const Program* file = nullptr;      ///< the file that was called and lacks the sub
-  std::string interpreter;            ///< the interpreter's message
-  std::string detail;                 ///< a name that the message is about
-  FaultyWords words;                  ///< if `statement` is a kModeLine
+  StatementId end_of = kNoStatement;   ///< for ends of file: that end
+  StatementId other = kNoStatement;    ///< the line that the message names (first definition, opener)
+  StatementId call = kNoStatement;     ///< the call in which it happens, if in a sub
+  Elsewhere other_elsewhere;           ///< instead of `other`, in another file
+  Elsewhere call_elsewhere;            ///< instead of `call`, in another file
+  const Program* file = nullptr;       ///< the file that was called and lacks the sub
+  const LineError* further = nullptr;  ///< of what the rules add: a mistake behind the one with which the line stops
+  std::string interpreter;             ///< the interpreter's message
+  std::string detail;                  ///< a name that the message is about
+  FaultyWords words;                   ///< if `statement` is a kModeLine
   const Program* set_in =
       nullptr;                 ///< the file in which one of the deciding modes was set last on the way here, if one was
   uint32_t set_line = 0;       ///< the line of that
