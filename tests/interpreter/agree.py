@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 """Does owlint claim exactly the stops that LinuxCNC's interpreter makes?  Random programs, both directions.
 
-usage: agree.py --owlint build/release/owlint [--programs 2000] [--seed S] [--jobs 2] [--keep DIR] [--warnonly] [--files] [--values]
+usage: agree.py --owlint build/release/owlint [--programs 2000] [--seed S] [--jobs 2] [--keep DIR] [--warnonly] [--files] [--values] [--modes]
+       agree.py --table [--modes …]      only run the programs, and count how they end
 
 Each program runs under many combinations of its unknown values (explore.py).  Every stop seen must be claimed by a
 finding with `stops` at that line under that rule that quotes the interpreter's message, and every claim must be seen in some
 run; a claim of reach `always` must end every run.  What disagrees is shrunk and printed.  With --warnonly the interpreter has OWORD_WARNONLY and
 owlint `--feature 0x20`: crashes and endless loops after a warning must then be predicted by OW503 and OW504.
 With --coarse owlint analyses each program like a very large one, without values: no stop may be missed but of an
-expression that fails for its values.
+expression that fails for its values.  With --modes the modes of the machine decide what stops, and `rs274` runs the programs
+(stand_alone.py).
 
 Exit status: 0 agreement; 1 a miss, another message, a stop of reach `never`, or fewer than 99.5 % of the claims witnessed; 2 trouble.
 """
@@ -21,11 +23,15 @@ import tempfile
 import time
 from collections import Counter
 
-from generate import generate, generate_files, generate_values
+from claims import settings
+from explore import Explorer
+from generate import generate, generate_files, generate_modes, generate_values
 from judge import HANGS, MISS, NEVER_STOPS, NOT_ALWAYS, NO_OTHER_BODY, OTHER_BODY, OTHER_WORDS, UNWITNESSED, hazards_of, is_witnessed, to_witness
 from linter import Linter, LinterFailed
+from not_followed import general
 from oracle import Interpreter, scratch
 from shrink import Shrinker, investigate
+from stand_alone import StandAlone
 
 AT_ONCE = 300           # programs for one start of owlint
 ENOUGH = 0.995          # of the claims must be witnessed
@@ -36,9 +42,17 @@ SHRUNK_PER_KEY = 2      # alike disagreements that are shrunk; the others are co
 _interpreter = None
 
 
-def _start_worker(warnonly, folder):
+def interpreter_for(options, folder):
+    return (StandAlone if options.modes else Interpreter)(options.warnonly, folder)
+
+
+def _start_worker(options, folder):
     global _interpreter
-    _interpreter = Interpreter(warnonly, folder)
+    _interpreter = interpreter_for(options, folder)
+
+
+def maker_for(options):
+    return generate_files if options.files else generate_values if options.values else generate_modes if options.modes else generate
 
 
 def _check(task):
@@ -78,9 +92,9 @@ def compare(options, folder, linter):
             counts.update(more)
             disagreements.extend((name, texts[name], one) for one in found)
 
-    with multiprocessing.Pool(options.jobs, _start_worker, (options.warnonly, folder)) as pool:
+    make = maker_for(options)
+    with multiprocessing.Pool(options.jobs, _start_worker, (options, folder)) as pool:
         for first in range(0, options.programs, AT_ONCE):
-            make = generate_files if options.files else generate_values if options.values else generate
             texts = {"p%06d.ngc" % number: make("%d/%d" % (options.seed, number))
                      for number in range(first, min(first + AT_ONCE, options.programs))}
             findings = linter.check(os.path.join(folder, "programs"), texts)
@@ -111,7 +125,7 @@ def show(name, text, findings, disagreement):
 
 def report(options, folder, linter, disagreements):
     """Shrink and print, a few of each sort."""
-    interpreter = Interpreter(options.warnonly, folder)
+    interpreter = interpreter_for(options, folder)
     shrinker = Shrinker(linter, interpreter, folder, options.warnonly)
     shown, seen = Counter(), set()
     if options.keep:
@@ -178,9 +192,33 @@ def summary(options, counts, seconds):
     return not missed and not counts[NEVER_STOPS] and not counts[OTHER_WORDS] and not counts[OTHER_BODY] and total - wrong >= enough * total
 
 
+def _run_only(task):
+    """One program, in a worker: -> how its runs end, each different end once."""
+    name, text = task
+    ends = Counter()
+    for on in settings(text):
+        explorer = Explorer(_interpreter, text, name, on)
+        explorer.explore(150, 50)
+        ends.update({"run: " + outcome: count for outcome, count in explorer.outcomes.items()})
+        ends.update(general(run.message) for run in explorer.ends.values() if run.outcome == "error")
+    return ends
+
+
+def table(options, folder):
+    """How the programs end, without owlint: a maker should make each message, and leave many programs to run to their end."""
+    make, counts = maker_for(options), Counter()
+    tasks = [(number, make("%d/%d" % (options.seed, number))) for number in range(options.programs)]
+    with multiprocessing.Pool(options.jobs, _start_worker, (options, folder)) as pool:
+        for ends in pool.imap_unordered(_run_only, tasks, chunksize=10):
+            counts.update(ends)
+    for message, count in counts.most_common():
+        print("%6d  %s" % (count, ascii(message)[1:-1]))
+
+
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--owlint", required=True, help="the program to test")
+    parser.add_argument("--owlint", help="the program to test")
+    parser.add_argument("--table", action="store_true", help="only run the programs, and count how they end")
     parser.add_argument("--programs", type=int, default=2000)
     parser.add_argument("--seed", type=int, default=None)
     parser.add_argument("--jobs", type=int, default=2)
@@ -190,13 +228,19 @@ def main(argv):
     parser.add_argument("--coarse", action="store_true")
     parser.add_argument("--values", action="store_true", help="programs in which parameters decide what stops")
     parser.add_argument("--files", action="store_true", help="programs of two to four files, with a search path")
+    parser.add_argument("--modes", action="store_true", help="programs in which modes of the machine decide what stops")
     options = parser.parse_args(argv)
+    if not options.owlint and not options.table:
+        parser.error("--owlint is missing")
     if options.seed is None:
         options.seed = int(time.time())
     print("seed %d" % options.seed, flush=True)
     folder = tempfile.mkdtemp(prefix="owlint-agree-", dir=scratch())
     started = time.monotonic()
     try:
+        if options.table:
+            table(options, folder)
+            return 0
         linter = Linter(options.owlint, options.warnonly, machine=os.path.join(folder, "machine.ini"),
                         arguments=["--coarse"] if options.coarse else [])
         counts, disagreements = compare(options, folder, linter)

@@ -15,6 +15,7 @@ from dataclasses import replace
 
 from maker import Line, Maker
 from mistakes import misspell, mutate
+from mode_maker import ModeMaker
 from spelling import spell
 from value_maker import ValueMaker
 
@@ -55,7 +56,22 @@ def generate_values(seed):
     return spell(lines, rng)
 
 
-def generate_files(seed):
+def generate_modes(seed):
+    """A program in which modes decide, of several files now and then."""
+    rng = random.Random("modes/%s" % seed)
+    if rng.random() < 0.06:
+        return generate_files(seed, ModeMaker)
+    for _ in range(100):
+        maker = ModeMaker(rng)
+        lines = maker.sound() if rng.random() < 0.93 else maker.fanuc()
+        if rng.random() < 0.04:
+            lines = mutate(lines, maker, rng)
+        if 8 <= len(lines) <= 45:
+            break
+    return spell(lines, rng)
+
+
+def generate_files(seed, make=Maker):
     """A bundle (bundle.py) of a program and one to three files that it calls, with this seed."""
     rng = random.Random("files/%s" % seed)
     names = rng.sample(("drill", "probe_z", "300", "301", "face"), rng.randint(1, 3))
@@ -63,7 +79,7 @@ def generate_files(seed):
     texts = {}
     for name in (None, *names):
         for _ in range(100):
-            maker = Maker(rng)
+            maker = make(rng)
             lines = maker.sound() if name or rng.random() < 0.8 else maker.soup()
             for _ in range(rng.choice((0, 0, 1, 1, 2))):
                 lines = mutate(lines, maker, rng)

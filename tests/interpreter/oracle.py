@@ -171,7 +171,9 @@ class Interpreter:
         self.program = os.path.join(self.folder, "program")     # no .ngc: no call can find it as a file
         self.called = {}        # files that the program calls, as they lie in the folder
         self.firsts = [0]       # by file: the line of the bundle before its first
-        self.notes = mmap.mmap(-1, 4 * (MAX_NOTES + 1))
+        with open(os.path.join(self.folder, "notes"), "w+b") as notes:
+            notes.truncate(4 * (MAX_NOTES + 1))
+            self.notes = mmap.mmap(notes.fileno(), 0)
         self.messages = open(os.path.join(self.folder, "stderr"), "w+b", buffering=0)
         self.record = open(os.path.join(self.folder, "calls"), "w+b", buffering=0) if record else None
         self.child = 0
@@ -188,21 +190,13 @@ class Interpreter:
         return tuple(os.pread(self.record.fileno(), size, 0).decode("utf-8", "replace").split("\n")[:-1])
 
     def _run(self, text, choices, block_delete):
-        if not self.child or not self.left:
-            self._stop()
-            self._start()
-        self.left -= 1
         self.runs += 1
         files = self._lay_out(text)
         text = for_interpreter(pad(text) if self.warnonly else files[bundle.MAIN][1])
         data = text.encode("latin-1", "replace")
-        self.pipe.send((data, bytes(choices), block_delete))
-        try:
-            if not self.pipe.poll(20):
-                os.kill(self.child, signal.SIGVTALRM)
-            failed, message, offset = self.pipe.recv()
-        except (EOFError, ConnectionError):
-            return self._died()
+        killed, failed, message, offset = self._ask(data, bytes(choices), block_delete)
+        if killed:
+            return self._died(killed)
         warned = self._warnings()[0]
         if not failed:
             return Run("ok", 0, frozenset(), "", self._trace(), warned)
@@ -234,12 +228,25 @@ class Interpreter:
 
     # -- the parent's side
 
-    def _died(self):
-        _, status = os.waitpid(self.child, 0)
-        self.child = 0
+    def _ask(self, data, choices, block_delete):
+        """Let a child run the program: -> (the signal that killed it or 0, whether it failed, its message, where its last line starts)"""
+        if not self.child or not self.left:
+            self._stop()
+            self._start()
+        self.left -= 1
+        self.pipe.send((data, choices, block_delete))
+        try:
+            if not self.pipe.poll(20):
+                os.kill(self.child, signal.SIGVTALRM)
+            return 0, *self.pipe.recv()
+        except (EOFError, ConnectionError):
+            _, status = os.waitpid(self.child, 0)
+            self.child = 0
         if not os.WIFSIGNALED(status):      # not the interpreter's doing
             raise RuntimeError(os.pread(self.messages.fileno(), WARNINGS_READ, 0).decode("latin-1"))
-        killed = os.WTERMSIG(status)
+        return os.WTERMSIG(status), True, "", 0
+
+    def _died(self, killed):
         outcome = "hang" if killed in (signal.SIGVTALRM, signal.SIGKILL) else "crash"
         warned, codes = self._warnings()
         if outcome == "hang":
@@ -355,13 +362,13 @@ class Interpreter:
         return interpreter.this.blocks[0].offset
 
 
-def main(argv):
+def main(argv, start=Interpreter):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("programs", nargs="+")
     parser.add_argument("--choices", default="")
     parser.add_argument("--warnonly", action="store_true")
     options = parser.parse_args(argv)
-    interpreter = Interpreter(options.warnonly)
+    interpreter = start(options.warnonly)
     for path in options.programs:
         with open(path, encoding="latin-1", newline="") as f:
             run = interpreter.run(f.read(), bytes(int(c) for c in options.choices))

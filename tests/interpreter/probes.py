@@ -3,10 +3,10 @@
 
 usage: probes.py --owlint build/release/owlint [FOLDER...]
 
-A folder has outcomes.tsv, and the programs in probes/ or beside it: those of O-words and those of words.  They lie beside
-the repository (../shared/interpreter) and not in it, so that without them there is nothing to do. Modes: default; warnonly
-(`--feature 0x20`); mask (the INI's FEATURE mask, which LinuxCNC 2.9 ignores).  A stop that is not followed yet
-(not_followed.py) is counted.  Exit status 1 when owlint and an outcome disagree.
+A folder has outcomes.tsv, and the programs in probes/ or beside it: those of O-words, of the reading of words, of modes and of
+geometry.  They lie beside the repository (../shared/interpreter) and not in it, so that without them there is nothing to do.
+Modes: default; warnonly (`--feature 0x20`); mask (the INI's FEATURE mask, which LinuxCNC 2.9 ignores); else the name of an INI in
+the folder.  A stop that is not followed yet (not_followed.py) is counted.  Exit status 1 when owlint and an outcome disagree.
 """
 import argparse
 import csv
@@ -16,15 +16,23 @@ import sys
 import tempfile
 
 from confirm import Claims, judge
-from linter import Linter
+from linter import MACHINE, Linter
 from not_followed import not_followed
 from rs274 import AT_FILE_END, Outcome
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 BESIDE = os.path.normpath(os.path.join(HERE, "..", "..", "..", "shared", "interpreter"))
-WORDS = os.path.join(BESIDE, "words", "probes", "reading")
-# Not predicted: what several of these do to memory, and a name on a line of M98.
-OPEN = frozenset({"m98-line-with-a-named-assignment.ngc", "param-assign-51-on-a-line-overruns.ngc", "print-66-parameters-overrun.ngc"})
+OF_WORDS = [os.path.join(BESIDE, "words", "probes", name) for name in ("reading", "modes", "geometry")]
+# Not predicted, by folder: what some do to memory, and a name on a line of M98; cycles and contours that never end or crash for
+# their numbers, and lines of a contour, which are read otherwise there.
+OPEN = {
+    "reading": {"m98-line-with-a-named-assignment.ngc", "param-assign-51-on-a-line-overruns.ngc", "print-66-parameters-overrun.ngc"},
+    "modes": set(),
+    "geometry": {"cycle-g83-q-tiny-never-ends.ngc", "g76-large-r-takes-k-over-j-to-the-r-passes.ngc",
+                 "g7x-arc-centered-on-its-start-crashes.ngc", "g7x-contour-bad-word.ngc", "g7x-contour-u-and-w.ngc",
+                 "g7x-contour-w-in-g91.ngc", "g7x-g71-half-circle-never-ends.ngc", "g7x-g72-of-an-arc-in-x-never-ends.ngc",
+                 "g7x-never-ends.ngc", "g7x-one-move-with-chamfer-crashes.ngc"},
+}
 SKIPPED = 77                # what ctest takes for "not run"
 
 
@@ -33,9 +41,9 @@ def outcomes_of(folder):
     by_mode = {}
     with open(os.path.join(folder, "outcomes.tsv"), encoding="latin-1", newline="") as f:
         for row in csv.DictReader(f, delimiter="\t", quoting=csv.QUOTE_NONE):
-            said = row["message"].split(":")[0]
+            said = re.match(r"(\d+):", row["message"])
             # Of the end of the file, owlint speaks at the cause.
-            said = said if said.isdigit() else "" if AT_FILE_END.search(row["message"]) else row["line"]
+            said = said[1] if said else "" if AT_FILE_END.search(row["message"]) else row["line"]
             line = int(said) if said.isdigit() else 0
             by_mode.setdefault(row["mode"], {})[row["program"]] = Outcome(row["outcome"], line, row["message"])
     return by_mode
@@ -57,7 +65,7 @@ def problems_of(outcome, findings, text):
     lines = text.split("\n")
     at = lines[outcome.line - 1] if 0 < outcome.line <= len(lines) else ""
     # What a program asks for itself is no mistake in it; what Python, pins or the parameters of the machine do is not known.
-    if re.match(r"(?i)\(abort,|.*\(abort,[^)]*\)[^(]*$|[(;]py,", at) or re.search(r"#<_hal\[|##1", at):
+    if re.match(r"(?i).*\(\s*abort,[^)]*\)[^(]*$|[(;]py,", at) or re.search(r"#<_hal\[|##1", at):
         return [], False
     problems = list(judge(outcome, claims))
     if problems and outcome.kind == "error" and not_followed(outcome.message, at):
@@ -68,23 +76,34 @@ def problems_of(outcome, findings, text):
     return problems, False
 
 
+def linter_with(owlint, ini, folder):
+    """owlint with that INI, and the axes of rs274 in it."""
+    with open(ini, encoding="latin-1") as f:
+        text = f.read()
+    own = os.path.join(folder, os.path.basename(ini))
+    with open(own, "w", encoding="latin-1") as f:
+        f.write(text.rstrip("\n") + "\n" + MACHINE)
+    return Linter(owlint, arguments=("--ini", own))
+
+
 def compare(owlint, probes, folder):
     """-> how many disagreements there are in one folder of probes"""
     by_mode = outcomes_of(probes)
-    texts = texts_of(probes, by_mode["default"])
+    texts = {mode: texts_of(probes, outcomes) for mode, outcomes in by_mode.items()}
     mask, empty = os.path.join(folder, "mask.ini"), os.path.join(folder, "machine.ini")
     with open(mask, "w") as f:
         f.write("[RS274NGC]\nFEATURES = 0x20\n")
     linters = {"default": lambda: Linter(owlint, machine=empty),
                "warnonly": lambda: Linter(owlint, warnonly=True, machine=empty),
                "mask": lambda: Linter(owlint, arguments=("--linuxcnc", "2.9", "--ini", mask))}
-    wrong, others = 0, 0
+    wrong, others, open_ones = 0, 0, OPEN.get(os.path.basename(probes), ())
     for mode, outcomes in by_mode.items():
-        findings = linters[mode]().check(os.path.join(folder, "programs"), texts)
+        linter = linters[mode]() if mode in linters else linter_with(owlint, os.path.join(probes, mode + ".ini"), folder)
+        findings = linter.check(os.path.join(folder, "programs"), texts[mode])
         for name, outcome in sorted(outcomes.items()):
-            problems, other = problems_of(outcome, findings[name], texts[name])
-            others += other or name in OPEN
-            if name in OPEN:
+            problems, other = problems_of(outcome, findings[name], texts[mode][name])
+            others += other or name in open_ones
+            if name in open_ones:
                 if not problems:
                     print("%s, %s: is predicted now, and no longer open" % (name, mode))
                     wrong += 1
@@ -93,14 +112,14 @@ def compare(owlint, probes, folder):
                 wrong += 1
                 print("%s, %s: %s" % (name, mode, problem))
     print("%s: %d probes in %d modes, %d disagreements, %d stops that are not followed yet" % (
-        probes, len(texts), len(by_mode), wrong, others))
+        probes, len(set().union(*by_mode.values())), len(by_mode), wrong, others))
     return wrong
 
 
 def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--owlint", required=True)
-    parser.add_argument("probes", nargs="*", default=[BESIDE, WORDS], metavar="FOLDER")
+    parser.add_argument("probes", nargs="*", default=[BESIDE, *OF_WORDS], metavar="FOLDER")
     options = parser.parse_args(argv)
     folders = [folder for folder in options.probes if os.path.exists(os.path.join(folder, "outcomes.tsv"))]
     if not folders:

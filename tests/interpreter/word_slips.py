@@ -21,17 +21,17 @@ _ANOTHER = (
 )
 
 
-def _blanked(line):
+def blanked(line):
     """The line with its comments blanked, so that places stay the same."""
     return _COMMENT.sub(lambda comment: " " * len(comment[0]), line)
 
 
 def has_words(line):
-    return _ANY_WORD.search(_blanked(line)) is not None
+    return _ANY_WORD.search(blanked(line)) is not None
 
 
 def _any(rng, pattern, line):
-    found = list(pattern.finditer(_blanked(line)))
+    found = list(pattern.finditer(blanked(line)))
     return rng.choice(found) if found else None
 
 
@@ -102,7 +102,7 @@ def twice(line, rng):
     if not found:
         return None
     blank = " " if " " in line else ""
-    at = found.end() if rng.random() < 0.6 else len(_blanked(line).rstrip())
+    at = found.end() if rng.random() < 0.6 else len(blanked(line).rstrip())
     other = rng.choice((found[0], found[0], found[1] + rng.choice(("0", "1", "2.5", "-1"))))
     return _put(line, at, at, blank + other)
 
@@ -128,7 +128,7 @@ def wrong_letter(line, rng):
 
 def added(line, rng):
     """A word or a code that does not belong there."""
-    at = len(_blanked(line).rstrip()) if rng.random() < 0.5 else len(line) - len(line.lstrip())
+    at = len(blanked(line).rstrip()) if rng.random() < 0.5 else len(line) - len(line.lstrip())
     return _put(line, at, at, " %s " % rng.choice(_ANOTHER)).rstrip(" ")
 
 
