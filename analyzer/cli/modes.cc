@@ -1,84 +1,29 @@
 // `owlint modes`: which modes are in effect before a line of a program, and where they were set.
 #include <algorithm>
-#include <bit>
 #include <iostream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "analyzer/cli/commands.h"
-#include "analyzer/flow/engine/mode_map.h"
+#include "analyzer/flow/engine/mode_words.h"
 #include "analyzer/text/files.h"
 
 namespace owlint::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using flow::joined;
 using flow::ModeMap;
 using flow::ModeThere;
-
-std::vector<std::string> values_of(const ModeThere& there) {
-  std::vector<std::string> names;
-  for (ValueSet rest = there.may; rest != 0; rest &= rest - 1)
-    names.push_back(value_name(there.mode, static_cast<uint8_t>(std::countr_zero(rest))));
-  return names;
-}
-
-/// What nobody asks for as long as it is as LinuxCNC starts.
-bool is_inner(Mode mode) {
-  switch (mode) {
-    case Mode::kRadius:
-    case Mode::kEntry:
-    case Mode::kStraightOwed:
-    case Mode::kNurbs:
-    case Mode::kNurbsOrder:
-    case Mode::kFeedOverride:
-    case Mode::kAdaptiveFeed:
-    case Mode::kFeedHold:
-    case Mode::kSaved: return true;
-    default: return false;
-  }
-}
-
-bool as_started(const ModeThere& there) {
-  static const ModeSets start = ModeSets::started();
-  return there.may == start[there.mode];
-}
-
-std::string joined(const std::vector<std::string>& words, std::string_view last) {
-  std::string out;
-  for (size_t i = 0; i < words.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == words.size() ? " " + std::string(last) + " " : ", ") + words[i];
-  return out;
-}
-
-/// `line 12`, `lines 3 and 8`, `line 2 of helper.ngc`.
-std::string places_of(const ModeThere& there, const Program& own) {
-  std::vector<std::string> here, elsewhere;
-  for (const flow::ModeSetter& setter : there.set_on) {
-    if (setter.file == &own) {
-      here.push_back(std::to_string(setter.line));
-    } else {
-      const std::string& path = setter.file->source->path();
-      elsewhere.push_back(fmt::format("line {} of {}", setter.line, path.substr(path.rfind('/') + 1)));
-    }
-  }
-  if (!here.empty()) elsewhere.insert(elsewhere.begin(), (here.size() == 1 ? "line " : "lines ") + joined(here, "and"));
-  return joined(elsewhere, "and");
-}
-
-std::string value_text(const ModeThere& there) {
-  constexpr size_t kFew = 4;
-  const std::vector<std::string> values = values_of(there);
-  if (!there.known && values.size() > kFew) return "as before the program";
-  return joined(values, "or") + (there.known ? "" : ", as before the program");
-}
+using flow::value_text;
+using flow::values_of;
 
 void print(const Program& program, uint32_t line, const std::vector<ModeThere>& modes) {
   const Source& source = *program.source;
   std::cout << fmt::format("{}:{}: {}\n", source.path(), line, source.slice(source.line(line)));
   for (const ModeThere& there : modes) {
-    if (is_inner(there.mode) && (as_started(there) || !there.known)) continue;
+    if (!is_worth_showing(there)) continue;
     std::string place = places_of(there, program);
     if (place.empty()) place = there.known ? "as LinuxCNC starts" : "";
     std::cout << fmt::format("  {:<19}{:<12}", mode_name(there.mode), value_text(there))
@@ -132,7 +77,7 @@ void print_changes(const Program& program, const ModeMap& map, bool json) {
     }
     std::vector<std::string> words;
     for (const ModeThere& there : changed) {
-      if (!is_inner(there.mode)) words.push_back(fmt::format("{} {}", mode_name(there.mode), value_text(there)));
+      if (!flow::is_inner(there.mode)) words.push_back(fmt::format("{} {}", mode_name(there.mode), value_text(there)));
     }
     if (words.empty()) continue;
     std::cout << fmt::format("{}:{}: {}\n  {}\n", source.path(), line, source.slice(source.line(line)),

@@ -3,6 +3,7 @@
 
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/keywords.h"
+#include "analyzer/lsp/mode_help.h"
 #include "analyzer/lsp/places.h"
 #include "analyzer/lsp/word_help.h"
 #include "analyzer/report/summary.h"
@@ -74,7 +75,10 @@ Json hover(Workspace& workspace, const Json& params) {
     if (runs_sub) span = document.program().at(id).head_span();
     if (!runs_sub || offset < span.begin || offset > span.end) {
       const auto word = word_help(document, workspace.profile_of(document), offset);
-      return word ? hover_of(document, word->text, word->span) : nullptr;
+      if (!word) return nullptr;
+      const auto line = static_cast<uint32_t>(document.lines().line_of(offset)) + 1;
+      const std::string modes = modes_before(workspace, document, line);
+      return hover_of(document, modes.empty() ? word->text : word->text + "\n\n" + modes, word->span);
     }
     const Statement& s = document.program().at(id);
     text = s.kind == LineKind::kM98    ? "**M98** calls a Fanuc-style sub by its number."
