@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analyzer/program/program.h"
+#include "analyzer/syntax/modes.h"
 #include "analyzer/syntax/word_line.h"
 #include "analyzer/text/reach.h"
 
@@ -76,6 +77,11 @@ enum class HazardKind : uint8_t {
   kSubInCall,    ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
   kRunsIntoSub,  ///< the main program runs on into a Fanuc sub at `statement`, to the M99 at `other`
   kForeignEnd,   ///< an `endsub` with another sub's label ends a call
+  // Of a mode: `mode`, its values `from` and `to`, the line that sets it and the line that needs it.
+  kModeLeak,           ///< a call at `statement` comes back with another value, and its caller needs the mode
+  kModeDependsOnPath,  ///< the line that needs it has one value on one path, and another on another
+  kModeAssumed,        ///< the main program has not set it before the line that needs it
+  kModeInactive,       ///< it is set to `from`, and to `to` in the line that needs it, before anything used it
 };
 
 struct Hazard {
@@ -90,6 +96,13 @@ struct Hazard {
   std::string detail;         ///< the number of passes that a `repeat` is given
   bool not_always = false;    ///< other runs execute these lines without a problem
   bool unproven = false;      ///< seen only where paths were joined: it may be that no run does it
+  Mode mode{};                ///< of the hazards about one, with two of its values
+  uint8_t from = 0;
+  uint8_t to = 0;
+  const Program* set_in = nullptr;  ///< the file of the line that sets the mode
+  uint32_t set_line = 0;
+  const Program* needed_in = nullptr;  ///< the file of the line that needs it
+  uint32_t needed_line = 0;
 };
 
 struct FlowStatistics {
