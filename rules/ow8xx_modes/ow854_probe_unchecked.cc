@@ -1,6 +1,6 @@
 // OW854 probe-unchecked: the result of G38.3, G38.5 or a wait with M66 is used, and nothing looks at whether it came.
-// Depends on: without contact G38.3 and G38.5 go on, and #5061 to #5069 are those of the end of the move; M66 goes on when its time
-// is over. G38.2 and G38.4 stop the program by themselves.
+// Depends on: without contact G38.3 and G38.5 go on, and #5061 to #5069 are the end of the move; M66 goes on when its time is over.
+// G38.2 and G38.4 stop the program by themselves.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -20,7 +20,8 @@ constexpr uint32_t kInput = 5399;
 constexpr uint32_t kFirstPosition = 5420, kLastPosition = 5428;
 constexpr std::string_view kGoesOn = "G38.3 G38.5";
 
-/// Whether this file, or one that it calls, looks at a parameter: in an expression, or in a comment that shows it. Python code may.
+/// Whether this file, or one that it calls, looks at a parameter: in an expression, or in a comment that shows it. Python code
+/// may.
 bool looked_at(const Input& in, uint32_t number) {
   const auto looks = [&](const LinkedFile& file) {
     const Syntax& syntax = file.program->syntax;
@@ -70,7 +71,8 @@ class Point {
     bool compared = false;
   };
 
-  /// Where other moves of the file probe, or a sub may have, G38.3 is often a move to a place that stops if something is in the way.
+  /// Where other moves of the file probe, or a sub may have, G38.3 is often a move to a place that stops if something is in the
+  /// way.
   bool measures() const {
     const Source& source = *p_.source;
     const bool others = std::ranges::any_of(p_.syntax.input_lines, [&](uint32_t other) {
@@ -167,8 +169,8 @@ bool check_probe(const Input& in, Reporter& out, uint32_t line) {
   return true;
 }
 
-/// Whether a line waits until an input is on or off, for a time after which a program has to ask. Edges are what buttons give, and
-/// a very long time is written for none at all.
+/// Whether a line waits until an input is on or off, for a time after which a program has to ask. Edges are what buttons give, and a
+/// very long time is written for none at all.
 bool waits(const std::vector<WrittenWord>& words) {
   constexpr double kForever = 600;  // seconds
   const WrittenWord* time = find_word(words, "Q");
@@ -259,10 +261,9 @@ M2
             .good = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50
-o100 if [#5070 EQ 0]
-  (abort, the plate was not found)
+o100 if [#5070 EQ 1]
+  G10 L2 P1 Z#5063
 o100 endif
-G10 L2 P1 Z#5063
 G0 Z15
 M2
 )",
