@@ -1,5 +1,5 @@
-// What the rules about hazards of modes have in common (OW851 to OW855): the lines that a hazard names, and what a move is under each
-// value of a mode.
+// What the rules about hazards of modes have in common (OW851 to OW855): the lines that a hazard names, and what a move is under
+// each value of a mode.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ std::string codes_of_mode(Mode mode);
 /// What a move is where a value is in effect, behind `this move `: `is incremental`. Empty for modes that change none.
 std::string move_under(Mode mode, uint8_t value);
 
-/// Whether a file asks which value is in effect, by a predefined parameter such as `#<_absolute>`: it does so to set the mode back.
+/// Whether a file asks which value is in effect, by a predefined parameter such as `#<_absolute>`, as one does to set it back.
 bool asks_for_mode(const Program& program, Mode mode);
 
 /// The word of a line that `names` means; all words of the line where there is none.

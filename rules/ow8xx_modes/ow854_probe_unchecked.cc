@@ -1,6 +1,6 @@
 // OW854 probe-unchecked: the result of G38.3, G38.5 or a wait with M66 is used, and nothing looks at whether it came.
-// Depends on: without contact G38.3 and G38.5 go on, and #5061 to #5069 are the end of the move; M66 goes on when its time is over.
-// G38.2 and G38.4 stop the program by themselves.
+// Depends on: without contact G38.3 and G38.5 go on, and #5061 to #5069 are the end of the move, while G38.2 and G38.4 stop the
+// program; M66 goes on when its time is over.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -169,8 +169,8 @@ bool check_probe(const Input& in, Reporter& out, uint32_t line) {
   return true;
 }
 
-/// Whether a line waits until an input is on or off, for a time after which a program has to ask. Edges are what buttons give, and a
-/// very long time is written for none at all.
+/// Whether a line waits until an input is on or off, for a time after which a program has to ask. Edges are what buttons give,
+/// and a very long time is written for none at all.
 bool waits(const std::vector<WrittenWord>& words) {
   constexpr double kForever = 600;  // seconds
   const WrittenWord* time = find_word(words, "Q");
