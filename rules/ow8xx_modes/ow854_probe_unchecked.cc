@@ -57,7 +57,8 @@ class Point {
       for (const Statement& s : lines_.statements()) {
         if (s.kind == LineKind::kOWord ? compares(s) : takes(s, &use)) return std::nullopt;
       }
-      if (use || (use = sets_offset())) return use;
+      if (!use) use = sets_offset();
+      if (use) return use;
       if (find_word(lines_.words(), "G38.2 G38.3 G38.4 G38.5") != nullptr) fresh_ = false;
       if (find_word(lines_.words(), "*") != nullptr) moved_ = true;
       if (!fresh_ && held_.empty()) return std::nullopt;
