@@ -13,6 +13,14 @@ uint8_t value_of(const ModeSets& sets, Mode mode) {
   return std::has_single_bit(sets[mode]) ? static_cast<uint8_t>(std::countr_zero(sets[mode])) : ModeChange::kAny;
 }
 
+/// Whether a line probes or reads an input.
+bool asks_inputs(const WordLine& words) {
+  const GCode* const motion = words.code(GGroup::kMotion);
+  const MCode* const input = words.code(MGroup::kInputsOutputs);
+  return (motion != nullptr && motion->tenths >= code::kG38_2 && motion->tenths <= code::kG38_5) ||
+      (input != nullptr && input->number == code::kM66);
+}
+
 bool stacks_modes(const WordLine& words) {
   const MCode* const code = words.code(MGroup::kSpindle);
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
@@ -158,6 +166,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     }
     return keep;
   }
+  if (asks_inputs(*words)) out_.input_lines.push_back(statement.line);
   ModeState after = state_;
   ModeRun(machine_, *words).run(&after, &faults_);
   if (faults_.size() == 1 && faults_.front().fault.certain) {

@@ -167,6 +167,7 @@ struct Syntax {
   std::vector<ModeNeed> mode_needs;       ///< the same
   std::vector<ModeNeed> first_needs;      ///< of plain lines before the first statement
   std::vector<ModeChange> first_changes;  ///< by plain lines before the first statement
+  std::vector<uint32_t> input_lines;      ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
   std::vector<Directive> directives;
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;

@@ -101,6 +101,9 @@ M2
 )",
             .good = R"(G21 G90
 M66 P0 L3 Q10
+o100 if [#5399 EQ -1]
+  (abort, no input within 10 seconds)
+o100 endif
 G0 X10 Y10 Z5
 M2
 )",
