@@ -31,17 +31,22 @@ int ModeLine::code(MGroup group) const {
   return code == nullptr ? -1 : code->number;
 }
 
+bool ModeLine::names_no_spindle(int least) const {
+  const double* const chosen = value('$');
+  if (chosen == nullptr) return false;
+  const double spindle = std::trunc(*chosen);
+  return spindle < least || spindle >= machine_.spindles;
+}
+
 bool ModeLine::choose_spindle(int least, std::string_view message, uint8_t word) {
   if (!has('$')) return false;
   if (has_several_spindles()) {
     set_open(Mode::kTurning);
     set_open(Mode::kSpeed);
   }
-  const double* const chosen = value('$');
-  if (chosen == nullptr) return false;
-  const double spindle = std::trunc(*chosen);
-  if (spindle >= least && spindle < machine_.spindles) return false;
-  if (!machine_.unsure || spindle < least) return stop(StopKind::kModeConflict, std::string(message), at('$'), word);
+  if (!names_no_spindle(least)) return false;
+  const bool too_small = *value('$') < least;
+  if (!machine_.unsure || too_small) return stop(StopKind::kModeConflict, std::string(message), at('$'), word);
   may_stop(StopKind::kModeConflict, std::string(message), at('$'), word);
   return false;
 }

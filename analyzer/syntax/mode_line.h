@@ -46,6 +46,8 @@ class ModeLine : public ModeFaults {
   /// Takes the spindle that `$` names, if it does; `least` is -1 where all may be meant. Several are not told apart: then the
   /// speed, and whether it turns, are not known any more.
   bool choose_spindle(int least, std::string_view message, uint8_t word);
+  /// Whether `$` is known to name none.
+  bool names_no_spindle(int least) const;
   /// The speed, or whether it turns.
   void set_spindle(Mode mode, uint8_t value);
   /// Stops if the tool table lacks the number.

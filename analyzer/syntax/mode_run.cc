@@ -29,6 +29,16 @@ void add_possible(const std::vector<ModeFault>& found, std::vector<ModeFault>* f
   }
 }
 
+/// The states behind two courses.
+ModeState either(const ModeState& a, const ModeState& b) {
+  ModeState joined = join(a, b);
+  for (size_t i = 0; i < kModes; ++i) {
+    if (a.now.may[i] != b.now.may[i]) joined.now.open |= mask_of(static_cast<Mode>(i));
+    if (a.saved.may[i] != b.saved.may[i]) joined.saved.open |= mask_of(static_cast<Mode>(i));
+  }
+  return joined;
+}
+
 /// M72, and the rest of its line if there was nothing to restore. False if no run goes on.
 bool run_from_m72(ModeLine& line) {
   const uint8_t word = line.at(MGroup::kSpindle);
@@ -43,7 +53,7 @@ bool run_from_m72(ModeLine& line) {
   ModeLine unlost(line.machine(), line.words(), &as_before, &faults);
   const bool runs = !stops_at(kRest, unlost);
   add_possible(faults, line.faults());
-  if (runs) line.state() = join(line.state(), as_before);
+  if (runs) line.state() = either(line.state(), as_before);
   return true;
 }
 
@@ -61,6 +71,12 @@ bool ModeRun::run(ModeState* state, std::vector<ModeFault>* faults) const {
   return !stops_at(kRest, line);
 }
 
+bool read_position(ModeState* state, std::vector<ModeFault>* faults) {
+  return !ModeFaults(&state->now, faults)
+              .stop_in({kCompensationOn}, StopKind::kCompensation,
+                       "Cannot read current position with cutter radius compensation on", kNoWord);
+}
+
 bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults) {
   const ValueSet saved = state->now[Mode::kSaved];
   if ((saved & value_bit(modes::kSavedByM73)) == 0) return true;
@@ -73,7 +89,7 @@ bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<Mo
   ModeFaults line(&restored.now, &found);
   const bool runs = !restore(machine, state->saved, kNoWord, line).stops;
   add_possible(found, faults);
-  if (runs) *state = join(*state, restored);
+  if (runs) *state = either(*state, restored);
   return true;
 }
 

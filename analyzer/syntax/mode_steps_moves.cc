@@ -91,15 +91,14 @@ bool stop_thread(ModeLine& line, StopKind kind, std::string message, uint8_t wor
 
 /// The spindle of a thread, and that it turns.
 bool thread_spindle(ModeLine& line, std::string_view no_spindle, std::string_view not_turning) {
-  const Answer is_thread = line.holds({kNoRadius});
-  if (is_thread == Answer::kNo) return false;
-  if (is_thread == Answer::kMaybe) {
-    return line.stop_in({{Mode::kTurning, value_bit(modes::kStopped)}, kNoRadius}, StopKind::kSpindleStopped,
-                        not_turning, line.mover());
+  constexpr BadMode kStopped{Mode::kTurning, value_bit(modes::kStopped)};
+  if (line.holds({kNoRadius}) == Answer::kYes) {
+    return line.choose_spindle(0, no_spindle, line.mover()) ||
+        line.stop_in({kStopped}, StopKind::kSpindleStopped, not_turning, line.mover());
   }
-  return line.choose_spindle(0, no_spindle, line.mover()) ||
-      line.stop_in({{Mode::kTurning, value_bit(modes::kStopped)}}, StopKind::kSpindleStopped, not_turning,
-                   line.mover());
+  return (line.names_no_spindle(0) &&
+          line.stop_in({kNoRadius}, StopKind::kModeConflict, no_spindle, line.at('$'), line.mover())) ||
+      line.stop_in({kStopped, kNoRadius}, StopKind::kSpindleStopped, not_turning, line.mover());
 }
 
 /// The numbers of G76: K goes deeper than J.
@@ -183,8 +182,7 @@ bool probe(ModeLine& line, Motion motion) {
 
 bool contour(ModeLine& line, Motion motion) {
   const int code = line.code(GGroup::kMotion);
-  if (line.lacks('q'))
-    return line.stop(StopKind::kContourWords, "G7x.x  requires a Q word", line.mover(), line.at('q'));
+  if (!line.has('q')) return line.stop(StopKind::kContourWords, "G7x.x  requires a Q word", line.mover());
   if (motion != Motion::kG70 && line.holds({kCompensationOn}) != Answer::kNo &&
       line.refused_by_compensation(name_of_contour(code) + " cannot be used with cutter compensation enabled",
                                    line.mover()))

@@ -18,7 +18,7 @@ bool is_no_index(const ModeLine& line, char letter) {
 bool digital_output(ModeLine& line, int code, std::string_view refusal) {
   const uint8_t word = line.at(MGroup::kInputsOutputs);
   if (line.refused_by_compensation(refusal, word)) return true;
-  return line.lacks('p') && line.stop(kConflict, "No valid P word with " + m_name(code), word, line.at('p'));
+  return !line.has('p') && line.stop(kConflict, "No valid P word with " + m_name(code), word);
 }
 
 bool analog_output(ModeLine& line, int code, std::string_view refusal) {
@@ -44,7 +44,7 @@ bool waiting(ModeLine& line, uint8_t word) {
 
 bool input(ModeLine& line) {
   const uint8_t word = line.at(MGroup::kInputsOutputs);
-  if (!line.lacks('p') && line.has('e'))
+  if (line.has('p') && line.has('e'))
     return line.stop(kConflict, "Invalid to select both a digital and an analog input with M66", line.at('p'),
                      line.at('e'));
   if (waiting(line, word)) return true;

@@ -36,7 +36,7 @@ bool spline_words(ModeLine& line, Motion motion) {
                   line.mover());
   }
   if (i != j) return line.stop(kWords, "Must specify both I and J, or neither", line.at(i ? 'i' : 'j'), line.mover());
-  return (line.lacks('p') || line.lacks('q')) && line.stop(kWords, "Must specify both P and Q with G5", line.mover());
+  return (!line.has('p') || !line.has('q')) && line.stop(kWords, "Must specify both P and Q with G5", line.mover());
 }
 
 /// What a G5.2 with one axis of the pair, or neither, stops with in a plane.
