@@ -1,7 +1,9 @@
 #include "analyzer/program/machine_words.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
+#include <functional>
 
 #include "analyzer/machine/setup.h"
 #include "analyzer/syntax/line_parser.h"
@@ -48,6 +50,20 @@ std::optional<RemappedCode> remapped_code(std::string_view remap) {
   return RemappedCode{'m', static_cast<int16_t>(number), static_cast<MGroup>(group)};
 }
 
+namespace {
+
+/// A table may have a thousand tools, and every file that is read keeps its key: so there is a hash of them in it.
+size_t hash_of(const std::vector<Tool>& tools) {
+  std::string text;
+  for (const Tool& tool : tools) {
+    text += std::to_string(tool.number) + ' ' + std::to_string(std::bit_cast<uint64_t>(tool.diameter)) + ' ' +
+        std::to_string(tool.orientation) + (tool.has_offset ? "+" : "-");
+  }
+  return std::hash<std::string>()(text);
+}
+
+}  // namespace
+
 Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
 
 WordsOfMachine::WordsOfMachine(const Profile& profile) {
@@ -59,6 +75,12 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) {
     if (const auto code = remapped_code(remap->value)) remapped.push_back(*code);
   }
   words.remapped = remapped;
+  words.spindles = profile.setup->spindles;
+  words.change_keeps_spindle = profile.setup->change_keeps_spindle;
+  if (!profile.setup->tools) return;
+  for (const ToolRow& row : profile.setup->tools->rows)
+    tools.push_back({row.number, row.diameter, row.orientation, row.has_offset});
+  words.tools = tools;
 }
 
 ModeState modes_at_start(const Profile& profile, const MachineWords& machine) {
@@ -86,6 +108,8 @@ std::string WordsOfMachine::key() const {
     key += code.letter;
     key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group));
   }
+  key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "");
+  if (words.tools) key += " T" + std::to_string(tools.size()) + ':' + std::to_string(hash_of(tools));
   return key;
 }
 

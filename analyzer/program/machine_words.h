@@ -1,5 +1,5 @@
 // Which codes and axes the words of a program have on its machine: the table of codes, and what the INI adds to it and takes
-// away.
+// away. And what else of the machine decides whether a line runs: spindles and tools.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,8 @@ struct WordsOfMachine {
   std::string key() const;
 
   std::vector<RemappedCode> remapped;
-  MachineWords words;  ///< refers to `remapped`
+  std::vector<Tool> tools;
+  MachineWords words;  ///< refers to `remapped` and `tools`
 };
 
 /// The modes in which a program begins on a machine that was just started: its start-up code has run.
