@@ -16,13 +16,13 @@ namespace {
 /// The code that ends at an offset: its letter, and the digits that are there. Nothing where no word may begin.
 std::optional<Span> begun_code(const Document& document, uint64_t offset, bool* first_word) {
   const Span line = fed_line(document.text(), offset);
-  const std::vector<rules::WrittenWord> words = rules::words_of(*document.source(), {line.begin, offset});
+  const std::vector<WrittenWord> words = rules::words_of(*document.source(), {line.begin, offset});
   if (words.empty()) return std::nullopt;
-  const rules::WrittenWord& last = words.back();
+  const WrittenWord& last = words.back();
   if ((last.letter != 'g' && last.letter != 'm') || last.span.end != offset) return std::nullopt;
   *first_word = words.size() == 1;
   // LinuxCNC reads what stands behind these in another way.
-  const rules::WrittenWord& first = words.front();
+  const WrittenWord& first = words.front();
   const bool fanuc = first.letter == 'm' && (first.value == code::kM98 || first.value == code::kM99);
   return fanuc && !*first_word ? std::nullopt : std::optional(last.span);
 }

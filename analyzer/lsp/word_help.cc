@@ -13,7 +13,6 @@
 namespace owlint::lsp {
 namespace {
 
-using rules::WrittenWord;
 
 /// Some lines of a Markdown list.
 class Points {

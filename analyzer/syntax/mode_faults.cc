@@ -62,11 +62,13 @@ void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint
 void ModeFaults::set_known(Mode mode, ValueSet values) {
   now_[mode] = values;
   now_.open &= ~mask_of(mode);
+  now_.assigned |= mask_of(mode);
 }
 
 void ModeFaults::set_open(Mode mode, ValueSet values) {
   now_[mode] = values;
   now_.open |= mask_of(mode);
+  now_.assigned |= mask_of(mode);
 }
 
 }  // namespace owlint

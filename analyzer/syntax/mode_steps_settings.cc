@@ -146,6 +146,7 @@ bool coolant(ModeLine& line) {
     }
   }
   line.now()[Mode::kCoolant] = after;
+  line.now().assigned |= mask_of(Mode::kCoolant);
   if (code == code::kM9) line.set(Mode::kCoolant, modes::kNoCoolant);
   return false;
 }

@@ -99,6 +99,7 @@ void add_point(ModeLine& line) {
   }
   const bool moves = line.has('x') && line.has('y');
   line.now()[Mode::kNurbs] = moves ? one_more(points) : points;
+  line.now().assigned |= mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder);
 }
 
 void set_order(ModeLine& line) {

@@ -79,6 +79,7 @@ ModeSets join(const ModeSets& a, const ModeSets& b) {
   ModeSets joined;
   std::ranges::transform(a.may, b.may, joined.may.begin(), std::bit_or<>());
   joined.open = a.open | b.open;
+  joined.assigned = a.assigned | b.assigned;
   return joined;
 }
 

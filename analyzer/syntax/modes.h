@@ -97,6 +97,7 @@ std::string value_name(Mode mode, uint8_t value);
 struct ModeSets {
   std::array<ValueSet, kModes> may{};
   ModeMask open = 0;
+  ModeMask assigned = 0;  ///< modes that lines have set since this was 0, on some run
 
   ValueSet& operator[](Mode mode) { return may[static_cast<size_t>(mode)]; }
   ValueSet operator[](Mode mode) const { return may[static_cast<size_t>(mode)]; }

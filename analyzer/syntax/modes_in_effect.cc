@@ -137,7 +137,8 @@ bool ModesInEffect::asks(const WordLine& words, const ModeState& after) const {
   }
   for (size_t i = 0; i < kModes; ++i) {
     const Mode mode = mode_at(i);
-    if (after.now[mode] != state_.now[mode] && after.now.is_open(mode)) return true;
+    const bool changes = after.now[mode] != state_.now[mode] || (after.now.assigned & mask_of(mode)) != 0;
+    if (changes && after.now.is_open(mode)) return true;
   }
   return false;
 }
@@ -150,6 +151,7 @@ void ModesInEffect::take(const ModeState& after, uint32_t line) {
       note(mode, value_of(after.now, mode), line);
   }
   state_ = after;
+  state_.now.assigned = 0;
 }
 
 bool ModesInEffect::judge(Statement& statement, bool keep) {
@@ -185,11 +187,10 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     return keep;
   }
   flush();
-  for (size_t i = 0; i < kModes; ++i) {
-    if (after.now[mode_at(i)] != state_.now[mode_at(i)]) settled_ |= mask_of(mode_at(i));
-  }
+  settled_ |= after.now.assigned;
   need_of(*words, statement.line);
   state_ = after;
+  state_.now.assigned = 0;
   return true;
 }
 

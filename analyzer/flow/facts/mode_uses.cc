@@ -50,6 +50,7 @@ bool ModeUses::run(const Statement& s, std::vector<ModeFault>* faults) {
   ModeState after{reachable_, reachable_};
   if (!ModeRun(machine_, words).run(&after, faults)) return false;
   const ModeSets before = reachable_;
+  after.now.assigned = 0;
   reachable_ = join(before, after.now);
   return reachable_ != before;
 }
@@ -98,10 +99,7 @@ ModeMask ModeUses::changed_at(StatementId id) const {
     ModeState after{reachable_, reachable_};
     std::vector<ModeFault> faults;
     ModeRun(machine_, words).run(&after, &faults);
-    for (size_t i = 0; i < kModes; ++i) {
-      const auto mode = static_cast<Mode>(i);
-      if (after.now[mode] != reachable_[mode]) changed |= mask_of(mode);
-    }
+    changed |= after.now.assigned;
   }
   return changed & followed_;
 }

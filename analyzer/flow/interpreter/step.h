@@ -229,6 +229,7 @@ struct AbstractMachine::Step {
   void plain();
   void m98();
   void modes();
+  bool is_mistake(StopKind kind, std::string_view message) const;
   bool computed_words(WordLine& words);
   bool line_computes() const;
   bool take_faults(std::span<const ModeFault> faults);

@@ -101,12 +101,9 @@ void AbstractMachine::Step::user_code() {
   next_line();
 }
 
-/// A code that the table does not have is a mistake in a program; in a file that a machine calls it may be that machine's own.
 void AbstractMachine::Step::machine_check() {
   const LineError& what = m.program_.syntax.errors[s.first];
-  const bool of_program = m.linked_.file_of(here) == 0 && !m.program_.sub_file;
-  if (what.kind == StopKind::kCodeUnknown && of_program && what.message.starts_with("Unknown"))
-    return stop(what.kind, what.message);
+  if (is_mistake(what.kind, what.message)) return stop(what.kind, what.message);
   may_stop(what.kind, what.message);
   next_line();
 }

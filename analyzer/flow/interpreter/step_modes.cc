@@ -3,6 +3,12 @@
 
 namespace owlint::flow {
 
+/// A code that the table does not have is a mistake in a program; in a file that a machine calls it may be that machine's own.
+bool AbstractMachine::Step::is_mistake(StopKind kind, std::string_view message) const {
+  const bool of_program = m.linked_.file_of(here) == 0 && !m.program_.sub_file;
+  return kind == StopKind::kCodeUnknown && of_program && message.starts_with("Unknown");
+}
+
 /// The words with the values that they have here; false if reading them stops.
 bool AbstractMachine::Step::computed_words(WordLine& words) {
   for (const ModeWord& word : m.program_.syntax.words_of(s)) {
@@ -21,9 +27,10 @@ bool AbstractMachine::Step::computed_words(WordLine& words) {
     const std::optional<Fault> of_letter = words.letter(word.letter);
     const std::optional<Fault> fault = words.add(read);
     // Of words that are not computed the line itself has said it.
-    if (word.computed == kNoExpr || !fault || of_letter || !fault->certain) continue;
-    const ModeFault found{*fault, true, 0};
-    return take_faults({&found, 1});
+    if (word.computed == kNoExpr || !fault || of_letter) continue;
+    ModeFault found{*fault, true, 0};
+    found.fault.certain = fault->certain || is_mistake(fault->kind, fault->message);
+    if (found.fault.certain) return take_faults({&found, 1});
   }
   return true;
 }

@@ -65,8 +65,9 @@ class Builder {
     ModeRun(machine, words).run(&after, &faults);
     for (size_t i = 0; i < kModes; ++i) {
       const auto mode = static_cast<Mode>(i);
-      if (!after.now.is_open(mode) && std::has_single_bit(after.now[mode]))
-        set(mode, static_cast<uint8_t>(std::countr_zero(after.now[mode])), always);
+      if ((after.now.assigned & mask_of(mode)) == 0) continue;
+      const bool known = !after.now.is_open(mode) && std::has_single_bit(after.now[mode]);
+      set(mode, known ? static_cast<uint8_t>(std::countr_zero(after.now[mode])) : ModeChange::kAny, always);
     }
   }
 
