@@ -17,7 +17,7 @@ ModeMask masks_of(BadModes modes) {
 Answer ModeFaults::holds(BadModes modes) const {
   Answer answer = Answer::kYes;
   for (const BadMode& bad : modes) {
-    const ValueSet may = now_[bad.mode];
+    const ValueSet may = now()[bad.mode];
     if ((may & bad.values) == 0) return Answer::kNo;
     if ((may & ~bad.values) != 0) answer = Answer::kMaybe;
   }
@@ -26,19 +26,19 @@ Answer ModeFaults::holds(BadModes modes) const {
 
 /// A mode that is open may have no bad value; where two modes have several values, they may be bad on different runs.
 bool ModeFaults::believes(BadModes modes) const {
-  if ((now_.open & masks_of(modes)) != 0) return false;
-  return std::ranges::count_if(modes, [&](const BadMode& bad) { return !std::has_single_bit(now_[bad.mode]); }) <= 1;
+  if ((now().open & masks_of(modes)) != 0) return false;
+  return std::ranges::count_if(modes, [&](const BadMode& bad) { return !std::has_single_bit(now()[bad.mode]); }) <= 1;
 }
 
 /// The runs that go on have only good values, if one mode alone decides.
 void ModeFaults::survive(BadModes modes) {
   const BadMode* decides = nullptr;
   for (const BadMode& bad : modes) {
-    if ((now_[bad.mode] & ~bad.values) == 0) continue;
+    if ((now()[bad.mode] & ~bad.values) == 0) continue;
     if (decides != nullptr) return;
     decides = &bad;
   }
-  now_[decides->mode] &= ~decides->values;
+  now()[decides->mode] &= ~decides->values;
 }
 
 bool ModeFaults::stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by) {
@@ -50,9 +50,12 @@ bool ModeFaults::stop_in(BadModes modes, StopKind kind, std::string_view message
   const Answer answer = holds(modes);
   if (answer == Answer::kNo) return false;
   const bool certain = answer == Answer::kYes;
-  faults_.push_back({{kind, std::string(message), word, other, certain}, certain || believes(modes), masks_of(modes)});
-  if (!certain) survive(modes);
-  return certain;
+  const bool believed = certain || believes(modes);
+  faults_.push_back({{kind, std::string(message), word, other, certain}, believed, masks_of(modes)});
+  if (certain) return true;
+  survive(modes);
+  if (believed) state_.lose_runs();
+  return false;
 }
 
 void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by) {
@@ -60,15 +63,15 @@ void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint
 }
 
 void ModeFaults::set_known(Mode mode, ValueSet values) {
-  now_[mode] = values;
-  now_.open &= ~mask_of(mode);
-  now_.assigned |= mask_of(mode);
+  now()[mode] = values;
+  now().open &= ~mask_of(mode);
+  now().assigned |= mask_of(mode);
 }
 
 void ModeFaults::set_open(Mode mode, ValueSet values) {
-  now_[mode] = values;
-  now_.open |= mask_of(mode);
-  now_.assigned |= mask_of(mode);
+  now()[mode] = values;
+  now().open |= mask_of(mode);
+  now().assigned |= mask_of(mode);
 }
 
 }  // namespace owlint

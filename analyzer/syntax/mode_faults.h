@@ -25,10 +25,11 @@ enum class Answer : uint8_t { kNo, kMaybe, kYes };
 
 class ModeFaults {
  public:
-  ModeFaults(ModeSets* now, std::vector<ModeFault>* faults) : now_(*now), faults_(*faults) {}
+  ModeFaults(ModeState* state, std::vector<ModeFault>* faults) : state_(*state), faults_(*faults) {}
 
-  ModeSets& now() { return now_; }
-  const ModeSets& now() const { return now_; }
+  ModeState& state() { return state_; }
+  ModeSets& now() { return state_.now; }
+  const ModeSets& now() const { return state_.now; }
   std::vector<ModeFault>* faults() { return &faults_; }
   /// Whether each of the modes has one of its values.
   Answer holds(BadModes modes) const;
@@ -49,7 +50,7 @@ class ModeFaults {
   bool believes(BadModes modes) const;
   void survive(BadModes modes);
 
-  ModeSets& now_;
+  ModeState& state_;
   std::vector<ModeFault>& faults_;
 };
 

@@ -6,7 +6,7 @@
 namespace owlint {
 
 void ModeLine::save(modes::Saved by) {
-  state_.saved = state_.now;
+  state().saved = now();
   set(Mode::kSaved, by);
 }
 

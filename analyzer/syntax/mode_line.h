@@ -20,11 +20,10 @@ inline constexpr MotionSet kContours = set_of(Motion::kG70) | set_of(Motion::kG7
 class ModeLine : public ModeFaults {
  public:
   ModeLine(const MachineWords& machine, const WordLine& words, ModeState* state, std::vector<ModeFault>* faults)
-      : ModeFaults(&state->now, faults), machine_(machine), words_(words), state_(*state) {}
+      : ModeFaults(state, faults), machine_(machine), words_(words) {}
 
   const MachineWords& machine() const { return machine_; }
   const WordLine& words() const { return words_; }
-  ModeState& state() { return state_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
   bool has_several_spindles() const { return machine_.spindles > 1 || machine_.unsure; }
@@ -59,7 +58,6 @@ class ModeLine : public ModeFaults {
  private:
   const MachineWords& machine_;
   const WordLine& words_;
-  ModeState& state_;
 };
 
 /// The checks of the complete line, and its motion: for each motion that may be in effect (mode_motion.cc).

@@ -25,6 +25,11 @@ class FaultsByMotion {
   /// Whether the fault has been found in all of these motions.
   bool has(std::string_view message, MotionSet motions) const;
   void finish(bool some_go_on);
+  /// Whether some runs have ended.
+  bool believed() const {
+    return std::any_of(faults_.begin() + static_cast<ptrdiff_t>(first_), faults_.end(),
+                       [](const ModeFault& fault) { return fault.believed; });
+  }
 
  private:
   struct Found {
@@ -159,6 +164,7 @@ bool stops_before_it_acts(const WordLine& words, ModeState* state, std::vector<M
     if (found.has(by.message, pass) && (now[by.mode] & value_bit(by.good)) != 0) now[by.mode] &= value_bit(by.good);
   }
   if (motions == in_effect) now[Mode::kMotion] = pass;
+  if (found.believed()) state->lose_runs();
   return false;
 }
 
@@ -186,6 +192,7 @@ bool stops_moving(ModeLine& line) {
   if (!joined) return true;
   line.state() = *joined;
   if (open) line.now().open |= mask_of(Mode::kMotion);
+  if (found.believed()) line.state().lose_runs();
   return false;
 }
 

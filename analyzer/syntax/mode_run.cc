@@ -72,7 +72,7 @@ bool ModeRun::run(ModeState* state, std::vector<ModeFault>* faults) const {
 }
 
 bool read_position(ModeState* state, std::vector<ModeFault>* faults) {
-  return !ModeFaults(&state->now, faults)
+  return !ModeFaults(state, faults)
               .stop_in({kCompensationOn}, StopKind::kCompensation,
                        "Cannot read current position with cutter radius compensation on", kNoWord);
 }
@@ -81,12 +81,12 @@ bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<Mo
   const ValueSet saved = state->now[Mode::kSaved];
   if ((saved & value_bit(modes::kSavedByM73)) == 0) return true;
   if (saved == value_bit(modes::kSavedByM73)) {
-    ModeFaults line(&state->now, faults);
+    ModeFaults line(state, faults);
     return !restore(machine, state->saved, kNoWord, line).stops;
   }
   ModeState restored = *state;
   std::vector<ModeFault> found;
-  ModeFaults line(&restored.now, &found);
+  ModeFaults line(&restored, &found);
   const bool runs = !restore(machine, state->saved, kNoWord, line).stops;
   add_possible(found, faults);
   if (runs) *state = either(*state, restored);

@@ -1,6 +1,7 @@
 #include "analyzer/syntax/modes.h"
 
 #include <algorithm>
+#include <bit>
 #include <functional>
 
 namespace owlint {
@@ -73,6 +74,12 @@ ModeSets ModeSets::unknown() {
   for (const ModeRow& row : kRows) sets[row.mode] = all_values(row.mode);
   sets.open = kAllModes;
   return sets;
+}
+
+void ModeSets::lose_runs() {
+  for (const ModeRow& row : kRows) {
+    if (!std::has_single_bit((*this)[row.mode])) open |= mask_of(row.mode);
+  }
 }
 
 ModeSets join(const ModeSets& a, const ModeSets& b) {

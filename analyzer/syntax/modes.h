@@ -104,6 +104,9 @@ struct ModeSets {
   bool is_open(Mode mode) const { return (open & mask_of(mode)) != 0; }
   bool operator==(const ModeSets&) const = default;
 
+  /// Some runs have ended: of a mode that still has several values it is not known which are left.
+  void lose_runs();
+
   static ModeSets started();  ///< those of an interpreter that was just started
   static ModeSets unknown();  ///< any, and all open
 };
@@ -114,6 +117,10 @@ struct ModeState {
   ModeSets saved;  ///< what M72 restores, or the end of a sub behind M73
 
   bool operator==(const ModeState&) const = default;
+  void lose_runs() {
+    now.lose_runs();
+    saved.lose_runs();
+  }
   static ModeState started() { return {ModeSets::started(), ModeSets::started()}; }
   static ModeState unknown() { return {ModeSets::unknown(), ModeSets::unknown()}; }
 };
