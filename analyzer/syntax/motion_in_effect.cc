@@ -66,9 +66,11 @@ void MotionInEffect::check(const WordLine& words, Statement& statement) {
     passes &= ~set_of(motion);
     if (faults_.empty() || out_.errors[faults_.back().error].message != fault->message)
       faults_.push_back({.motions = 0, .error = parser_.add_error(*fault), .last = false});
-    faults_.back().motions |= set_of(motion);
+    faults_.back().motions |= words.depends_on_motion() ? set_of(motion) : kAnyMotion;
   }
-  const bool always = !faults_.empty() && (asked != in_effect_ || passes == 0) && faults_.size() == 1;
+  // At M98 nothing is checked where lines are skipped: that is for the flow to see.
+  const bool always = statement.kind != LineKind::kM98 && !faults_.empty() && (asked != in_effect_ || passes == 0) &&
+      faults_.size() == 1;
   if (always) {
     statement.error = faults_.front().error;
     faults_.clear();
@@ -81,6 +83,7 @@ bool MotionInEffect::judge(Statement& statement, bool keep) {
   effect_ = kLeavesMotion;
   const WordLine* words = parser_.words();
   if (words == nullptr || statement.has_error()) {
+    if (const WordLine* of_call = parser_.words_of_call()) check(*of_call, statement);
     // At O-words runs come from elsewhere, or go elsewhere and come back; behind a line that stops there is none.
     const bool stops = statement.kind == LineKind::kWords && statement.has_error();
     if (keep && !stops) in_effect_ = all_modes();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/syntax/known_line.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::rules {
 namespace {
@@ -70,12 +71,13 @@ const LineError* word_error(const Program& program, const FlowStop& stop) {
   const Syntax& syntax = program.syntax;
   const Statement& s = program.at(stop.statement);
   if (s.kind == LineKind::kMachineCheck) return &syntax.errors[s.first];
-  if (s.kind != LineKind::kMotionCheck) return syntax.error(s);
-  for (uint32_t i = s.first;; ++i) {
+  const Statement* const asks = s.kind == LineKind::kMotionCheck ? &s : motion_check_of(syntax, stop.statement);
+  for (uint32_t i = asks == nullptr ? 0 : asks->first; asks != nullptr; ++i) {
     const MotionFault& fault = syntax.motion_faults[i];
     if (syntax.errors[fault.error].message == stop.interpreter) return &syntax.errors[fault.error];
-    if (fault.last) return nullptr;
+    if (fault.last) break;
   }
+  return syntax.error(s);
 }
 
 std::string capital(char letter) { return {static_cast<char>(std::toupper(static_cast<unsigned char>(letter)))}; }

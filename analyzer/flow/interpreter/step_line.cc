@@ -6,6 +6,7 @@
 #include "analyzer/flow/interpreter/step.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
 
@@ -18,7 +19,11 @@ void AbstractMachine::Step::run() {
   const LineError* e = error();
   const bool anywhere = e != nullptr &&
       ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
-  if (anywhere) return stop_error();
+  if (anywhere) {
+    if (e->first_value == kNoExpr) return stop_error();
+    if (settle_before_error()) repeated_word(*e);
+    return;
+  }
   // Measured: `O…` and M98 stop where they are read, also where lines are skipped; M99 only where it would return.
   if (m.refuses_fanuc(s) || (m.no_fanuc_ && s.kind == LineKind::kM99 && called() && !skipping)) {
     return stop(StopKind::kFanucDisabled,
@@ -37,6 +42,7 @@ void AbstractMachine::Step::plain() {
     return out.end(state);
   }
   if (s.kind == LineKind::kM98) return m98();
+  if (s.kind == LineKind::kMachineCheck && asks_about_call(m.program_.syntax, here)) return machine_check();
   if (skipping) return next_line();
   if (s.kind == LineKind::kMotionCheck) return motion_check();
   if (s.kind == LineKind::kUserCode) return user_code();
@@ -58,6 +64,9 @@ void AbstractMachine::Step::plain() {
   if (error() != nullptr && error()->first_value != kNoExpr) return repeated_word(*error());
   if (error() != nullptr) return stop_error();
   if (e.read_only != kNoName) {
+    // The words are held against each other before anything is stored.
+    if (const Statement* asks = motion_check_of(m.program_.syntax, here); asks != nullptr && refuses_words(*asks))
+      return;
     const std::string& name = m.name(e.read_only);
     return stop(StopKind::kNameReadOnly, "Cannot assign to read-only parameter #<" + name + ">", kNoStatement, name);
   }
@@ -87,7 +96,7 @@ bool AbstractMachine::Step::may_end(const Statement& line) const {
 void AbstractMachine::Step::repeated_word(const LineError& repeated) {
   const ValueId first = evaluate(repeated.first_value).value;
   const Range range = m.values_.range(first);
-  if (range.low > -1) return stop_error();
+  if (range.low > -1) return stop(repeated.kind, repeated.message);
   if (range.high > -1) may_stop(repeated.kind, repeated.message);
   next_line();
 }
@@ -112,22 +121,28 @@ void AbstractMachine::Step::machine_check() {
   next_line();
 }
 
-/// What is not known of the motion is no claim: a file that others call may be entered with any.
+/// Of an M98 line this is asked when its values are known.
 void AbstractMachine::Step::motion_check() {
+  if (asks_about_call(m.program_.syntax, here) || !refuses_words(s)) next_line();
+}
+
+/// Whether the words of the line that this question is about stop every run. What is not known of the motion is no claim: a file
+/// that others call may be entered with any.
+bool AbstractMachine::Step::refuses_words(const Statement& asks) {
+  if (context.contour) return false;
   const ValueId motion = m.evaluator_.motion(state.parameters);
-  if (motion == kUnknown || context.contour) return next_line();
-  const bool known = m.values_.is_constant(motion);
-  const MotionSet in_effect = motions_at_ends(m.values_.range(motion));
-  for (uint32_t i = s.first;; ++i) {
+  const bool known = motion != kUnknown && m.values_.is_constant(motion);
+  const MotionSet in_effect = motion == kUnknown ? 0 : motions_at_ends(m.values_.range(motion));
+  for (uint32_t i = asks.first;; ++i) {
     const MotionFault& fault = m.program_.syntax.motion_faults[i];
-    if ((fault.motions & in_effect) != 0) {
-      const LineError& what = m.program_.syntax.errors[fault.error];
-      if (known) return stop(what.kind, what.message);
-      may_stop(what.kind, what.message);
+    const LineError& what = m.program_.syntax.errors[fault.error];
+    if (fault.motions == kAnyMotion || (known && (fault.motions & in_effect) != 0)) {
+      stop(what.kind, what.message);
+      return true;
     }
-    if (fault.last) break;
+    if ((fault.motions & in_effect) != 0) may_stop(what.kind, what.message);
+    if (fault.last) return false;
   }
-  next_line();
 }
 
 /// Measured: M98 is read with all its values wherever it stands, and stops there; where lines are skipped it only does
@@ -145,6 +160,10 @@ void AbstractMachine::Step::m98() {
     if (!times_called(e, &repeats)) return;
   }
   if (!resolve_label()) return;
+  if (!skipping) {
+    if (const Statement* asks = motion_check_of(m.program_.syntax, here); asks != nullptr && refuses_words(*asks))
+      return;
+  }
   if (skipping || label == kNoLabel) return next_line();
   call(repeats, true);
 }
