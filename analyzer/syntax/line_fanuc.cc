@@ -3,11 +3,6 @@
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint {
-namespace {
-
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-
-}  // namespace
 
 /// Whether the line's first word is M98 or M99. Measured: what is written there is worth 98 or 99, and then two characters
 /// of it are passed over, so that `M098` is M98 and a stray `8`.
@@ -36,8 +31,11 @@ void LineParser::note_rest(size_t at, Statement& s) {
   s.rest_to = static_cast<LineByte>(span.end - s.offset);
 }
 
-/// The P of M98: whom it calls.
-bool LineParser::m98_target(ExprId value, size_t from, size_t to, Statement& s) {
+/// The P of M98: whom it calls. Whether that is a number at all is asked when all words have been read (measured).
+void LineParser::m98_target(ExprId value, size_t from, size_t to, Statement& s) {
+  target_ = value;
+  target_from_ = from;
+  target_to_ = to;
   s.label_from = relative(from);
   s.label_to = static_cast<LineByte>(line_.span(from, to).end - s.offset);
   s.label = kNoName;
@@ -48,63 +46,16 @@ bool LineParser::m98_target(ExprId value, size_t from, size_t to, Statement& s) 
     s.label_expr = value;
   } else if (label_of_number(number, &name)) {
     s.label = out_.names.intern(name);
-  } else {
-    fail(s, StopKind::kM98Number, from, to, "Non integer value for integer");
-    return false;
   }
-  return true;
 }
 
-/// The L of M98: how often.
-bool LineParser::m98_repeats(ExprId value, size_t from, size_t to, Statement& s) {
-  double number = 0;
-  long whole = 0;
-  if (literal_value(out_.exprs, value, &number)) {
-    const bool odd = !to_integer(number, &whole);
-    if (odd || whole < 0) {
-      fail(s, StopKind::kM98Words, from, to, odd ? "Non integer value for integer" : "Negative l word used");
-      return false;
-    }
-  }
+/// A word of an M98 line that has been read: only P and L are used.
+void LineParser::m98_word(char letter, ExprId value, size_t from, size_t to, Statement& s) {
+  if (letter == 'p') return m98_target(value, from, to, s);
+  if (letter != 'l') return m98_other(value, from, to, s);
   s.repeats = true;
   out_.values.insert(out_.values.begin() + s.first, value);
   ++s.value_count;
-  return true;
-}
-
-/// A word of an M98 line. All are read, but only P and L are used.
-bool LineParser::m98_word(ExpressionParser& in, Statement& s) {
-  const size_t from = in.cursor;
-  const char letter = line_[from];
-  ++in.cursor;
-  if (is_letter(letter) && letter != 'g' && letter != 'm') {
-    const uint32_t bit = 1U << (letter - 'a');
-    double before = 0;
-    const bool counts =
-        letter != 'p' || s.label == kNoName || (literal_value(out_.exprs, target_, &before) && before > -1);
-    if ((letters_ & bit) != 0 && counts) {
-      fail(s, StopKind::kM98Words, from, in.cursor, std::string("Multiple ") + letter + " words on one line");
-      return false;
-    }
-    letters_ |= bit;
-  }
-  const ExprId value = in.value();
-  if (value == kNoExpr) {
-    fail(s, StopKind::kExpression, in.error().from, in.error().to, in.error().message);
-    return false;
-  }
-  if (letter == 'l') return m98_repeats(value, from, in.cursor, s);
-  if (letter == 'p') {
-    target_ = value;
-    return m98_target(value, from, in.cursor, s);
-  }
-  double number = 0;
-  if (letter == 'm' && literal_value(out_.exprs, value, &number) && number == 98) {
-    fail(s, StopKind::kM98Behind, from, in.cursor, "Unknown m code used: M98");
-    return false;
-  }
-  m98_other(value, from, in.cursor, s);
-  return true;
 }
 
 /// A word or an assignment of an M98 line that does nothing there.
@@ -112,7 +63,8 @@ void LineParser::m98_other(ExprId value, size_t from, size_t to, Statement& s) {
   const Span span = line_.span(from, to);
   if (s.rest_to == s.rest_from) s.rest_from = static_cast<LineByte>(span.begin - s.offset);
   s.rest_to = static_cast<LineByte>(span.end - s.offset);
-  if (out_.exprs[value].op == Operator::kNumber) return;
+  double number = 0;
+  if (literal_value(out_.exprs, value, &number)) return;
   out_.values.push_back(value);
   ++s.value_count;
 }
@@ -120,6 +72,8 @@ void LineParser::m98_other(ExprId value, size_t from, size_t to, Statement& s) {
 void LineParser::m98(ExpressionParser& in, Statement& s) {
   s.first = static_cast<uint32_t>(out_.values.size());
   letters_ = 0;
+  target_ = kNoExpr;
+  words_.begin_call();
   bool comments = false;
   for (;;) {
     in.cursor = skip_comments(in.cursor, &comments);
@@ -133,7 +87,7 @@ void LineParser::m98(ExpressionParser& in, Statement& s) {
       m98_other(out_.items.back().value, from, in.cursor, s);
       out_.items.pop_back();
     } else if (starts_word(c)) {
-      if (!m98_word(in, s)) return;
+      if (!word(in, s)) return;
     } else {
       fail(s, c == 'o' ? StopKind::kWordBefore : StopKind::kBadCharacter, from, c == 'o' ? line_.size() : from + 1,
            bad_character(c));
@@ -141,10 +95,16 @@ void LineParser::m98(ExpressionParser& in, Statement& s) {
     }
   }
   s.comment |= comments;
-  if ((letters_ >> ('p' - 'a') & 1) != 0) return;
-  s.label_from = s.keyword_from;
-  s.label_to = s.keyword_to;
-  fail(s, StopKind::kM98NoTarget, 0, line_.size(), "Found 'm98' code with no P-word");
+  double number = 0;
+  std::string name;
+  if (target_ == kNoExpr) {
+    s.label_from = s.keyword_from;
+    s.label_to = s.keyword_to;
+    fail(s, StopKind::kM98NoTarget, 0, line_.size(), "Found 'm98' code with no P-word");
+  } else if (literal_value(out_.exprs, target_, &number) && !label_of_number(number, &name)) {
+    fail(s, StopKind::kM98Number, target_from_, target_to_, "Non integer value for integer");
+  }
+  has_words_of_call_ = !s.has_error();
 }
 
 void LineParser::m99(ExpressionParser& in, Statement& s) {

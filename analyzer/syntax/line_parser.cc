@@ -69,7 +69,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   s.offset = offset;
   s.length = static_cast<uint32_t>(raw.size());
   const StopKind comment = line_.assign(raw, offset);
-  has_words_ = false;
+  has_words_ = has_words_of_call_ = false;
   unsure_ = kNoError;
   s.nul = line_.has_nul();
   s.inner_cr = line_.has_inner_cr();

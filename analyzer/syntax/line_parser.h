@@ -19,6 +19,8 @@ class LineParser {
   bool parse(std::string_view raw, uint64_t offset, Statement* statement);
   /// The words of the line that was parsed last: null for O-words, M98, and where reading has failed.
   const WordLine* words() const { return has_words_ ? &words_ : nullptr; }
+  /// The same of a line with M98. They are checked, but nothing of them is executed.
+  const WordLine* words_of_call() const { return has_words_of_call_ ? &words_ : nullptr; }
   /// The error with which some machines stop at that line, others not; UINT32_MAX if there is none.
   uint32_t unsure() const { return unsure_; }
   /// Records a fault of the words against each other: returns its index in Syntax::errors.
@@ -33,9 +35,8 @@ class LineParser {
   bool words(size_t at, Statement& s);
   bool fanuc_code(size_t at, Statement& s);
   void m98(ExpressionParser& in, Statement& s);
-  bool m98_word(ExpressionParser& in, Statement& s);
-  bool m98_target(ExprId value, size_t from, size_t to, Statement& s);
-  bool m98_repeats(ExprId value, size_t from, size_t to, Statement& s);
+  void m98_word(char letter, ExprId value, size_t from, size_t to, Statement& s);
+  void m98_target(ExprId value, size_t from, size_t to, Statement& s);
   void m98_other(ExprId value, size_t from, size_t to, Statement& s);
   void m99(ExpressionParser& in, Statement& s);
   bool all_words(ExpressionParser& in, Statement& s);
@@ -71,6 +72,7 @@ class LineParser {
   LineText line_;
   WordLine words_;
   bool has_words_ = false;
+  bool has_words_of_call_ = false;
   std::array<ExprId, 2> value_of_{};  // of the line's last P and Q
   uint32_t unsure_ = kNoError;        // an error with which some machines stop
   ExprId contour_sub_ = kNoExpr;      ///< the value of the line's Q word
@@ -81,6 +83,7 @@ class LineParser {
   ExprId item_begins_ = 0;                     // and of the word or setting that is being read
   uint32_t letters_ = 0;                       // of the words on the line so far, one bit each
   ExprId target_ = kNoExpr;                    // the P of M98
+  size_t target_from_ = 0, target_to_ = 0;
 };
 
 /// The value of an expression made of literals only; false when it has parameters or fails.

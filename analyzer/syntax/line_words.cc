@@ -160,7 +160,8 @@ Span LineParser::span_of_word(uint8_t word) const {
 /// A fault of the word at [from, to), which has been read.
 void LineParser::fail(Statement& s, const Fault& fault, size_t from, size_t to) {
   if (s.has_error()) return;
-  fail(s, fault.kind, from, to, fault.message);
+  const bool of_call = s.kind == LineKind::kM98 && (line_[from] == 'p' || line_[from] == 'l');
+  fail(s, of_call ? StopKind::kM98Words : fault.kind, from, to, fault.message);
   out_.errors[s.error].other = span_of_word(fault.other);
 }
 
@@ -235,6 +236,10 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   if (const auto fault = words_.add({letter, known, number, relative(from), end});
       fault && !passes(s, *fault, from, in.cursor))
     return false;
+  if (s.kind == LineKind::kM98) {
+    m98_word(letter, value, from, in.cursor, s);
+    return true;
+  }
   if (!known) {
     Item item{.value = value, .from = relative(from), .letter = letter};
     item.to = end;
@@ -278,6 +283,7 @@ bool LineParser::m_code(ExprId value, size_t from, size_t to, Statement& s) {
     letters_ |= kHasStop | (number == 99 ? kHasReturn : 0U);
   }
   const bool ends = number == 2 || number == 30;
+  if (s.kind == LineKind::kM98) return true;  // it is not executed
   if (!ends && (number != 99 || s.kind != LineKind::kWords)) return true;
   s.kind = ends ? LineKind::kProgramEnd : LineKind::kM99Behind;
   s.keyword_from = relative(from);

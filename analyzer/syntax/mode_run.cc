@@ -59,8 +59,11 @@ bool run_from_m72(ModeLine& line) {
 
 }  // namespace
 
-bool ModeRun::run(ModeState* state, std::vector<ModeFault>* faults) const {
-  if (stops_before_it_acts(line_, state, faults)) return false;
+bool ModeRun::check(ModeState* state, std::vector<ModeFault>* faults) const {
+  return !stops_before_it_acts(line_, state, faults);
+}
+
+bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults) const {
   if (line_.has_unknown_code() || line_.has_remapped_code()) {
     *state = ModeState::unknown();
     return true;

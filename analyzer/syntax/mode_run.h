@@ -23,7 +23,12 @@ class ModeRun {
 
   /// Carries out the line. `*state` becomes that of the runs that go on behind it; the faults are appended in the order in which
   /// the interpreter would find them. False if no run goes on: then the last fault is certain.
-  bool run(ModeState* state, std::vector<ModeFault>* faults) const;
+  bool run(ModeState* state, std::vector<ModeFault>* faults) const {
+    return check(state, faults) && act(state, faults);
+  }
+  /// Its two parts: the checks before the line does anything, even set parameters, and what it does.
+  bool check(ModeState* state, std::vector<ModeFault>* faults) const;
+  bool act(ModeState* state, std::vector<ModeFault>* faults) const;
 
  private:
   const MachineWords& machine_;

@@ -159,6 +159,11 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   asks_ = false;
   const WordLine* words = parser_.words();
   if (words == nullptr || statement.has_error()) {
+    if (const WordLine* of_call = parser_.words_of_call(); of_call != nullptr && !statement.has_error()) {
+      ModeState after = state_;
+      ModeRun(machine_, *of_call).check(&after, &faults_);
+      asks_ = !faults_.empty();
+    }
     // At O-words runs come from elsewhere, or go elsewhere and come back; behind a line that stops there is none.
     const bool stops = statement.kind == LineKind::kWords && statement.has_error();
     if (keep && !stops) {
@@ -195,7 +200,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
 }
 
 void ModesInEffect::ask(const Statement& statement) {
-  const WordLine& words = *parser_.words();
+  const WordLine& words = parser_.words() != nullptr ? *parser_.words() : *parser_.words_of_call();
   Statement asks = question_about(statement, LineKind::kModeLine, static_cast<uint32_t>(out_.mode_words.size()));
   asks.item_count = static_cast<uint8_t>(words.size());
   // Words that are computed have an item each, in the order of the line.
@@ -203,7 +208,7 @@ void ModesInEffect::ask(const Statement& statement) {
   auto item = items.begin();
   for (size_t i = 0; i < words.size(); ++i) {
     const Word& word = words[i];
-    ModeWord out{.value = word.value, .computed = kNoExpr, .letter = word.letter, .from = word.from, .to = word.to};
+    ModeWord out{word.value, kNoExpr, word.letter, word.from, word.to, word.known};
     if (!word.known) {
       item = std::find_if(item, items.end(), [&](const Item& it) { return it.letter != 0; });
       if (item != items.end()) out.computed = (item++)->value;

@@ -65,10 +65,11 @@ inline constexpr uint32_t kNoError = UINT32_MAX;
 
 /// A word of a line that the modes decide about.
 struct ModeWord {
-  double value = 0;           ///< if it is not computed
+  double value = 0;           ///< if it is known
   ExprId computed = kNoExpr;  ///< what the value is computed by, if it reads parameters
   char letter = 0;            ///< small
   LineByte from = 0, to = 0;
+  bool known = true;  ///< false if it is computed
 };
 
 using StatementId = uint32_t;

@@ -23,6 +23,11 @@ void WordLine::clear() {
   m_ = {};
 }
 
+void WordLine::begin_call() {
+  clear();
+  codes_ = set_of(*m_code(code::kM98));
+}
+
 uint8_t WordLine::find(char letter) const {
   return (letters_ & letter_set({&letter, 1})) == 0 ? kNoWord : at_[static_cast<size_t>(letter_index(letter))];
 }

@@ -1,6 +1,6 @@
 // The words of one line, as the interpreter sees them before it does anything: which may stand together, which code
 // uses them, and which error comes first. The line parser fills it word by word, the flow asks it for each mode that
-// may be in effect. O-word lines, and M98 or M99 as the first word, do not come here.
+// may be in effect. O-word lines do not come here.
 #pragma once
 
 #include <array>
@@ -50,6 +50,9 @@ class WordLine {
   explicit WordLine(const MachineWords& machine) : machine_(&machine) {}
   /// Takes up another line.
   void clear();
+  /// The line begins with M98: all its other words are read and checked, and none but P and L has an effect. M98 is not counted as
+  /// an M word (measured).
+  void begin_call();
 
   /// Before a word's value is read, of a letter that begins one (word_row). The word the fault is about has the index
   /// size().

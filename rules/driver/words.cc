@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/syntax/known_line.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::rules {
 namespace {
@@ -70,11 +71,10 @@ std::optional<LineError> word_error(const Program& program, const FlowStop& stop
   const Syntax& syntax = program.syntax;
   const Statement& s = program.at(stop.statement);
   if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
-  if (s.kind != LineKind::kModeLine) {
-    const LineError* const error = syntax.error(s);
+  const Statement* const asks = s.kind == LineKind::kModeLine ? &s : mode_line_of(syntax, stop.statement);
+  if (const LineError* error = syntax.error(s); error != nullptr || asks == nullptr)
     return error == nullptr ? std::nullopt : std::optional(*error);
-  }
-  const auto words = syntax.words_of(s);
+  const auto words = syntax.words_of(*asks);
   const auto span_of = [&](uint8_t word, Span none) {
     return word < words.size() ? s.span(words[word].from, words[word].to) : none;
   };

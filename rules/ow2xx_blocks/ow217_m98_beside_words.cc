@@ -1,9 +1,10 @@
 // OW217 m98-beside-words: M98 or M99 on a line with other words.
 // Depends on: they call and return only as the line's first word. LinuxCNC reads all words of an M98 line, even if the line
-// is skipped, but only P and L have an effect; in a sub nothing may come after M99.
+// is skipped, and checks them against each other if it is not, but only P and L have an effect; in a sub nothing may come after M99.
 #include <algorithm>
 
 #include "analyzer/syntax/known_line.h"
+#include "analyzer/syntax/questions.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
@@ -111,18 +112,35 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
   return f;
 }
 
+/// Whether the words of an M98 line that did not stop may stop it all the same: by what they compute, or by modes that are not known.
+bool may_stop(const Program& p, StatementId id) {
+  const Statement& s = p.at(id);
+  const std::string_view rest = p.source->slice(s.rest_span());
+  if (surely_runs(rest)) return false;
+  const uint32_t of_l = s.repeats ? 1 : 0;
+  return mode_line_of(p.syntax, id) != nullptr || s.value_count > of_l || rest.find_first_of("@^") != rest.npos ||
+      rest.find("53") != rest.npos;
+}
+
+/// Whether a stop is at this line, or at a question about it.
+bool stops_on_line(const Input& in, StatementId id) {
+  bool stops = has_stop(in, id);
+  for (StatementId asks = id; asks-- > 0 && on_one_line(in.program.at(asks), in.program.at(id));)
+    stops = stops || has_stop(in, asks);
+  return stops;
+}
+
 /// Words on an M98 line that LinuxCNC reads but does not execute.
 void report_dropped(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
-  if (s.kind != LineKind::kM98 || s.has_error() || s.rest_to == s.rest_from || has_stop(in, id)) return;
+  if (s.kind != LineKind::kM98 || s.has_error() || s.rest_to == s.rest_from || stops_on_line(in, id)) return;
   const std::string text = text_of(p, s.rest_span());
   const bool runs = surely_runs(p.source->slice(s.rest_span()));
-  // Measured: the words are checked as on any line, so an axis word without a motion mode, or `H` without its G code, stops.
-  Finding& f =
-      out.add(s.rest_span(),
-              "`" + text + "` on an `M98` line: LinuxCNC " +
-                  (runs ? "reads it but does not execute it" : "checks it and may stop here, but never executes it"));
+  Finding& f = out.add(s.rest_span(),
+                       "`" + text + "` on an `M98` line: LinuxCNC " +
+                           (!may_stop(p, id) ? "reads it but does not execute it"
+                                             : "checks it and may stop here, but never executes it"));
   f.help = "write it on a line of its own, before `M98`";
   f.reach = in.flow.reach(id);
   if (!runs || s.block_delete) return;
@@ -164,10 +182,11 @@ a sub it stops with `Bug:  Reached convert_stop() from M99 as subprogram return`
 program the run ends. In a sub nothing may come after M99: `Unexpected character after O-word`.
 There is no `M99 P…`.
 
-LinuxCNC reads and checks words after `M98 P…`, even on a skipped line, but **it does not execute
-them**: after `M98 P7001 G0 X5` the machine has not moved to X5, and `M98 P7001 M2` does not end the
-program. An assignment there is lost. A word that needs a code, as in `M98 P7001 H5`, stops the
-program, and so does an axis word where no motion mode is on.
+LinuxCNC reads the other words of an `M98` line, even on a skipped line, and checks them where it
+calls, but **it does not execute them**: after `M98 P7001 G0 X5` the machine has not moved to X5, and
+`M98 P7001 M2` does not end the program. An assignment there is lost. A word that needs a code, as in
+`M98 P7001 H5`, stops the program, and so does an axis word where no motion mode is on: see OW707 and
+OW709.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90

@@ -27,7 +27,7 @@ bool is_exponent(const WordStop& at) {
       std::prev(word)->span.end == at.span.begin;
 }
 
-void explain(const WordStop& at, Release release, Finding& f) {
+void explain(const WordStop& at, bool of_call, Release release, Finding& f) {
   const std::string letter = capital(at.letter);
   if (f.interpreter.starts_with("Cannot put a")) {
     f.message = "`" + at.word + "` cannot stand in a drilling cycle" +
@@ -46,6 +46,10 @@ void explain(const WordStop& at, Release release, Finding& f) {
     f.help = "remove it, or add the code that takes it";
   } else {
     f.message = "`" + at.word + "` has no use here: no code on this line takes it";
+    if (of_call) {
+      f.help = "remove it; to give the sub a value, set a parameter on the line before: `#1=5`";
+      return;
+    }
     f.help = fmt::format("remove it, or add its code: `{}` belongs to {}", letter,
                          spoken(takers(at.letter, release), release, "or"));
   }
@@ -56,7 +60,8 @@ void check(const Input& in, Reporter& out) {
     const WordStop at = word_stop(in, stop);
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;
-    explain(at, release_of(in.profile), f);
+    const bool of_call = in.program.at(stop.statement).kind == LineKind::kM98;
+    explain(at, of_call, release_of(in.profile), f);
     relate_word(f, at);
     return &f;
   });

@@ -49,6 +49,8 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;
     explain(at, f);
+    const bool of_call = in.program.at(stop.statement).kind == LineKind::kM98;
+    if (of_call && f.help.starts_with("write `G0`")) f.help = "write the move on a line of its own, before `M98`";
     relate_word(f, at);
     return &f;
   });

@@ -19,7 +19,7 @@ ModeSets only(ModeSets sets, const ModeChange& change) {
 }  // namespace
 
 void read_words(std::span<const ModeWord> from, WordLine& into) {
-  for (const ModeWord& word : from) into.add({word.letter, word.computed == kNoExpr, word.value, word.from, word.to});
+  for (const ModeWord& word : from) into.add({word.letter, word.known, word.value, word.from, word.to});
 }
 
 ModeUses::ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start, ModeMask others)

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
 
@@ -56,7 +57,8 @@ void AbstractMachine::index() {
     if (s.kind == LineKind::kPercent) percents_.push_back(id);
     if (s.kind == LineKind::kFileEnd) file_ends_.push_back(id);
     const bool m98 = s.kind == LineKind::kM98 && (error != nullptr || s.value_count > 0 || s.label_expr != kNoExpr);
-    if (refuses_fanuc(s) || m98) {
+    const bool of_m98 = s.kind == LineKind::kMachineCheck && asks_about_call(syntax, id);
+    if (refuses_fanuc(s) || m98 || of_m98) {
       always_read_.push_back(id);
       continue;
     }

@@ -4,6 +4,7 @@
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
 
@@ -69,6 +70,7 @@ bool CalmLines::harmless(StatementId id) const {
 bool CalmLines::stop_when_skipped(StatementId id) const {
   const Statement& s = program_.at(id);
   if (s.kind == LineKind::kPercent || s.kind == LineKind::kFileEnd || s.kind == LineKind::kM98) return true;
+  if (s.kind == LineKind::kMachineCheck) return asks_about_call(program_.syntax, id);
   return s.has_error() && program_.syntax.errors[s.error].kind < StopKind::kKeywordUnknown;
 }
 

@@ -70,7 +70,8 @@ struct AbstractMachine::Step {
     state.mixed = mixed;
   }
   void hazard(HazardKind kind, StatementId other = kNoStatement) { out.hazard(state, HazardReport::of(kind, other)); }
-  void stop_error() {
+  /// What is read before the line's error may stop first. False if it stops every run.
+  bool settle_before_error() {
     for (ExprId id = error()->read_from; id < error()->read_to; ++id) {
       const Expr& expr = m.program_.syntax.exprs[id];
       if (expr.op == Operator::kNumber) continue;
@@ -81,15 +82,18 @@ struct AbstractMachine::Step {
       const bool returned = s.is(Keyword::kEndsub) || s.is(Keyword::kReturn);  // read at a definition too
       const ExprId read = expr.target ? expr.left() : id;
       const Evaluation e = returned ? or_fresh(evaluate(read), read) : evaluate(read);
-      if (!settle(e)) return;
+      if (!settle(e)) return false;
       int times = 0;
-      if (s.kind == LineKind::kM98 && s.repeats && id == value(0) && !times_called(e, &times)) return;
+      if (s.kind == LineKind::kM98 && s.repeats && id == value(0) && !times_called(e, &times)) return false;
       long number = 0;
       if (expr.target && KnownValues::is_constant(e.value) &&
           !settle(m.evaluator_.target(m.values_.value(e.value), &number)))
-        return;
+        return false;
     }
-    stop(error()->kind, error()->message);
+    return true;
+  }
+  void stop_error() {
+    if (settle_before_error()) stop(error()->kind, error()->message);
   }
 
   /// One of the eight documented errors: stops, or under FEATURE 0x20 prints a message. True if the run goes on.
@@ -229,9 +233,10 @@ struct AbstractMachine::Step {
   void plain();
   void m98();
   void modes();
+  bool refuses_words(const Statement& asks);
   bool is_mistake(StopKind kind, std::string_view message) const;
-  bool computed_words(WordLine& words);
-  bool line_computes() const;
+  bool read_words(const Statement& asks, WordLine& words);
+  Evaluation line_computes() const;
   bool take_faults(std::span<const ModeFault> faults);
   bool restore_modes();
   void user_code();

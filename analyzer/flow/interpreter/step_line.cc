@@ -5,6 +5,7 @@
 #include "analyzer/flow/interpreter/step.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
 
@@ -17,7 +18,11 @@ void AbstractMachine::Step::run() {
   const LineError* e = error();
   const bool anywhere = e != nullptr &&
       ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
-  if (anywhere) return stop_error();
+  if (anywhere) {
+    if (e->first_value == kNoExpr) return stop_error();
+    if (settle_before_error()) repeated_word(*e);
+    return;
+  }
   // Measured: `O…` and M98 stop where they are read, also where lines are skipped; M99 only where it would return.
   if (m.refuses_fanuc(s) || (m.no_fanuc_ && s.kind == LineKind::kM99 && called() && !skipping)) {
     return stop(StopKind::kFanucDisabled,
@@ -36,6 +41,7 @@ void AbstractMachine::Step::plain() {
     return out.end(state);
   }
   if (s.kind == LineKind::kM98) return m98();
+  if (s.kind == LineKind::kMachineCheck && asks_about_call(m.program_.syntax, here)) return machine_check();
   if (skipping) return next_line();
   if (s.kind == LineKind::kModeLine) return modes();
   if (s.kind == LineKind::kUserCode) return user_code();
@@ -86,7 +92,7 @@ bool AbstractMachine::Step::may_end(const Statement& line) const {
 void AbstractMachine::Step::repeated_word(const LineError& repeated) {
   const ValueId first = evaluate(repeated.first_value).value;
   const Range range = m.values_.range(first);
-  if (range.low > -1) return stop_error();
+  if (range.low > -1) return stop(repeated.kind, repeated.message);
   if (range.high > -1) may_stop(repeated.kind, repeated.message);
   next_line();
 }
@@ -123,6 +129,9 @@ void AbstractMachine::Step::m98() {
     if (!times_called(e, &repeats)) return;
   }
   if (!resolve_label()) return;
+  if (!skipping) {
+    if (const Statement* asks = mode_line_of(m.program_.syntax, here); asks != nullptr && refuses_words(*asks)) return;
+  }
   if (skipping || label == kNoLabel) return next_line();
   call(repeats, true);
 }

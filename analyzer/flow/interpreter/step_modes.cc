@@ -1,5 +1,6 @@
 // A line of words in the modes that are in effect: what it stops with, and what it leaves in effect.
 #include "analyzer/flow/interpreter/step.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
 
@@ -10,9 +11,11 @@ bool AbstractMachine::Step::is_mistake(StopKind kind, std::string_view message) 
 }
 
 /// The words with the values that they have here; false if reading them stops.
-bool AbstractMachine::Step::computed_words(WordLine& words) {
-  for (const ModeWord& word : m.program_.syntax.words_of(s)) {
-    Word read{word.letter, true, word.value, word.from, word.to};
+bool AbstractMachine::Step::read_words(const Statement& asks, WordLine& words) {
+  if (asks_about_call(m.program_.syntax, static_cast<StatementId>(&asks - m.program_.syntax.statements.data())))
+    words.begin_call();
+  for (const ModeWord& word : m.program_.syntax.words_of(asks)) {
+    Word read{word.letter, word.known, word.value, word.from, word.to};
     if (word.computed != kNoExpr) {
       const Evaluation e = m.evaluator_.evaluate(word.computed, state.parameters);
       const Range range = m.values_.range(e.value);
@@ -35,20 +38,19 @@ bool AbstractMachine::Step::computed_words(WordLine& words) {
   return true;
 }
 
-/// Whether the values of this line can be computed: if not, that is what it stops with.
-bool AbstractMachine::Step::line_computes() const {
+/// What the values of this line, which are behind the question, stop with, if they do.
+Evaluation AbstractMachine::Step::line_computes() const {
   const StatementId next = here + 1;
-  if (next >= m.program_.size()) return true;
+  if (next >= m.program_.size()) return {};
   const Statement& line = m.program_.at(next);
-  if (line.offset != s.offset || !line.has_items()) return true;
+  if (!on_one_line(line, s) || !line.has_items()) return {};
   Parameters after = state.parameters;
-  const Evaluation e = m.evaluator_.assign(line, after, nullptr);
-  return e.fails == StopKind::kNone;
+  return m.evaluator_.assign(line, after, nullptr);
 }
 
 /// Reports what the words stop with. False if no run goes on.
 bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
-  if (!faults.empty() && !line_computes()) return true;
+  if (!faults.empty() && line_computes().fails != StopKind::kNone) return true;
   for (const ModeFault& found : faults) {
     const Fault& fault = found.fault;
     if (!fault.certain && !found.believed) continue;
@@ -61,16 +63,34 @@ bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
   return true;
 }
 
+/// A line of words. Of one with M98 this is asked when its values are known: see refuses_words().
 void AbstractMachine::Step::modes() {
-  if (context.contour) return next_line();
+  if (context.contour || asks_about_call(m.program_.syntax, here)) return next_line();
   WordLine words(m.machine_words_.words);
-  if (!computed_words(words)) return;
+  if (!read_words(s, words)) return;
+  const ModeRun run(m.machine_words_.words, words);
   ModeState after = m.modes_.state(state.parameters);
   std::vector<ModeFault> faults;
-  ModeRun(m.machine_words_.words, words).run(&after, &faults);
+  run.check(&after, &faults);
+  if (!take_faults(faults)) return;
+  // Then the line sets its parameters: a name that it may not set comes first.
+  if (line_computes().read_only != kNoName) return next_line();
+  faults.clear();
+  run.act(&after, &faults);
   if (!take_faults(faults)) return;
   m.modes_.set(state.parameters, after);
   next_line();
+}
+
+/// Whether the words of a line that calls stop every run. Nothing of them is carried out.
+bool AbstractMachine::Step::refuses_words(const Statement& asks) {
+  if (context.contour) return false;
+  WordLine words(m.machine_words_.words);
+  if (!read_words(asks, words)) return true;
+  ModeState after = m.modes_.state(state.parameters);
+  std::vector<ModeFault> faults;
+  ModeRun(m.machine_words_.words, words).check(&after, &faults);
+  return !take_faults(faults);
 }
 
 /// A call ends: what M73 has saved in it is restored. False if no run comes back.

@@ -5,9 +5,9 @@
 #include <map>
 #include <vector>
 
+#include "analyzer/flow/engine/mode_setters.h"
 #include "analyzer/flow/interpreter/mode_watch.h"
 #include "analyzer/flow/verdicts/hazards.h"
-#include "analyzer/flow/engine/mode_setters.h"
 
 namespace owlint::flow {
 
