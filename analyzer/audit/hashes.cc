@@ -23,6 +23,7 @@ std::string machine_text(const MachineSetup& setup) {
   for (const SearchFolder& folder : setup.search_path->folders()) text += "\n" + file_key(folder.path);
   // What is complained of may hang on whether a folder is there.
   for (const IniFolder& folder : setup.folders) text += folder.exists ? '+' : '-';
+  if (setup.tools) text += fmt::format("\n{}\n{}", setup.tools_source->path(), hash_of(setup.tools_source->bytes()));
   return text;
 }
 

@@ -14,6 +14,8 @@ int check_command(const CommandLine& line);
 int graph_command(const CommandLine& line, const std::string& format);
 /// Prints what the flow analysis does. `states`: kept apart at a line; 0: as usual.
 int debug_flow_command(const CommandLine& line, size_t states);
+/// Prints which modes are in effect before the line `at`; 0: what each line changes. `format`: text or json.
+int modes_command(const CommandLine& line, uint32_t at, const std::string& format);
 int lsp_command();
 /// `check`: change nothing, exit with 1 if something would change; `diff`: print the changes instead of making them.
 int format_command(const CommandLine& line, bool check, bool diff);

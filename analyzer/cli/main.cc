@@ -51,6 +51,7 @@ int run_command(const CLI::App& app, const Said& said) {
   if (app.got_subcommand("check")) return check_command(said.check);
   if (app.got_subcommand("audit")) return run_audit(*app.get_subcommand("audit"), said.audit);
   if (app.got_subcommand("graph")) return graph_command(said.graph, said.graph_format);
+  if (app.got_subcommand("modes")) return modes_command(said.modes, said.modes_line, said.modes_format);
   if (app.got_subcommand("debug-flow")) return debug_flow_command(said.debugged, said.debugged_states);
   if (app.got_subcommand("fmt")) return format_command(said.format, said.format_check, said.format_diff);
   if (app.got_subcommand("lsp")) return lsp_command();
@@ -67,7 +68,11 @@ int run_command(const CLI::App& app, const Said& said) {
 }
 
 int run(std::vector<std::string> arguments) {
-  CLI::App app{"owlint finds mistakes in LinuxCNC programs that stop the machine, before it moves.", "owlint"};
+  CLI::App app{
+      "owlint finds mistakes in LinuxCNC programs that stop the machine, before it moves. It checks O-words, "
+      "parameters "
+      "and the words of every line; it does not follow positions.",
+      "owlint"};
   app.set_version_flag("--version", version_text(), "show the version, and how this owlint was built");
   Said said;
   add_commands(app, said);

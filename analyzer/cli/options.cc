@@ -225,6 +225,19 @@ void add_graph(CLI::App& app, Said& said) {
   add_configuration_options(graph, said.graph, "Options");
 }
 
+void add_modes(CLI::App& app, Said& said) {
+  CLI::App& modes = *app.add_subcommand(
+      "modes", "show which modes (G90, G21, feed, spindle ...) are in effect before a line, and where they were set");
+  said.modes.paths.resize(1);
+  modes.add_option("FILE", said.modes.paths[0], "the program")->required();
+  modes.add_option("LINE", said.modes_line, "the line, from 1 (default: what every line changes)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("");
+  add_format(modes, said.modes_format, {"text", "json"}, "the form of the list");
+  add_machine_options(modes, said.modes, "Options");
+  add_configuration_options(modes, said.modes, "Options");
+}
+
 /// For those who work on the analysis: not shown.
 void add_debug_flow(CLI::App& app, Said& said) {
   CLI::App& debug = *app.add_subcommand(
@@ -271,6 +284,7 @@ void add_commands(CLI::App& app, Said& said) {
   add_check(app, said.check);
   add_audit(app, said.audit);
   add_graph(app, said);
+  add_modes(app, said);
   add_fmt(app, said);
   CLI::App& lsp = *app.add_subcommand("lsp", "run a language server for editors, on standard input and output");
   lsp.add_flag_function(

@@ -68,6 +68,7 @@ struct Finding {
   std::string interpreter;  ///< the message that LinuxCNC prints; may be empty
   Reach reach = Reach::kMaybe;
   bool stops = false;       ///< the interpreter stops here with this error on some path
+  bool further = false;     ///< another mistake of the line stops it first, then this one
   bool unproven = false;    ///< it may not happen on the real machine: never more than a warning
   bool uncertain = false;   ///< unproven, and it depends on what only the program's author knows: info
   bool never_ends = false;  ///< it hangs or crashes here on some path

@@ -27,7 +27,7 @@ Severity decide_severity(const Finding& finding, Severity level, bool abort_list
   Severity severity = level;
   if (abort_list && policy.warn_only && !finding.stops) {
     severity = Severity::kWarning;
-  } else if (finding.stops || finding.never_ends || finding.runs_other) {
+  } else if (finding.stops || finding.further || finding.never_ends || finding.runs_other) {
     severity = !finding.unproven ? Severity::kError : finding.uncertain ? Severity::kInfo : Severity::kWarning;
   } else if (level == Severity::kError) {
     severity = Severity::kWarning;  // the mistake is there, but no run meets it

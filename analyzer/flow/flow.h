@@ -27,7 +27,7 @@ struct Decision {
   const Program* program = nullptr;  ///< where, if in another file
 };
 
-/// The words of a kModes that it stops at.
+/// The words of a kModeLine that it stops at.
 struct FaultyWords {
   uint8_t word = kNoWord;   ///< index of the one that it is about; kNoWord: a motion that an earlier line has set
   uint8_t other = kNoWord;  ///< another one concerned, or kNoWord
@@ -41,18 +41,20 @@ struct FlowStop {
   Reach reach = Reach::kMaybe;
   bool unproven =
       false;  ///< depends on something that owlint cannot know: files elsewhere, how deep a recursion with an exit goes
-  StatementId end_of = kNoStatement;  ///< for ends of file: that end
-  StatementId other = kNoStatement;   ///< the line that the message names (first definition, opener)
-  StatementId call = kNoStatement;    ///< the call in which it happens, if in a sub
-  Elsewhere other_elsewhere;          ///< instead of `other`, in another file
-  Elsewhere call_elsewhere;           ///< instead of `call`, in another file
-  const Program* file = nullptr;      ///< the file that was called and lacks the sub
-  std::string interpreter;            ///< the interpreter's message
-  std::string detail;                 ///< a name that the message is about
-  FaultyWords words;                  ///< if `statement` is a kModes
-  const Program* set_in = nullptr;    ///< the file in which one of the deciding modes was set last on the way here, if one was
-  uint32_t set_line = 0;              ///< the line of that
-  std::vector<Decision> path;         ///< the conditions that lead here; empty if every run stops here
+  StatementId end_of = kNoStatement;   ///< for ends of file: that end
+  StatementId other = kNoStatement;    ///< the line that the message names (first definition, opener)
+  StatementId call = kNoStatement;     ///< the call in which it happens, if in a sub
+  Elsewhere other_elsewhere;           ///< instead of `other`, in another file
+  Elsewhere call_elsewhere;            ///< instead of `call`, in another file
+  const Program* file = nullptr;       ///< the file that was called and lacks the sub
+  const LineError* further = nullptr;  ///< of what the rules add: a mistake behind the one with which the line stops
+  std::string interpreter;             ///< the interpreter's message
+  std::string detail;                  ///< a name that the message is about
+  FaultyWords words;                   ///< if `statement` is a kModeLine
+  const Program* set_in =
+      nullptr;                 ///< the file in which one of the deciding modes was set last on the way here, if one was
+  uint32_t set_line = 0;       ///< the line of that
+  std::vector<Decision> path;  ///< the conditions that lead here; empty if every run stops here
 };
 
 /// Something that runs, but not as written.
@@ -72,10 +74,14 @@ enum class HazardKind : uint8_t {
   kValueCleared,
   kRepeatCount,
   kEndsInSub,
-  kOtherHelper,  ///< a call runs `other`, a sub of another file, and not the one of its own file
-  kSubInCall,    ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
-  kRunsIntoSub,  ///< the main program runs on into a Fanuc sub at `statement`, to the M99 at `other`
-  kForeignEnd,   ///< an `endsub` with another sub's label ends a call
+  kOtherHelper,        ///< a call runs `other`, a sub of another file, and not the one of its own file
+  kSubInCall,          ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
+  kRunsIntoSub,        ///< the main program runs on into a Fanuc sub at `statement`, to the M99 at `other`
+  kForeignEnd,         ///< an `endsub` with another sub's label ends a call
+  kModeLeak,           ///< a call comes back in another mode, and its caller moves in it
+  kModeDependsOnPath,  ///< a move in one mode or another, by the way to it
+  kModeAssumed,        ///< a move in a mode that the program has not set
+  kModeInactive,       ///< a mode is set, and set again before anything depends on it
 };
 
 struct Hazard {
@@ -88,8 +94,15 @@ struct Hazard {
   std::string interpreter;
   Elsewhere other_elsewhere;  ///< instead of `other`, in another file
   std::string detail;         ///< the number of passes that a `repeat` is given
-  bool not_always = false;    ///< other runs execute these lines without a problem
-  bool unproven = false;      ///< seen only where paths were joined: it may be that no run does it
+  // Of the last kinds:
+  Mode mode{};
+  uint8_t from = 0, to = 0;         ///< values of the mode
+  const Program* set_in = nullptr;  ///< where it is set
+  uint32_t set_line = 0;
+  const Program* needed_in = nullptr;  ///< the move, or the second setting
+  uint32_t needed_line = 0;
+  bool not_always = false;  ///< other runs execute these lines without a problem
+  bool unproven = false;    ///< seen only where paths were joined: it may be that no run does it
 };
 
 struct FlowStatistics {

@@ -1,10 +1,11 @@
 // Completion: keywords that fit after a label, the end of the innermost open block, subs that can be called, a number
-// that nobody uses.
+// that nobody uses. On other lines: codes, in code_completion.cc.
 #include <algorithm>
 
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/keywords.h"
 #include "analyzer/lsp/places.h"
+#include "analyzer/lsp/word_help.h"
 
 namespace owlint::lsp {
 namespace {
@@ -70,7 +71,7 @@ class Completion {
       line_start(at);
       return std::move(out_);
     }
-    if ((before_[at] | 0x20) != 'o') return std::move(out_);
+    if ((before_[at] | 0x20) != 'o') return code_completion(document_, workspace_.profile_of(document_), offset_);
     const size_t label = at++;
     while (at < before_.size() && is_blank(before_[at])) ++at;
     if (at < before_.size() && before_[at] == '<') {

@@ -1,9 +1,11 @@
-// Hover: what the word does, what is known of its label, what the sub says of itself.
+// Hover: what an O-word or another word does, what is known of its label, what the sub says of itself.
 #include <fmt/format.h>
 
 #include "analyzer/lsp/features.h"
 #include "analyzer/lsp/keywords.h"
+#include "analyzer/lsp/mode_help.h"
 #include "analyzer/lsp/places.h"
+#include "analyzer/lsp/word_help.h"
 #include "analyzer/report/summary.h"
 
 namespace owlint::lsp {
@@ -52,6 +54,10 @@ std::string about_parameter(const Document& document, uint64_t offset, const std
                      global ? "in this file" : "in this sub");
 }
 
+Json hover_of(const Document& document, const std::string& text, Span span) {
+  return {{"contents", {{"kind", "markdown"}, {"value", text}}}, {"range", document.range(span)}};
+}
+
 }  // namespace
 
 Json hover(Workspace& workspace, const Json& params) {
@@ -64,18 +70,24 @@ Json hover(Workspace& workspace, const Json& params) {
     span = target->span;
   } else {
     const StatementId id = document.statement_at(offset);
-    if (id == kNoStatement) return nullptr;
+    const bool runs_sub =
+        id != kNoStatement && (document.program().at(id).kind == LineKind::kOWord || document.program().at(id).calls());
+    if (runs_sub) span = document.program().at(id).head_span();
+    if (!runs_sub || offset < span.begin || offset > span.end) {
+      const auto word = word_help(document, workspace.profile_of(document), offset);
+      if (!word) return nullptr;
+      const auto line = static_cast<uint32_t>(document.lines().line_of(offset)) + 1;
+      const std::string modes = modes_before(workspace, document, line);
+      return hover_of(document, modes.empty() ? word->text : word->text + "\n\n" + modes, word->span);
+    }
     const Statement& s = document.program().at(id);
-    if (s.kind != LineKind::kOWord && !s.calls()) return nullptr;
-    span = s.head_span();
-    if (offset < span.begin || offset > span.end) return nullptr;
     text = s.kind == LineKind::kM98    ? "**M98** calls a Fanuc-style sub by its number."
         : s.kind == LineKind::kContour ? "**Q** is the number of the sub whose moves are the contour."
                                        : fmt::format("**{}** {}.", document.program().head(id), meaning(s.keyword));
     if (target && target->kind == Target::Kind::kSub) text += "\n\n" + about_sub(workspace, document, target->name);
     if (target && target->kind == Target::Kind::kBlock) text += "\n\n" + about_block(document, target->block);
   }
-  return {{"contents", {{"kind", "markdown"}, {"value", text}}}, {"range", document.range(span)}};
+  return hover_of(document, text, span);
 }
 
 }  // namespace owlint::lsp

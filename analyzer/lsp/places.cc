@@ -12,14 +12,13 @@ bool is_sub_word(const Statement& s) { return s.calls() || (s.kind == LineKind::
 
 std::string file_stem(const std::string& path) { return small_letters(stem_of(path)); }
 
-/// The line that holds an offset, as LinuxCNC ends lines.
+}  // namespace
+
 Span fed_line(std::string_view text, uint64_t offset) {
   const size_t before = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
   const size_t begin = before == std::string_view::npos ? 0 : before + 1;
   return {begin, std::min(text.find('\n', begin), text.size())};
 }
-
-}  // namespace
 
 StatementId definition_in(const Document& document, const std::string& name) {
   const Program& p = document.program();

@@ -32,6 +32,9 @@ struct Sub {
   bool own_file = false;  ///< the file has its name, so that others call it
 };
 
+/// The line that holds an offset, as LinuxCNC ends lines.
+Span fed_line(std::string_view text, uint64_t offset);
+
 /// What is at a position.
 struct Target {
   enum class Kind : uint8_t { kBlock, kSub, kParameter } kind;

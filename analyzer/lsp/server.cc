@@ -74,7 +74,8 @@ Json capabilities(Encoding encoding) {
       {"foldingRangeProvider", true},
       {"selectionRangeProvider", true},
       {"callHierarchyProvider", true},
-      {"completionProvider", {{"triggerCharacters", {"o", "O", "<", " "}}, {"resolveProvider", false}}},
+      {"completionProvider",
+       {{"triggerCharacters", {"o", "O", "<", " ", "g", "G", "m", "M", "."}}, {"resolveProvider", false}}},
       {"hoverProvider", true},
       {"signatureHelpProvider", {{"triggerCharacters", {"["}}, {"retriggerCharacters", {"]"}}}},
       {"inlayHintProvider", {{"resolveProvider", false}}},
@@ -289,7 +290,7 @@ void Server::watch_files() {
   if (!watches_) return;
   Json watchers = Json::array();
   for (const char* glob :
-       {"**/*.{ngc,nc,tap,cnc,gcode,NGC,NC,TAP,CNC,GCODE}", "**/*.{ini,INI}", "**/{owlint,.owlint}.toml"})
+       {"**/*.{ngc,nc,tap,cnc,gcode,NGC,NC,TAP,CNC,GCODE}", "**/*.{ini,INI,tbl,TBL}", "**/{owlint,.owlint}.toml"})
     watchers.push_back({{"globPattern", glob}});
   ask("client/registerCapability",
       {{"registrations",

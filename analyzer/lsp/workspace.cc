@@ -340,10 +340,14 @@ const Checked* Workspace::checked(const std::string& uri) const {
 
 Checked Workspace::check_alone(const std::string& path) { return run({path})[path]; }
 
-std::shared_ptr<const SearchPath> Workspace::search_path(const Document& from) {
+Profile Workspace::profile_of(const Document& document) {
   checking::Settings settings;
-  settings_for(from.path(), &settings);  // where that fails, with the defaults
-  return library_->search_path(from.path(), settings.profile);
+  settings_for(document.path(), &settings);
+  return settings.profile;
+}
+
+std::shared_ptr<const SearchPath> Workspace::search_path(const Document& from) {
+  return library_->search_path(from.path(), profile_of(from));
 }
 
 std::string Workspace::called_file(const Document& from, const std::string& name) {

@@ -69,6 +69,8 @@ class Workspace {
   /// The machines that programs of the workspace may run on: the one that `from` is checked for, and those whose INIs are
   /// in the workspace or on the search path.
   std::vector<std::shared_ptr<const MachineSetup>> machines(const Document& from);
+  /// The machine and version that a document is checked for; the defaults where its settings are wrong.
+  Profile profile_of(const Document& document);
   bool renames_files = true;  ///< the client does, when an edit wants it
 
   /// Checks a document and, with it, the open ones that call it or that it calls. Returns the uris of all that were

@@ -17,17 +17,16 @@ constexpr std::array<std::string_view, 10> kOfPrologs{"current_pocket",  "feed",
 bool of_prolog(std::string_view name) { return std::ranges::find(kOfPrologs, name) != kOfPrologs.end(); }
 bool is_letter(std::string_view name) { return name.size() == 1 && name[0] >= 'a' && name[0] <= 'z'; }
 
-/// The value of `key=` in a REMAP line; nothing where it is not there.
-std::string option(std::string_view remap, std::string_view key) {
-  for (size_t at = remap.find(key); at != std::string_view::npos; at = remap.find(key, at + 1)) {
+}  // namespace
+
+std::string_view remap_option(std::string_view remap, std::string_view option) {
+  for (size_t at = remap.find(option); at != std::string_view::npos; at = remap.find(option, at + 1)) {
     if (at > 0 && remap[at - 1] != ' ' && remap[at - 1] != '\t') continue;
-    const std::string_view value = remap.substr(at + key.size());
-    return small_letters(value.substr(0, value.find_first_of(" \t")));
+    const std::string_view value = remap.substr(at + option.size());
+    return value.substr(0, value.find_first_of(" \t"));
   }
   return {};
 }
-
-}  // namespace
 
 bool remap_gives(std::string_view name, std::string_view sub, const Profile& profile) {
   const MachineSetup* setup = profile.setup.get();
@@ -35,10 +34,10 @@ bool remap_gives(std::string_view name, std::string_view sub, const Profile& pro
   if (setup == nullptr) return is_letter(name) || of_prolog(name);
   bool remapped = false;
   const bool by_line = std::ranges::any_of(setup->ini.all("RS274NGC", "REMAP"), [&](const Ini::Entry* remap) {
-    if (option(remap->value, "ngc=") != sub) return false;
+    if (small_letters(remap_option(remap->value, "ngc=")) != sub) return false;
     remapped = true;
-    if (!option(remap->value, "prolog=").empty()) return true;  // nobody knows what Python sets
-    const std::string words = option(remap->value, "argspec=");
+    if (!remap_option(remap->value, "prolog=").empty()) return true;  // nobody knows what Python sets
+    const std::string words = small_letters(remap_option(remap->value, "argspec="));
     return is_letter(name) && words.find('@') == std::string::npos && words.find(name) != std::string::npos;
   });
   // A file for a remap that this INI does not have, such as one for changing tools by hand.

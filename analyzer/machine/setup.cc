@@ -16,14 +16,19 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Switches are compared as integers (measured): `yes`, `true` and 2 switch nothing on, `no` and `false` nothing off.
-bool is_number(const Ini::Entry* entry, int wanted) {
-  if (entry == nullptr) return false;
-  const std::string& text = entry->value;
-  int number = 0;
+/// Measured: the whole value is one decimal number, or there is none.
+std::optional<int32_t> integer_of(const Ini::Entry* entry) {
+  if (entry == nullptr) return std::nullopt;
+  std::string_view text = entry->value;
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  int32_t number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return problem == std::errc{} && end == text.data() + text.size() && number == wanted;
+  if (problem != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return number;
 }
+
+/// Switches are compared as integers (measured): `yes`, `true` and 2 switch nothing on, `no` and `false` nothing off.
+bool is_number(const Ini::Entry* entry, int wanted) { return integer_of(entry) == wanted; }
 
 class Reader {
  public:
@@ -47,12 +52,18 @@ class Reader {
     m_.no_fanuc = is_number(rs274("DISABLE_FANUC_STYLE_SUB"), 1);
     m_.has_remaps = !m_.ini.all("RS274NGC", "REMAP").empty();
     m_.has_python = m_.ini.has_section("PYTHON");
+    m_.spindles = integer_of(m_.ini.find("TRAJ", "SPINDLES")).value_or(1);
+    m_.change_keeps_spindle = is_on("TOOL_CHANGE_WITH_SPINDLE_ON");
     read_folders();
     read_user_codes();
     read_calls();
+    read_tools();
   }
 
  private:
+  /// Measured: in this section 2 is on as well.
+  bool is_on(std::string_view emcio_key) const { return integer_of(m_.ini.find("EMCIO", emcio_key)).value_or(0) != 0; }
+
   /// LinuxCNC works in the INI's folder.
   std::string seen_from_ini(const std::string& path) const { return joined_path(folder_, expand_home(path)); }
 
@@ -161,6 +172,18 @@ class Reader {
     add_code("RS274NGC", "RS274NGC_STARTUP_CODE");
     add_code("RS274NGC", "ON_ABORT_COMMAND");
     add_code("HALUI", "MDI_COMMAND");
+  }
+
+  /// Measured: the path begins in the INI's folder, `~` is a folder of that name, and without the key it is `tool.tbl`.
+  void read_tools() {
+    if (m_.ini.find("EMCIO", "DB_PROGRAM") != nullptr) return;
+    const Ini::Entry* table = m_.ini.find("EMCIO", "TOOL_TABLE");
+    const std::string path = joined_path(folder_, table == nullptr ? "tool.tbl" : table->value);
+    std::string error;
+    m_.tools_source = files_.read(path, &error);
+    if (m_.tools_source == nullptr) return;
+    const bool random = is_on("RANDOM_TOOLCHANGER");
+    m_.tools = read_tool_table(m_.tools_source->bytes(), random ? ToolChanger::kRandom : ToolChanger::kFixed);
   }
 
   const Files& files_;

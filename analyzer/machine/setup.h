@@ -1,5 +1,5 @@
-// A machine as its INI describes it: the settings that change what O-words do, where called files are looked for, and
-// which subs are called from outside any program. Measured with `rs274 -i` (see docs/interpreter.md).
+// A machine as its INI describes it: the settings that change what programs do, where called files are looked for, its
+// tools, and which subs are called from outside any program. Measured with `rs274 -i` (see docs/interpreter.md).
 #pragma once
 
 #include <bitset>
@@ -11,6 +11,7 @@
 
 #include "analyzer/machine/ini.h"
 #include "analyzer/machine/search_path.h"
+#include "analyzer/machine/tool_table.h"
 
 namespace owlint {
 
@@ -54,11 +55,15 @@ struct MachineSetup {
   bool no_fanuc = false;           ///< DISABLE_FANUC_STYLE_SUB
   bool has_remaps = false;         ///< codes on motion lines may run subs
   bool has_python = false;         ///< a called sub may be a Python function
+  int32_t spindles = 1;            ///< [TRAJ]SPINDLES, as the interpreter has it: any number
+  bool change_keeps_spindle = false;  ///< TOOL_CHANGE_WITH_SPINDLE_ON: M6 does not stop it
   std::vector<IniFolder> folders;  ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
   std::bitset<100> user_codes;     ///< from M100 on: those whose file is there and may be executed
   bool user_folders_known = true;  ///< all folders in which such files are looked for are here
   std::vector<IniCall> calls;      ///< subs that the machine calls, without a program
   std::shared_ptr<const SearchPath> search_path;
+  std::optional<ToolTable> tools;  ///< none if there is no file of them, or if a program keeps them: DB_PROGRAM
+  std::shared_ptr<const Source> tools_source;  ///< the file of `tools`
   Ini ini;
 };
 

@@ -54,7 +54,7 @@ class Joiner {
     switch (s.kind) {
       case LineKind::kUserCode: return 0;
       case LineKind::kMachineCheck: return error0_;
-      case LineKind::kModes: return word0_;
+      case LineKind::kModeLine: return word0_;
       default: return s.has_items() ? item0_ : value0_;
     }
   }
@@ -78,6 +78,10 @@ class Joiner {
     for (ModeWord word : in.mode_words) {
       word.computed = expr(word.computed);
       out.mode_words.push_back(word);
+    }
+    for (ModeNeed need : in.mode_needs) {
+      need.after += statement0_;
+      out.mode_needs.push_back(need);
     }
     for (ModeChange change : in.mode_changes) {
       change.after += statement0_;
@@ -211,6 +215,7 @@ void Linked::join() {
   joined->syntax.percent = main.syntax.percent;
   joined->syntax.blank = main.syntax.blank;
   joined->syntax.first_changes = main.syntax.first_changes;
+  joined->syntax.first_needs = main.syntax.first_needs;
   joined->sub_file = main.sub_file;
   joined->entry = main.entry == kNoName ? kNoName : joined->syntax.names.find(main.name(main.entry));
   index_labels(*joined);

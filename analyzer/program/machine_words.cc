@@ -1,7 +1,9 @@
 #include "analyzer/program/machine_words.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
+#include <functional>
 
 #include "analyzer/machine/setup.h"
 #include "analyzer/syntax/line_parser.h"
@@ -28,22 +30,36 @@ bool keeps_its_meaning(int code) {
   return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199) || code >= 1000;
 }
 
-/// `REMAP=M400 modalgroup=10 …`: nothing for T, S and F, which are words of every line.
-void add_remap(std::string_view line, std::vector<RemappedCode>& out) {
-  const std::string text = small_letters(line);
-  if (text.empty() || (text[0] != 'm' && text[0] != 'g')) return;
+}  // namespace
+
+std::optional<RemappedCode> remapped_code(std::string_view remap) {
+  const std::string text = small_letters(remap);
+  if (text.empty() || (text[0] != 'm' && text[0] != 'g')) return std::nullopt;
   double number = 0;
   const auto [end, problem] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
-  if (problem != std::errc{} || number < 0 || number >= 1000) return;
+  if (problem != std::errc{} || number < 0 || number >= 1000) return std::nullopt;
   int group = 10;
   if (const size_t at = text.find("modalgroup="); at != std::string::npos)
     std::from_chars(text.data() + at + 11, text.data() + text.size(), group);
   if (text[0] == 'g') {
     int32_t tenths = 0;
-    if (g_tenths(number, &tenths) && tenths < 1000) out.push_back({'g', static_cast<int16_t>(tenths), MGroup::kUser});
-  } else if (!keeps_its_meaning(static_cast<int>(number)) && group >= 4 && group <= 10) {
-    out.push_back({'m', static_cast<int16_t>(number), static_cast<MGroup>(group)});
+    if (!g_tenths(number, &tenths) || tenths >= 1000) return std::nullopt;
+    return RemappedCode{'g', static_cast<int16_t>(tenths), MGroup::kUser};
   }
+  if (keeps_its_meaning(static_cast<int>(number)) || group < 4 || group > 10) return std::nullopt;
+  return RemappedCode{'m', static_cast<int16_t>(number), static_cast<MGroup>(group)};
+}
+
+namespace {
+
+/// A table may have a thousand tools, and every file that is read keeps its key: so there is a hash of them in it.
+size_t hash_of(const std::vector<Tool>& tools) {
+  std::string text;
+  for (const Tool& tool : tools) {
+    text += std::to_string(tool.number) + ' ' + std::to_string(std::bit_cast<uint64_t>(tool.diameter)) + ' ' +
+        std::to_string(tool.orientation) + (tool.has_offset ? "+" : "-");
+  }
+  return std::hash<std::string>()(text);
 }
 
 }  // namespace
@@ -55,8 +71,16 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) {
   words.unsure = profile.setup == nullptr;
   if (words.unsure) return;
   words.axes = axes_of(*profile.setup);
-  for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) add_remap(remap->value, remapped);
+  for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) {
+    if (const auto code = remapped_code(remap->value)) remapped.push_back(*code);
+  }
   words.remapped = remapped;
+  words.spindles = profile.setup->spindles;
+  words.change_keeps_spindle = profile.setup->change_keeps_spindle;
+  if (!profile.setup->tools) return;
+  for (const ToolRow& row : profile.setup->tools->rows)
+    tools.push_back({row.number, row.diameter, row.orientation, row.has_offset});
+  words.tools = tools;
 }
 
 ModeState modes_at_start(const Profile& profile, const MachineWords& machine) {
@@ -84,6 +108,8 @@ std::string WordsOfMachine::key() const {
     key += code.letter;
     key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group));
   }
+  key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "");
+  if (words.tools) key += " T" + std::to_string(tools.size()) + ':' + std::to_string(hash_of(tools));
   return key;
 }
 

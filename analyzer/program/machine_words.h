@@ -1,8 +1,10 @@
 // Which codes and axes the words of a program have on its machine: the table of codes, and what the INI adds to it and takes
-// away.
+// away. And what else of the machine decides whether a line runs: spindles and tools.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analyzer/machine/profile.h"
@@ -14,6 +16,10 @@ namespace owlint {
 /// The release whose table of codes holds for a profile. Up to 2.9 that of the interpreter with which all is measured.
 Release release_of(const Profile& profile);
 
+/// The code that a REMAP line of an INI (`M400 modalgroup=10 …`) is for. Nothing for T, S and F, which are words of every line,
+/// and for M codes that stay what they are.
+std::optional<RemappedCode> remapped_code(std::string_view remap);
+
 struct WordsOfMachine {
   explicit WordsOfMachine(const Profile& profile);
   WordsOfMachine(const WordsOfMachine&) = delete;
@@ -23,7 +29,8 @@ struct WordsOfMachine {
   std::string key() const;
 
   std::vector<RemappedCode> remapped;
-  MachineWords words;  ///< refers to `remapped`
+  std::vector<Tool> tools;
+  MachineWords words;  ///< refers to `remapped` and `tools`
 };
 
 /// The modes in which a program begins on a machine that was just started: its start-up code has run.

@@ -148,8 +148,10 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
   out->syntax = program->syntax;
   auto& statements = out->syntax.statements;
   auto& changes = out->syntax.mode_changes;
+  auto& needs = out->syntax.mode_needs;
   statements.clear();
   changes.clear();
+  needs.clear();
   for (StatementId id = 0; id < program->size(); ++id) {
     const Statement& s = program->at(id);
     const LineError* error = program->syntax.error(s);
@@ -159,6 +161,10 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
       for (ModeChange change : program->syntax.changes_after(id)) {
         change.after = static_cast<StatementId>(statements.size() - 1);
         changes.push_back(change);
+      }
+      for (ModeNeed need : program->syntax.needs_after(id)) {
+        need.after = static_cast<StatementId>(statements.size() - 1);
+        needs.push_back(need);
       }
       continue;
     }

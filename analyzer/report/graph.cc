@@ -254,7 +254,8 @@ Json graph_of(const Linked& linked, size_t file) {
                                {"sub", region.name == kNoName ? Json(nullptr) : Json(printable(p.name(region.name)))},
                                {"line", line_of(region.opener)},
                                {"end", line_of(region.end)},
-                               {"summary", summary_json(p, data.of(r))}});
+                               {"summary", summary_json(p, data.of(r))},
+                               {"modes", modes_json(p, r)}});
   }
   graph["blocks"] = Json::array();
   for (BlockId b = 0; b < p.blocks.size(); ++b) {

@@ -62,4 +62,13 @@ Json summary_json(const Program& program, const flow::Summary& summary) {
           {"returns", kReturns[static_cast<size_t>(summary.returns)]}};
 }
 
+nlohmann::ordered_json modes_json(const Program& program, RegionId region) {
+  const flow::ModeSummary modes = flow::summary_of_modes(program, region);
+  Json out{{"needs", Json::object()}, {"changes", Json::array()}, {"leaves", Json::object()}};
+  for (const auto& [mode, line] : modes.needs) out["needs"][std::string(mode_name(mode))] = line;
+  for (const Mode mode : modes.changes) out["changes"].push_back(mode_name(mode));
+  for (const auto& [mode, value] : modes.leaves) out["leaves"][std::string(mode_name(mode))] = value_name(mode, value);
+  return out;
+}
+
 }  // namespace owlint

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analyzer/flow/summaries/data_flow.h"
+#include "analyzer/flow/summaries/mode_summary.h"
 
 namespace owlint {
 
@@ -13,5 +14,7 @@ namespace owlint {
 std::string summary_text(const Program& program, const flow::Summary& summary);
 /// Null if nothing is known.
 nlohmann::ordered_json summary_json(const Program& program, const flow::Summary& summary);
+/// What the own lines of a sub need of the modes, which ones they change, and which values they leave.
+nlohmann::ordered_json modes_json(const Program& program, RegionId region);
 
 }  // namespace owlint

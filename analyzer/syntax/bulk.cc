@@ -124,6 +124,8 @@ class PlainLine {
     effect->speed |= (words_ & kSpeed) != 0;
     effect->moves |= (words_ & kAxisWords) != 0;
     effect->straight |= proven->code == 0 || proven->code == 1;
+    effect->feeds |= proven->code > 0;
+    effect->arcs |= proven->code > 1;
   }
 
   void skip_blanks() {
@@ -154,10 +156,14 @@ class PlainLine {
       skip_digits();
       digits += static_cast<size_t>(at_ - point - 1);
     }
-    return digits > 0 && ((letter & (kFeed | kSpeed)) == 0 || !is_zero({from, static_cast<size_t>(at_ - from)}));
+    return digits > 0 && ((letter & (kFeed | kSpeed)) == 0 || !is_small({from, static_cast<size_t>(at_ - from)}));
   }
 
-  static bool is_zero(std::string_view number) { return number.find_first_not_of("0.") == std::string_view::npos; }
+  /// Perhaps 0, or rounded to 0 where it is restored.
+  static bool is_small(std::string_view number) {
+    const size_t first = number.find_first_not_of('0');
+    return first == std::string_view::npos || number[first] == '.';
+  }
 
   /// Blanks behind a word; not inside it, where they would vanish.
   bool word_ends() {

@@ -31,6 +31,8 @@ struct PlainEffect {
   bool feed = false;              ///< a feed that is not 0
   bool speed = false;
   bool moves = false;
+  bool feeds = false;     ///< one of them is no G0
+  bool arcs = false;      ///< one of them is a G2 or G3
   bool straight = false;  ///< one of them is a G0 or G1
 
   bool operator==(const PlainEffect&) const = default;

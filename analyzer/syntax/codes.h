@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -170,11 +171,22 @@ struct RemappedCode {
   int16_t number;  ///< of a G code in tenths
   MGroup group;    ///< of an M code, kStop to kUser; a G code is always a motion
 };
+/// What a row of the tool table says that decides whether a line runs.
+struct Tool {
+  int32_t number;
+  double diameter;
+  int32_t orientation;
+  bool has_offset;
+};
 struct MachineWords {
   Release release = Release::k2_8;
   uint32_t axes = letter_set("xyzabc");
   std::span<const RemappedCode> remapped;
   bool unsure = false;  ///< the machine is not known: it may have other axes, and codes M200 to M999 of its own
+  int32_t spindles = 1;
+  bool change_keeps_spindle = false;  ///< M6 does not stop the spindle
+  /// Without a table nothing is claimed of tools.
+  std::optional<std::span<const Tool>> tools = std::nullopt;
 };
 
 /// One of the checks that a line's words pass, the last rows of codes.def.

@@ -30,6 +30,9 @@ class ModeRun {
   const WordLine& line_;
 };
 
+/// The line computes with #5420 to #5428, which it may not do with compensation on; before ModeRun::run, and like it.
+bool read_position(ModeState* state, std::vector<ModeFault>* faults);
+
 /// A sub with M73 is left: restores what it has saved. As ModeRun::run.
 bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults);
 

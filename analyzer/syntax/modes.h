@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "analyzer/syntax/codes.h"
@@ -33,17 +34,22 @@ enum class Mode : uint8_t {
   kEntry,   ///< of compensation
   kStraightOwed,
   kNurbs,
-  kOverrides,
+  kNurbsOrder,
+  kFeedOverride,
+  kAdaptiveFeed,
+  kFeedHold,
   kCoolant,
-  kSaved,  ///< by M70 or M73, on this level of calls
+  kAxisOffsets,  ///< of G92 and G52
+  kSaved,        ///< by M70 or M73, on this level of calls
 };
 inline constexpr size_t kModes = static_cast<size_t>(Mode::kSaved) + 1;
 
 /// Names of the values.
 namespace modes {
 enum FeedMode : uint8_t { kG94, kG93, kG95 };
-enum Feed : uint8_t { kNoFeed, kFeedSet };
-enum Speed : uint8_t { kNoSpeed, kSpeedSet };
+/// Small ones are those that M72 rounds to 0.
+enum Feed : uint8_t { kNoFeed, kFeedSet, kSmallFeed };
+enum Speed : uint8_t { kNoSpeed, kSpeedSet, kSmallSpeed };
 enum Turning : uint8_t { kStopped, kClockwise, kCounterclockwise };
 enum SpindleMode : uint8_t { kG97, kG96 };
 enum Plane : uint8_t { kG17, kG18, kG19, kG17_1, kG18_1, kG19_1 };
@@ -59,9 +65,15 @@ enum Compensation : uint8_t { kG40, kG41, kG42 };
 enum Radius : uint8_t { kNoRadius, kRadiusSet };
 enum Entry : uint8_t { kToCome, kMade };
 enum StraightOwed : uint8_t { kNotOwed, kOwed };
-enum Nurbs : uint8_t { kNoPoints, kPoints };
-enum Overrides : uint8_t { kOn, kChanged };
+/// Numbers: of the control points, and of the order above the least one. The last value also stands for all above it.
+enum Nurbs : uint8_t { kNoPoints, kMostPoints = 62 };
+enum NurbsOrder : uint8_t { kOrder3, kMostOrder = 59 };
+inline constexpr uint8_t kLeastOrder = 3;
+enum FeedOverride : uint8_t { kM48, kM49 };
+enum AdaptiveFeed : uint8_t { kAdaptiveOff, kAdaptiveOn };
+enum FeedHold : uint8_t { kHoldOn, kHoldOff };
 enum Coolant : uint8_t { kNoCoolant, kMist, kFlood, kBoth };
+enum AxisOffsets : uint8_t { kNotApplied, kApplied };
 enum Saved : uint8_t { kNotSaved, kSavedByM70, kSavedByM73 };
 }  // namespace modes
 
@@ -71,13 +83,14 @@ using ValueSet = uint64_t;
 using ModeMask = uint32_t;
 constexpr ValueSet value_bit(uint8_t value) { return ValueSet{1} << value; }
 constexpr ModeMask mask_of(Mode mode) { return ModeMask{1} << static_cast<int>(mode); }
+inline constexpr ModeMask kAllModes = (mask_of(Mode::kSaved) << 1) - 1;
 
 /// All values that the mode has.
 ValueSet all_values(Mode mode);
 /// `feed mode`, as a reader understands it.
 std::string_view mode_name(Mode mode);
 /// `G93`, `stopped`.
-std::string_view value_name(Mode mode, uint8_t value);
+std::string value_name(Mode mode, uint8_t value);
 
 /// For every mode the values that may be in effect: never none. A mode that is not `open` has each of them on some run; of one
 /// that is open it is only known that it has no other.
@@ -106,5 +119,6 @@ struct ModeState {
 
 /// The least sets that hold both.
 ModeSets join(const ModeSets& a, const ModeSets& b);
+ModeState join(const ModeState& a, const ModeState& b);
 
 }  // namespace owlint

@@ -13,6 +13,14 @@ uint8_t value_of(const ModeSets& sets, Mode mode) {
   return std::has_single_bit(sets[mode]) ? static_cast<uint8_t>(std::countr_zero(sets[mode])) : ModeChange::kAny;
 }
 
+/// Whether a line probes or reads an input.
+bool asks_inputs(const WordLine& words) {
+  const GCode* const motion = words.code(GGroup::kMotion);
+  const MCode* const input = words.code(MGroup::kInputsOutputs);
+  return (motion != nullptr && motion->tenths >= code::kG38_2 && motion->tenths <= code::kG38_5) ||
+      (input != nullptr && input->number == code::kM66);
+}
+
 bool stacks_modes(const WordLine& words) {
   const MCode* const code = words.code(MGroup::kSpindle);
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
@@ -23,6 +31,12 @@ bool stacks_modes(const WordLine& words) {
 std::span<const ModeChange> Syntax::changes_after(StatementId id) const {
   const auto first = std::ranges::lower_bound(mode_changes, id, {}, &ModeChange::after);
   const auto last = std::ranges::upper_bound(mode_changes, id, {}, &ModeChange::after);
+  return {first, last};
+}
+
+std::span<const ModeNeed> Syntax::needs_after(StatementId id) const {
+  const auto first = std::ranges::lower_bound(mode_needs, id, {}, &ModeNeed::after);
+  const auto last = std::ranges::upper_bound(mode_needs, id, {}, &ModeNeed::after);
   return {first, last};
 }
 
@@ -40,6 +54,7 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
 void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
   pending_[static_cast<size_t>(mode)] = {0, line, mode, value};
   changed_ |= mask_of(mode);
+  settled_ |= mask_of(mode);
 }
 
 void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
@@ -50,7 +65,37 @@ void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
   note(mode, value, line);
 }
 
-void ModesInEffect::pass(const PlainEffect& effect, uint32_t last) {
+/// The first line since the last O-word that depends on a mode, if none before it has set the mode.
+void ModesInEffect::need(Mode mode, uint32_t line) {
+  if ((settled_ & mask_of(mode)) != 0) return;
+  settled_ |= mask_of(mode);
+  const bool first = out_.statements.empty();
+  const auto last = static_cast<StatementId>(first ? 0 : out_.statements.size() - 1);
+  (first ? out_.first_needs : out_.mode_needs).push_back({last, line, mode});
+  if (!first) out_.statements.back().needs_modes = true;
+}
+
+/// What a line means depends on some modes, whether it stops or not.
+void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
+  const MotionSet motions = words.depends_on_motion() ? state_.now[Mode::kMotion] : all_modes();
+  const Motion motion = words.motion(static_cast<Motion>(std::countr_zero(motions)));
+  if (motion == Motion::kNone || motion == Motion::kG80 || !words.has_axis_words()) return;
+  need(Mode::kUnits, line);
+  if (words.code(GGroup::kNonModal) == nullptr) {
+    need(Mode::kDistance, line);
+    need(Mode::kSystem, line);
+  }
+  if (motion == Motion::kG2 || motion == Motion::kG3) need(Mode::kPlane, line);
+  if (motion != Motion::kG0) need(Mode::kFeedMode, line);
+}
+
+void ModesInEffect::pass(const PlainEffect& effect, Lines lines) {
+  const uint32_t last = lines.last;
+  if (effect.moves) {
+    for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, lines.first);
+    if (effect.arcs) need(Mode::kPlane, lines.first);
+    if (effect.feeds) need(Mode::kFeedMode, lines.first);
+  }
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
   if (effect.speed) set(Mode::kSpeed, modes::kSpeedSet, last);
@@ -117,9 +162,11 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     if (keep && !stops) {
       flush();
       state_ = ModeState::unknown();
+      settled_ = 0;
     }
     return keep;
   }
+  if (asks_inputs(*words)) out_.input_lines.push_back(statement.line);
   ModeState after = state_;
   ModeRun(machine_, *words).run(&after, &faults_);
   if (faults_.size() == 1 && faults_.front().fault.certain) {
@@ -134,16 +181,21 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   }
   if (!asks_) {
     take(after, statement.line);
+    need_of(*words, statement.line);
     return keep;
   }
   flush();
+  for (size_t i = 0; i < kModes; ++i) {
+    if (after.now[mode_at(i)] != state_.now[mode_at(i)]) settled_ |= mask_of(mode_at(i));
+  }
+  need_of(*words, statement.line);
   state_ = after;
   return true;
 }
 
 void ModesInEffect::ask(const Statement& statement) {
   const WordLine& words = *parser_.words();
-  Statement asks = question_about(statement, LineKind::kModes, static_cast<uint32_t>(out_.mode_words.size()));
+  Statement asks = question_about(statement, LineKind::kModeLine, static_cast<uint32_t>(out_.mode_words.size()));
   asks.item_count = static_cast<uint8_t>(words.size());
   // Words that are computed have an item each, in the order of the line.
   const auto items = out_.items_of(statement);

@@ -1,6 +1,6 @@
 // Which modes are in effect, as far as the lines themselves say, while a file is read from the first line to the last. Between
 // two O-words a mode is known from the first line that sets it. What depends on one that is not known becomes a question to the
-// flow: a kModes. What lines set becomes a ModeChange.
+// flow: a kModeLine. What lines set becomes a ModeChange.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace owlint {
 
-/// A question to the flow about a line, which may have no statement itself: a kModes, kMachineCheck or kUserCode.
+/// A question to the flow about a line, which may have no statement itself: a kModeLine, kMachineCheck or kUserCode.
 Statement question_about(const Statement& line, LineKind kind, uint32_t first);
 
 class ModesInEffect {
@@ -21,8 +21,12 @@ class ModesInEffect {
   ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine)
       : out_(out), parser_(parser), machine_(machine) {}
 
-  /// Takes in plain lines; `last`: the number of the last of them.
-  void pass(const PlainEffect& effect, uint32_t last);
+  /// The numbers of the first and the last of some lines.
+  struct Lines {
+    uint32_t first, last;
+  };
+  /// Takes in plain lines.
+  void pass(const PlainEffect& effect, Lines lines);
   /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
   /// Returns whether the line is to be kept: `keep`, or because of its words.
   bool judge(Statement& statement, bool keep);
@@ -36,6 +40,8 @@ class ModesInEffect {
   void take(const ModeState& after, uint32_t line);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
+  void need(Mode mode, uint32_t line);
+  void need_of(const WordLine& words, uint32_t line);
   void flush();
   void ask(const Statement& statement);
   void blame_setter(Mode mode, LineError& error) const;
@@ -46,6 +52,7 @@ class ModesInEffect {
   ModeState state_ = ModeState::unknown();
   std::array<ModeChange, kModes> pending_{};  // by mode, where changed_ has it
   ModeMask changed_ = 0;                      // since the last statement
+  ModeMask settled_ = 0;                      // set or needed since the last O-word
   bool asks_ = false;                         // of the line that was judged
   std::vector<ModeFault> faults_;
 };

@@ -193,7 +193,7 @@ class Reader {
       seen_first_ = true;
       note_plain(before_ + found.plain_first);
       out_.last_code = before_ + found.plain_last;
-      modes_.pass(found.plain_effect, out_.last_code);
+      modes_.pass(found.plain_effect, {before_ + found.plain_first, out_.last_code});
     }
     if (found.over) {
       before_ += found.line;

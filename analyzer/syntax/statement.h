@@ -30,7 +30,7 @@ enum class LineKind : uint8_t {
   kWords,         // any other line that is kept
   kUserCode,      // no line of its own: a line has M100 to M199, whose number is `first`, and whose word is the keyword
   kMachineCheck,  // no line of its own: only some machines stop at the line, with the error
-  kModes,         // no line of its own: the words of a line, for what they need of the modes, and do to them
+  kModeLine,      // no line of its own: the words of a line, for what they need of the modes, and do to them
   kFileEnd,       // no line: where one file ends in a program joined from several
 };
 
@@ -84,6 +84,14 @@ struct ModeChange {
   uint8_t value = kAny;
 };
 
+/// The first line behind a statement, before the next one, that means something else in another mode, where the lines between
+/// have not set the mode.
+struct ModeNeed {
+  StatementId after = 0;  ///< the statement
+  uint32_t line = 0;      ///< from 1; of lines that were not read one by one the first, which may come before it
+  Mode mode{};
+};
+
 /// Kept small (48 bytes): a program of nothing but O-words is as fast as memory is.
 struct Statement {
   uint64_t offset = 0;  ///< where the line begins
@@ -93,7 +101,7 @@ struct Statement {
   NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
   ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98, the Q of G71)
   uint32_t first =
-      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kModes into Syntax::mode_words
+      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kModeLine into Syntax::mode_words
   uint32_t error = kNoError;      ///< into Syntax::errors; raised after the values before it
   uint32_t first_plain_line = 0;  ///< the first of the lines meant by plain_code_follows
 
@@ -111,6 +119,7 @@ struct Statement {
   bool repeats : 1 = false;             ///< M98 with an L, its first value
   bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
   bool changes_modes : 1 = false;       ///< lines without a statement, before the next one, change modes
+  bool needs_modes : 1 = false;         ///< or depend on them
 
   // Equal if there is no such part.
   LineByte label_from = 0, label_to = 0;      ///< with the `o`
@@ -155,7 +164,10 @@ struct Syntax {
   std::vector<LineError> errors;
   std::vector<ModeWord> mode_words;
   std::vector<ModeChange> mode_changes;   ///< in the order of statements
+  std::vector<ModeNeed> mode_needs;       ///< the same
+  std::vector<ModeNeed> first_needs;      ///< of plain lines before the first statement
   std::vector<ModeChange> first_changes;  ///< by plain lines before the first statement
+  std::vector<uint32_t> input_lines;      ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
   std::vector<Directive> directives;
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;
@@ -176,12 +188,13 @@ struct Syntax {
     return s.item_count == 0 || !s.has_items() ? std::span<const Item>()
                                                : std::span(items).subspan(s.first, s.item_count);
   }
-  /// Of a kModes.
+  /// Of a kModeLine.
   std::span<const ModeWord> words_of(const Statement& s) const {
     return std::span(mode_words).subspan(s.first, s.item_count);
   }
-  /// What the lines behind a statement do to the modes.
+  /// What the lines behind a statement do to the modes, and need of them.
   std::span<const ModeChange> changes_after(StatementId id) const;
+  std::span<const ModeNeed> needs_after(StatementId id) const;
 };
 
 /// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.

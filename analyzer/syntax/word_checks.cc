@@ -144,8 +144,7 @@ bool WordLine::polar_words(const Modes& before, Outcome& out) const {
   if ((machine_->axes & kXY) != kXY && stop("Cannot use polar coordinate on a machine lacking X or Y axes")) {
     return true;
   }
-  if (before.plane != Modes::kG17 &&
-      stop("Cannot use polar coordinate except in G17 plane", kNoWord, before.plane == Modes::kOtherPlane)) {
+  if (before.plane != Modes::kG17 && stop(kPolarOutsideG17, kNoWord, before.plane == Modes::kOtherPlane)) {
     return true;
   }
   if (has('x') && stop("Cannot specify both polar coordinate and X word", find('x'))) return true;
@@ -212,8 +211,7 @@ bool WordLine::non_modal(const Modes& before, Outcome& out) const {
   const GCode* const distance = this->code(GGroup::kDistance);
   const bool known = distance != nullptr || before.distance != Modes::kDistanceUnknown;
   const bool absolute = distance != nullptr ? distance->tenths == code::kG90 : before.distance == Modes::kAbsolute;
-  return !absolute &&
-      out.stop(StopKind::kCodesConflict, "Cannot use g53 incremental", at, word_of(GGroup::kDistance), known);
+  return !absolute && out.stop(StopKind::kCodesConflict, kIncrementalG53, at, word_of(GGroup::kDistance), known);
 }
 
 bool WordLine::g10(Outcome& out) const {

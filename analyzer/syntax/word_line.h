@@ -41,6 +41,10 @@ struct Fault {
   bool certain;   ///< false if it depends on a value or a mode that is not known
 };
 
+/// Faults that a mode decides: check() leaves them open if it is not told the mode.
+inline constexpr const char* kPolarOutsideG17 = "Cannot use polar coordinate except in G17 plane";
+inline constexpr const char* kIncrementalG53 = "Cannot use g53 incremental";
+
 class WordLine {
  public:
   explicit WordLine(const MachineWords& machine) : machine_(&machine) {}
@@ -80,7 +84,7 @@ class WordLine {
   uint8_t word_of(MGroup group) const { return m_[static_cast<size_t>(group)].word; }
   /// M100 to M199: known to every machine, but a program of its own must be there for it.
   bool is_user_m() const { return code(MGroup::kUser) != nullptr; }
-  /// A code that the machine's INI defines, or may define.
+  /// A code that the machine defines is on the line, or may be: what it does is not known.
   bool has_remapped_code() const { return remapped_m_ || code_ == Motion::kRemapped; }
   /// A G or M word whose value is not known.
   bool has_unknown_code() const { return unknown_code_; }

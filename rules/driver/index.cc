@@ -1,7 +1,8 @@
 #include <algorithm>
 
+#include "analyzer/syntax/further_faults.h"
 #include "analyzer/syntax/look_alike.h"
-#include "rules/driver/stops.h"
+#include "rules/driver/words.h"
 
 namespace owlint {
 namespace {
@@ -10,7 +11,7 @@ uint64_t key_of(RegionId region, NameId label) { return static_cast<uint64_t>(re
 
 }  // namespace
 
-Index::Index(const Program& program, const FlowResult& flow)
+Index::Index(const Program& program, const FlowResult& flow, const MachineWords& machine, bool codes_known)
     : nature(nature_of(program.source->bytes())), at(program.size()) {
   std::vector<bool> stopped(program.size());
   for (const FlowStop& stop : flow.stops) {
@@ -43,6 +44,7 @@ Index::Index(const Program& program, const FlowResult& flow)
       }
     }
     by_code[rules::code_of(stop, program)].push_back(&stop);
+    if (stop.statement != kNoStatement) add_further(program, stop, machine, codes_known);
   }
   subs = misread_subs(program);
   find_spoken_for(program, flow, stopped);
@@ -51,6 +53,22 @@ Index::Index(const Program& program, const FlowResult& flow)
     if (std::ranges::any_of(program.syntax.names.text(id), is_foreign)) foreign_names.push_back(id);
   }
   find_shared_labels(program);
+}
+
+/// Stops for the further mistakes of a line of words that stops with its first one.
+void Index::add_further(const Program& program, const FlowStop& stop, const MachineWords& machine, bool codes_known) {
+  const Statement& s = program.at(stop.statement);
+  const auto first = rules::word_error(program, stop);
+  const bool of_words = s.has_items() || s.kind == LineKind::kMachineCheck;
+  if (!of_words || !first || first->kind != stop.kind || stop.unproven || s.nul || s.inner_cr) return;
+  if (!further_.empty() && further_.back().second.statement == stop.statement) return;
+  for (LineError& error : further_faults(program.source->slice(s.whole()), s.offset, *first, machine, codes_known)) {
+    auto& [mistake, stops] = further_.emplace_back(std::move(error), stop);
+    stops.further = &mistake;
+    stops.kind = mistake.kind;
+    stops.interpreter = mistake.message;
+    by_code[rules::code_of(stops, program)].push_back(&stops);
+  }
 }
 
 void Index::add_line(const Program& program, StatementId id) {

@@ -169,7 +169,8 @@ class Check {
     FileReport report;
     report.source = program->source;
     std::vector<Suppression> suppressions = suppressions_of(*program);
-    const Index index(*program, flow);
+    const WordsOfMachine machine(profile_);
+    const Index index(*program, flow, machine.words, own && !program->sub_file);
     const flow::DataFlow data(*program, flow.structure);
     std::unordered_set<long> given_numbers;
     const SeverityPolicy policy = policy_of(profile_, options_);
@@ -178,7 +179,7 @@ class Check {
     if (!own) {
       // Of a called file only what this program's calls lead to; the rest is reported when the file itself is checked.
       std::erase_if(report.findings, [](const Finding& f) {
-        return !f.stops && !f.never_ends && !f.runs_other && rule_of(f).group != Group::kHazards;
+        return !f.stops && !f.further && !f.never_ends && !f.runs_other && rule_of(f).group != Group::kHazards;
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);

@@ -2,12 +2,14 @@
 // else about rules (`owlint rules`, `explain`, the JSON, the tests) is made from these objects.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "analyzer/findings/finding.h"
@@ -44,7 +46,8 @@ std::string_view group_title(Group group);
 /// What rules look for in a file, collected in one pass over its lines: the flow's stops by rule and by statement, and the
 /// few lines that each rule needs. A file may have millions of lines; no rule goes through all of them.
 struct Index {
-  Index(const Program& program, const FlowResult& flow);
+  /// `codes_known`: a code that the machine does not have is a mistake, even if its INI is not known; as further_faults().
+  Index(const Program& program, const FlowResult& flow, const MachineWords& machine, bool codes_known);
 
   Nature nature;  ///< where it is no LinuxCNC program, that is the only finding
   std::unordered_map<std::string_view, std::vector<const FlowStop*>> by_code;
@@ -70,9 +73,12 @@ struct Index {
       shared_labels;  ///< first lines of blocks in one region: the first with a label, and a later one
 
  private:
+  void add_further(const Program& program, const FlowStop& stop, const MachineWords& machine, bool codes_known);
   void add_line(const Program& program, StatementId id);
   void find_spoken_for(const Program& program, const FlowResult& flow, const std::vector<bool>& stopped);
   void find_shared_labels(const Program& program);
+
+  std::deque<std::pair<LineError, FlowStop>> further_;  // what by_code refers to, beside the flow's stops
 };
 
 /// Everything that a check may look at.

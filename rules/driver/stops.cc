@@ -13,8 +13,7 @@ namespace owlint::rules {
 namespace {
 
 /// Whether an error of reading is about a character that is not ASCII, such as a no-break space.
-bool is_about_foreign(const Program& program, const Statement& s, StopKind kind) {
-  const LineError* error = program.syntax.error(s);
+bool is_about_foreign(const Program& program, const LineError* error, StopKind kind) {
   if (error == nullptr || error->kind != kind) return false;
   const std::string_view text = program.source->slice(error->span);
   return !text.empty() && is_foreign(text[0]);
@@ -147,29 +146,10 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
   // Carriage returns alone as line ends put a whole file on one line: that is the mistake, whatever it leads to.
   if (s.inner_cr && stop.kind < StopKind::kSubNested) return "OW314";
   if (stop.kind == StopKind::kTrailingText && program.source->slice(s.rest_span()).starts_with("]")) return "OW303";
-  if (is_about_foreign(program, s, stop.kind)) return "OW314";
+  if (is_about_foreign(program, stop.further != nullptr ? stop.further : program.syntax.error(s), stop.kind))
+    return "OW314";
   if (is_about_number(program, s, stop.kind)) return "OW702";
   return code_of(stop.kind, s);
-}
-
-std::optional<LineError> word_error(const Input& in, const FlowStop& stop) {
-  const Syntax& syntax = in.program.syntax;
-  const Statement& s = in.program.at(stop.statement);
-  if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
-  if (s.kind != LineKind::kModes) {
-    const LineError* const error = syntax.error(s);
-    return error == nullptr ? std::nullopt : std::optional(*error);
-  }
-  const auto words = syntax.words_of(s);
-  const auto span_of = [&](uint8_t word, Span none) {
-    return word < words.size() ? s.span(words[word].from, words[word].to) : none;
-  };
-  LineError error;
-  error.kind = stop.kind;
-  error.span = span_of(stop.words.word, s.whole());
-  error.message = stop.interpreter;
-  error.other = span_of(stop.words.other, Span{});
-  return error;
 }
 
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {
@@ -268,7 +248,8 @@ StatementId telling_call(const Program& program, const FlowStop& stop) {
 }
 
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
-  finding.stops = true;
+  finding.further = stop.further != nullptr;
+  finding.stops = !finding.further;
   finding.reach = stop.reach;
   finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
   finding.interpreter = stop.interpreter;
@@ -282,9 +263,10 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
         {s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
          decision.program == nullptr ? nullptr : decision.program->source});
   }
+  if (finding.further) relate_first_mistake(in, stop, finding);
   relate(in, finding, stop.call_elsewhere, "called here");
   relate(finding, in.program, telling_call(in.program, stop), "called here");
-  add_consequences(in, stop.statement, finding);
+  if (!finding.further) add_consequences(in, stop.statement, finding);
 }
 
 void add_consequences(const Input& in, StatementId statement, Finding& finding) {

@@ -16,9 +16,6 @@ namespace owlint::rules {
 std::string_view code_of(const FlowStop& stop, const Program& program);
 std::string_view code_of(StopKind kind, const Statement& statement);
 
-/// The error that a stop at a word is about: its place, and that of another word. Null where only the stop itself is known.
-std::optional<LineError> word_error(const Input& in, const FlowStop& stop);
-
 /// Fills reach, stops, interpreter and the path of a finding about `stop`.
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding);
 

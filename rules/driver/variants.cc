@@ -96,7 +96,7 @@ bool on_deleted_line(const Source& source, const Finding& f) {
 
 /// Whether one way of running the program is enough for the finding to be true. The others say that something never happens.
 bool enough_once(const Finding& f) {
-  return f.stops || f.never_ends || f.runs_other || rule_of(f).group == Group::kHazards;
+  return f.stops || f.further || f.never_ends || f.runs_other || rule_of(f).group == Group::kHazards;
 }
 
 void depends_on(Finding& f, bool on) {

@@ -6,65 +6,12 @@
 #include <fmt/format.h>
 
 #include "analyzer/syntax/known_line.h"
-#include "analyzer/syntax/line_parser.h"
-#include "analyzer/syntax/line_text.h"
 
 namespace owlint::rules {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-
-/// Reads the words of one line; of expressions and names only the end matters.
-class Reader {
- public:
-  Reader(const Source& source, Span line) {
-    if (line.end - line.begin > kLineLimit) return;
-    if (text_.assign(source.slice(line), line.begin) == StopKind::kNone) read();
-  }
-  std::vector<WrittenWord> words() { return std::move(words_); }
-
- private:
-  void read() {
-    ExpressionParser in(text_, pool_, names_);
-    if (text_[0] == '/') ++in.cursor;
-    if (text_[in.cursor] == 'n') {
-      do ++in.cursor;
-      while (is_digit(text_[in.cursor]) || text_[in.cursor] == '.');
-    }
-    while (in.cursor < text_.size() && text_[in.cursor] != ';') {
-      const char c = text_[in.cursor];
-      if (c == '(') {
-        in.cursor = std::min(text_.text().find(')', in.cursor), text_.size() - 1) + 1;
-      } else if (c == '#') {
-        ++in.cursor;
-        if (in.parameter() == kNoExpr || text_[in.cursor] != '=') return;
-        ++in.cursor;
-        if (in.value() == kNoExpr) return;
-      } else if (word_row(c) == nullptr) {
-        return;
-      } else if (!word(in)) {
-        return;
-      }
-    }
-  }
-
-  bool word(ExpressionParser& in) {
-    const size_t from = in.cursor++;
-    const ExprId value = in.value();
-    WrittenWord& word = words_.emplace_back();
-    word.letter = text_[from];
-    word.span = text_.span(from, value == kNoExpr ? from + 1 : in.cursor);
-    double number = 0;
-    if (value != kNoExpr && literal_value(pool_, value, &number)) word.value = number;
-    return value != kNoExpr;
-  }
-
-  LineText text_;
-  ExprPool pool_;
-  Names names_;
-  std::vector<WrittenWord> words_;
-};
 
 /// The letter that an interpreter's message is about; 0 if it names none.
 char letter_in(std::string_view message) {
@@ -90,7 +37,12 @@ bool begins_word(std::string_view text) {
 
 }  // namespace
 
-std::vector<WrittenWord> words_of(const Source& source, Span line) { return Reader(source, line).words(); }
+std::vector<WrittenWord> words_of(const Source& source, Span line) {
+  WordReader reader(source.slice(line), line.begin);
+  std::vector<WrittenWord> words;
+  while (std::optional<WrittenWord> word = reader.next()) words.push_back(*word);
+  return words;
+}
 
 const WrittenWord* WordStop::find(char wanted) const {
   const auto found = std::ranges::find(line, wanted, &WrittenWord::letter);
@@ -113,6 +65,27 @@ std::string shown(const Source& source, Span span) {
   return out.substr(0, cut) + "…";
 }
 
+std::optional<LineError> word_error(const Program& program, const FlowStop& stop) {
+  if (stop.further != nullptr) return *stop.further;
+  const Syntax& syntax = program.syntax;
+  const Statement& s = program.at(stop.statement);
+  if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
+  if (s.kind != LineKind::kModeLine) {
+    const LineError* const error = syntax.error(s);
+    return error == nullptr ? std::nullopt : std::optional(*error);
+  }
+  const auto words = syntax.words_of(s);
+  const auto span_of = [&](uint8_t word, Span none) {
+    return word < words.size() ? s.span(words[word].from, words[word].to) : none;
+  };
+  LineError error;
+  error.kind = stop.kind;
+  error.span = span_of(stop.words.word, s.whole());
+  error.message = stop.interpreter;
+  error.other = span_of(stop.words.other, Span{});
+  return error;
+}
+
 std::string capital(char letter) { return {static_cast<char>(std::toupper(static_cast<unsigned char>(letter)))}; }
 
 WordStop word_stop(const Input& in, const FlowStop& stop) {
@@ -121,7 +94,7 @@ WordStop word_stop(const Input& in, const FlowStop& stop) {
   const Statement& s = p.at(stop.statement);
   WordStop out;
   out.line = words_of(source, s.whole());
-  if (const auto error = word_error(in, stop)) {
+  if (const auto error = word_error(in.program, stop)) {
     out.span = error->span;
     out.other = error->other;
   } else {
@@ -149,6 +122,15 @@ WordStop word_stop(const Input& in, const FlowStop& stop) {
 void relate_word(Finding& finding, const WordStop& stop) {
   if (stop.other.end > stop.other.begin)
     finding.related.push_back({stop.other, "`" + stop.other_word + "` is here", nullptr});
+}
+
+void relate_first_mistake(const Input& in, const FlowStop& further, Finding& finding) {
+  FlowStop first = further;
+  first.further = nullptr;
+  Span word = word_stop(in, first).span;
+  const auto error = word_error(in.program, first);
+  if (error->kind == StopKind::kNumberMissing) word.end = word.begin + 1;  // without the letter that is in its place
+  finding.related.push_back({word, "LinuxCNC stops at `" + shown(*in.program.source, word) + "` first", nullptr});
 }
 
 bool runs_with(const Program& program, const Statement& statement, const Edit& edit) {

@@ -8,19 +8,16 @@
 
 #include "analyzer/program/machine_words.h"
 #include "analyzer/syntax/codes.h"
+#include "analyzer/syntax/word_reader.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
 
-/// A word as it is written.
-struct WrittenWord {
-  char letter = 0;              ///< small
-  std::optional<double> value;  ///< if it is a number, or computed from numbers alone
-  Span span;
-};
-
-/// The words of a line, in the order of the line, up to the first that cannot be read. That one is the last, without a value.
+/// The words of a line, in the order of the line, as far as they can be read; see WordReader.
 std::vector<WrittenWord> words_of(const Source& source, Span line);
+
+/// The error that a stop at a word is about: its place, and that of another word. Null where only the stop itself is known.
+std::optional<LineError> word_error(const Program& program, const FlowStop& stop);
 
 /// A stop at a word: what it is about, and the words around it.
 struct WordStop {
@@ -43,6 +40,8 @@ std::string capital(char letter);
 
 /// Adds "`G1` is here".
 void relate_word(Finding& finding, const WordStop& stop);
+/// Adds "LinuxCNC stops at `X2` first" to the finding about a further mistake on the line.
+void relate_first_mistake(const Input& in, const FlowStop& further, Finding& finding);
 /// Takes a word away from a line. Safe where the new line surely runs and all runs stop at the old one.
 Fix without_word(const Program& program, const Statement& statement, Span word, const std::string& shown);
 /// The same of any edit of the line.

@@ -19,7 +19,7 @@ std::string rest_of(const Input& in, const FlowStop& stop, const WordStop& at) {
 bool letter_for_zero(const Input& in, const FlowStop& stop, Finding& f) {
   const Program& p = in.program;
   const Statement& s = p.at(stop.statement);
-  const auto error = word_error(in, stop);
+  const auto error = word_error(p, stop);
   uint64_t o = 0;
   if (!error || !writes_o_for_zero(p, s, *error, &o)) return false;
   // The whole word: back to its letter, on over digits.
@@ -45,7 +45,7 @@ bool letter_for_zero(const Input& in, const FlowStop& stop, Finding& f) {
 /// `Gl X5`: an l or an i in place of a 1.
 bool letter_for_one(const Input& in, const FlowStop& stop, Finding& f) {
   const Program& p = in.program;
-  const auto error = word_error(in, stop);
+  const auto error = word_error(p, stop);
   if (!error || !writes_letter_for_one(p, p.at(stop.statement), *error)) return false;
   f.span = {error->span.begin, error->span.begin + 2};
   const std::string written(p.source->slice(f.span));
@@ -104,7 +104,7 @@ Finding& report(const Input& in, Reporter& out, const FlowStop& stop) {
   } else {
     malformed(at, letter, rest, f);
   }
-  explain_idiom(in, stop.statement, f);
+  if (stop.further == nullptr) explain_idiom(in, stop.statement, f);
   return f;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "rules/driver/code_facts.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules {
@@ -31,12 +32,10 @@ int number_of(const WordStop& at, std::string_view interpreter) {
 
 /// M100 to M199: a program of the machine.
 void user_code(const Input& in, int number, Finding& f) {
-  const std::string name = m_name(number);
-  f.group = "code " + name;
+  f.group = "code " + m_name(number);
   f.habit_severity = Severity::kInfo;
+  f.message = user_code_text(number, in.profile.setup.get());
   if (in.profile.setup == nullptr) {
-    f.message =
-        fmt::format("`{0}` runs a program of the machine named `{0}`; owlint was not told of the machine", name);
     f.help = "name the machine's INI (`--ini`), so that owlint can look for it";
     f.unproven = true;
     return;
@@ -47,12 +46,10 @@ void user_code(const Input& in, int number, Finding& f) {
       folders += (folders.empty() ? "`" : ", `") + folder.text + "`";
   }
   if (in.profile.setup->user_code(number) == UserCode::kUnknown) {
-    f.message = fmt::format("`{0}` runs a program of the machine named `{0}`; the folders for it are not here", name);
     f.help = "check on the machine that " + folders + " has it";
     f.unproven = f.uncertain = true;
     return;
   }
-  f.message = fmt::format("`{0}` runs a program of the machine named `{0}`, and this machine has none", name);
   f.help = folders.empty()
       ? "put an executable file of that name into a folder that `PROGRAM_PREFIX` or `USER_M_PATH` names"
       : "put an executable file of that name into " + folders + ": there LinuxCNC looks for it";

@@ -37,16 +37,16 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
   }
   const std::string place = where(in, *setter);
   if (setter->restores()) {
-    f.message += ": restoring the modes " + place + " has set the feed to 0";
+    f.message += ": restoring the modes " + place + " has set it to 0";
     f.help = "write `F` again behind it: a feed mode that is restored sets the feed to 0";
   } else if (setter->word.starts_with('F')) {
     f.message += fmt::format(": `{}` {} has set it", setter->word, place);
     f.help = "write a feed rate above 0";
   } else if (setter->word.starts_with("G2")) {
-    f.message += fmt::format(": `{}` {} has changed the unit, and the feed was lost", setter->word, place);
+    f.message += fmt::format(": `{}` {} has changed the unit and lost it", setter->word, place);
     f.help = fmt::format("write `F` again behind `{}`", setter->word);
   } else {
-    f.message += fmt::format(": `{}` {} has set the feed to 0", setter->word, place);
+    f.message += fmt::format(": `{}` {} has set it to 0", setter->word, place);
     f.help = fmt::format("write `F` again with or behind `{0}`: it sets the feed to 0 even when `{0}` was in effect",
                          setter->word);
   }

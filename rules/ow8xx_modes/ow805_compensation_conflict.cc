@@ -1,6 +1,7 @@
 // OW805 compensation-conflict: a code that cutter compensation forbids while it is on, or that cannot start it.
-// Depends on: G41, G42, G41.1 and G42.1 switch it on, also with a tool without a diameter; only G40 and the program's end switch
-// it off. Behind a path with compensation, the first move must be straight. Paths that do not fit the tool are OW905's and OW906's.
+// Depends on: G41, G42, G41.1 and G42.1 switch it on, also with a tool without a diameter; only G40 and the program's end
+// switch it off. Behind a path with compensation, the first move must be straight. Paths that do not fit the tool are other
+// rules' business.
 #include <array>
 
 #include "rules/driver/modes.h"

@@ -1,6 +1,6 @@
 // OW806 tool-missing: a tool that the tool table does not have, or none selected.
-// Depends on: T, Q of M61, D of G41 and G42, H of G43 and G43.2, P of G10 L1, L10 and L11 are looked up in the tool table, in this
-// order. T0, D0 and H0 always are there. G43.2 with axis words looks up tool -1 before 2.10.
+// Depends on: T, Q of M61, D of G41 and G42, H of G43 and G43.2, P of G10 L1, L10 and L11 are looked up in the tool table, in
+// this order. T0, D0 and H0 always are there. G43.2 with axis words looks up tool -1 before 2.10.
 #include <cmath>
 
 #include "rules/driver/modes.h"

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kFailed = "restore_settings";
 
-/// The line that LinuxCNC makes, and what it stops with: `M7x: restore_settings failed executing: ' G96': S word missing with G96`.
+/// The line that LinuxCNC makes, and what it stops with, from `M7x: restore_settings failed executing: ' G96': S word …`.
 std::pair<std::string, std::string> line_and_message(const std::string& said) {
   const size_t from = said.find('\'');
   const size_t to = said.find("': ");
@@ -32,7 +32,7 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop, "M72");
     Finding& f = out.add(at.span, "");
-    const bool m72 = at.letter == 'm';
+    const bool m72 = find_word(at.line, "M72") != nullptr;
     if (stop.interpreter.find(kFailed) == std::string::npos) {
       f.message = "`M72` restores modes, and nothing has saved them";
       f.help = "write `M70` before the modes change, in the same sub as `M72`";

@@ -12,6 +12,10 @@ constexpr std::string_view kSpindle = "`$0` is the first spindle; the INI's `[TR
 constexpr std::string_view kOutput = "write the number of the output as `P`";
 constexpr std::string_view kInput = "write the number of a digital input as `P`, or of an analog one as `E`";
 constexpr std::string_view kNone = "is no spindle of this machine";
+constexpr std::string_view kNoTurn = "is not within a turn, and the INI says that the axis wraps";
+constexpr std::string_view kTurn = "write an angle above -360 and below 360";
+constexpr std::string_view kNotAlone = "belongs to an indexing axis, which moves alone";
+constexpr std::string_view kAlone = "write the other axes on another line";
 
 constexpr std::array kSaid = {
     Said{"in M51 command", "$ M51", "needs a second spindle", "on a machine with one spindle write `M51` without `$`"},
@@ -29,7 +33,7 @@ constexpr std::array kSaid = {
     Said{"R not allowed in G10 L20", "R", "cannot stand with `L20`",
          "write the rotation with `G10 L2`, on another line"},
     Said{"G10 L0 not allowed", "G10", "reads the tool table anew, and a tool is in the spindle",
-         "write `T0 M6` before it"},
+         "write it where no tool is in the spindle"},
     Said{"M61", "Q M61", "sets no tool: the number `Q` is missing or negative",
          "write `Q` and the number of the tool in the spindle"},
     Said{"Q word with M19", "Q", "is no time: `M19` needs one above 0 as `Q`", "write the seconds to wait, or no `Q`"},
@@ -43,22 +47,27 @@ constexpr std::array kSaid = {
     Said{"put selected out of bounds", "P E", "is no input of this machine", kInput},
     Said{"Invalid analog index", "E M67 M68", "sets no output: the number `E` is missing or negative",
          "write `E` and the number of the output"},
-    Said{"both H and axis words", "G43.2", "has both an `H` and axis words", "write two lines, each with `G43.2`"},
+    Said{"both H and axis words", "G43.2", "has both an `H` and axis words",
+         "write `G43.2` with the `H` alone; its axis words stop before version 2.10"},
     Said{"No axes specified and H", "G43.2", "adds no offset: neither an `H` nor axis words are here",
          "write `H` and the number of the tool"},
     Said{"polar coordinates with G53", "@ ^", "is a polar word, which `G53` does not take", "write `X` and `Y`"},
-    Said{"for wrapped rotary axis", "A B C", "is not within a turn, and the INI says that the axis wraps",
-         "write an angle above -360 and below 360"},
-    Said{"can only be moved with G0", "A B C", "belongs to an indexing axis, which only `G0` moves", "write `G0`"},
-    Said{"can only be moved alone", "A B C", "belongs to an indexing axis, which moves alone",
-         "write the other axes on another line"},
+    Said{"wrapped rotary axis A", "A", kNoTurn, kTurn},
+    Said{"wrapped rotary axis B", "B", kNoTurn, kTurn},
+    Said{"wrapped rotary axis C", "C", kNoTurn, kTurn},
+    Said{"axis A can only be moved with G0", "A", "belongs to an indexing axis, which only `G0` moves", "write `G0`"},
+    Said{"axis B can only be moved with G0", "B", "belongs to an indexing axis, which only `G0` moves", "write `G0`"},
+    Said{"axis C can only be moved with G0", "C", "belongs to an indexing axis, which only `G0` moves", "write `G0`"},
+    Said{"axis A can only be moved alone", "A", kNotAlone, kAlone},
+    Said{"axis B can only be moved alone", "B", kNotAlone, kAlone},
+    Said{"axis C can only be moved alone", "C", kNotAlone, kAlone},
     Said{"moved along with an indexer", "@ ^ *", "moves together with an indexing axis", "write it on another line"},
 };
 
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
-    relate_setter(in, f, setter_of(in, stop, "M6 M61 T G90 G91", false));
+    relate_setter(in, f, setter_of(in, stop, "M6", false), "changes the tool here");
     return &f;
   });
 }
@@ -92,6 +101,9 @@ M2
 )",
             .good = R"(G21 G90
 M66 P0 L3 Q10
+o100 if [#5399 EQ -1]
+  (abort, no input within 10 seconds)
+o100 endif
 G0 X10 Y10 Z5
 M2
 )",

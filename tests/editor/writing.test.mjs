@@ -1,35 +1,11 @@
 // Help while writing: completion, signatures, hints, hover, colours.
 import assert from 'node:assert/strict';
 import { markup, session } from './client.mjs';
+import { offered } from './offered.mjs';
 import * as places from './places.mjs';
 import { files } from './shop.mjs';
 
 const main = 'main.ngc';
-
-/** What the line with the cursor `‸` would be with each of the offered items; filtered and sorted as an editor does. */
-async function offered(client, text) {
-  const name = 'draft.ngc';
-  const index = places.find(text, '‸');
-  client.open(name, text.replace('‸', ''));
-  const position = places.positionOf(client.text(name), index, client.encoding);
-  const result = await client.request('textDocument/completion', client.document(name, { position, context: { triggerKind: 1 } }));
-  client.closeDocument(name);
-  const items = [...(result?.items ?? result ?? [])].sort((a, b) => ((a.sortText ?? a.label) < (b.sortText ?? b.label) ? -1 : 1));
-  const before = client.text(name).split('\n')[position.line];
-  return items.flatMap((item) => {
-    const edit = item.textEdit ?? { range: result.itemDefaults?.editRange, newText: item.textEditText ?? item.insertText ?? item.label };
-    let range = edit.range ?? edit.replace ?? edit.insert;
-    if (!range) {
-      const typed = /\w*$/.exec(before.slice(0, position.character))[0];
-      range = { start: { line: position.line, character: position.character - typed.length }, end: position };
-    }
-    assert.ok(range.start.line === position.line && range.end.line === position.line, `${item.label}: its edit is on the line`);
-    const typed = before.slice(range.start.character, position.character);
-    if (!(item.filterText ?? item.label).toLowerCase().startsWith(typed.toLowerCase().trimStart())) return [];
-    const plain = item.insertTextFormat === 2 ? edit.newText.replace(/\$\{\d+:?([^}]*)\}|\$\d+/g, '$1') : edit.newText;
-    return [{ ...item, line: before.slice(0, range.start.character) + plain + before.slice(range.end.character) }];
-  });
-}
 
 const starts = (items, line) => items.some((item) => item.line.startsWith(line));
 
@@ -158,8 +134,6 @@ session('hover', { files }, async (client) => {
   assert.match(drill, /drills, and faces where the blank is thick/);
   assert.match(drill, /line 2\b/);
   assert.match(drill, /It reads #1; returns no value\./);
-  assert.equal((await hover('G21', 1)) ?? null, null);
-  assert.equal((await hover('M2', 1)) ?? null, null);
 });
 
 /** Tokens as they lie in the text. */

@@ -131,6 +131,16 @@ def known_lines():
                 yield Program("line:%s:%d" % (text, number), "%s%s\nM2\n" % (modes, text))
 
 
+def further_faults():
+    """-> [(Program, message)]: a line with several mistakes, and the same line without the first of them, and so on"""
+    for row in read(os.path.join(ROOT, "tests", "unit", "syntax", "further_faults.tsv")).splitlines():
+        line, *mistakes = row.split("\t")
+        for number, mistake in enumerate([] if row.startswith("#") else mistakes):
+            at, word, message = re.match(r"(\d+):(.*?): (.*)", mistake).groups()
+            yield Program("further:%s:%d" % (row.split("\t")[0], number), "F100\n%s\nM2\n" % line), message
+            line = line[:int(at)] + " " * len(word) + line[int(at) + len(word):]
+
+
 # -- recorded outcomes
 
 def load():
@@ -212,7 +222,7 @@ def main(argv):
     if os.environ.get("OWLINT_UPDATE", "0") not in ("", "0"):
         options.record = True
     owlint = os.path.abspath(options.owlint)
-    wanted = dict(expressions())
+    wanted = dict([*expressions(), *further_faults()])
     programs = [replace(p, block_delete=on) for p in [*fixtures(), *corpus(), *pages(owlint), *wanted, *known_lines()]
                 if options.only in p.name for on in settings(p.text)]
     recorded = load()

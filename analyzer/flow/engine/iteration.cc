@@ -5,13 +5,13 @@
 namespace owlint::flow {
 
 Iteration::Iteration(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known,
-                     const Limits& limits)
+                     const Limits& limits, ModeMask modes)
     : linked_(linked),
       program_(linked.program()),
       profile_(profile),
       limits_(limits),
       passes_over_(detail != Detail::kStepwise),
-      machine_(linked, profile, limits, pool_),
+      machine_(linked, profile, limits, pool_, modes),
       precision_(limits, detail != Detail::kBySize || program_.size() > limits.followed_statements),
       trace_(std::make_shared<Trace>(limits, program_.size())),
       separation_(program_, machine_, precision_, limits),

@@ -37,8 +37,9 @@ class Events {
 
 class Iteration final : private Listener {
  public:
-  /// All must outlive it; `known` may be null.
-  Iteration(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known, const Limits& limits);
+  /// All must outlive it; `known` may be null. `modes`: those that are followed even if they decide nothing.
+  Iteration(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known, const Limits& limits,
+            ModeMask modes = 0);
   Iteration(const Iteration&) = delete;
   Iteration& operator=(const Iteration&) = delete;
   ~Iteration() override = default;

@@ -1,5 +1,6 @@
 #include "analyzer/flow/facts/mode_uses.h"
 
+#include <bit>
 #include <initializer_list>
 
 namespace owlint::flow {
@@ -21,9 +22,8 @@ void read_words(std::span<const ModeWord> from, WordLine& into) {
   for (const ModeWord& word : from) into.add({word.letter, word.computed == kNoExpr, word.value, word.from, word.to});
 }
 
-ModeUses::ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start)
-    : program_(program), machine_(machine), reachable_(start) {
-  if (program.syntax.mode_words.empty()) return;
+ModeUses::ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start, ModeMask others)
+    : program_(program), machine_(machine), reachable_(start), followed_(others) {
   find_reachable();
   find_followed();
 }
@@ -39,7 +39,7 @@ void ModeUses::find_reachable() {
     grew = false;
     std::vector<ModeFault> faults;
     for (const Statement& s : program_.syntax.statements) {
-      if (s.kind == LineKind::kModes) grew = run(s, &faults) || grew;
+      if (s.kind == LineKind::kModeLine) grew = run(s, &faults) || grew;
     }
   }
 }
@@ -58,7 +58,7 @@ void ModeUses::find_followed() {
   std::vector<ModeFault> faults;
   bool stores = false;
   for (const Statement& s : program_.syntax.statements) {
-    if (s.kind != LineKind::kModes) continue;
+    if (s.kind != LineKind::kModeLine) continue;
     run(s, &faults);
     if (stores) continue;
     WordLine words(machine_);
@@ -66,6 +66,12 @@ void ModeUses::find_followed() {
     stores = has_store(words);
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
+  // What moves mean differs only where a program has both.
+  for (const auto* needs : {&program_.syntax.first_needs, &program_.syntax.mode_needs}) {
+    for (const ModeNeed& need : *needs) {
+      if (!std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
+    }
+  }
   // What these depend on.
   const auto needs = [this](Mode mode, std::initializer_list<Mode> others) {
     if (!follows(mode)) return;
@@ -85,7 +91,7 @@ ModeMask ModeUses::changed_at(StatementId id) const {
   if (s.changes_modes) {
     for (const ModeChange& change : program_.syntax.changes_after(id)) changed |= mask_of(change.mode);
   }
-  if (s.kind == LineKind::kModes) {
+  if (s.kind == LineKind::kModeLine) {
     WordLine words(machine_);
     read_words(program_.syntax.words_of(s), words);
     if (words.has_unknown_code() || words.has_remapped_code() || has_store(words)) return followed_;

@@ -10,15 +10,15 @@
 
 namespace owlint::flow {
 
-/// The words of a kModes, as far as they are not computed.
+/// The words of a kModeLine, as far as they are not computed.
 void read_words(std::span<const ModeWord> from, WordLine& into);
 
 class ModeUses {
  public:
-  /// `start`: the modes with which a run begins.
-  ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start);
+  /// `start`: the modes with which a run begins; `others`: modes that are followed in any case.
+  ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start, ModeMask others = 0);
 
-  /// The modes that decide whether some line stops.
+  /// The modes that decide whether some line stops, or what it means.
   ModeMask followed() const { return followed_; }
   bool follows(Mode mode) const { return (followed_ & mask_of(mode)) != 0; }
   /// Of these, the ones that a statement, or the lines behind it, may change.
@@ -27,7 +27,7 @@ class ModeUses {
  private:
   void find_reachable();
   void find_followed();
-  /// Carries out a kModes in all modes that are reachable; true if more are behind it.
+  /// Carries out a kModeLine in all modes that are reachable; true if more are behind it.
   bool run(const Statement& s, std::vector<ModeFault>* faults);
 
   const Program& program_;

@@ -8,7 +8,7 @@
 namespace owlint::flow {
 
 AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, const Limits& limits,
-                                 PersistentMap::Pool& pool)
+                                 PersistentMap::Pool& pool, ModeMask modes)
     : linked_(linked),
       program_(linked.program()),
       profile_(profile),
@@ -20,7 +20,7 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       refinement_(program_.syntax, tracked_, limits, evaluator_, pool),
       machine_words_(profile),
       start_(program_.sub_file ? ModeState::unknown() : modes_at_start(profile, machine_words_.words)),
-      mode_uses_(program_, machine_words_.words, start_.now),
+      mode_uses_(program_, machine_words_.words, start_.now, modes),
       modes_(mode_uses_, program_.syntax.names.size(), values_, pool),
       states_(values_, definers_, pool),
       no_fanuc_(profile.setup != nullptr && profile.setup->no_fanuc),
@@ -108,8 +108,9 @@ const CalmStretch* AbstractMachine::pass_over(State& state, const Context& conte
   return stretch;
 }
 
-void AbstractMachine::leave_modes(Parameters& p, StatementId line) {
-  if (program_.at(line).changes_modes) modes_.apply(p, program_.syntax.changes_after(line));
+void AbstractMachine::leave_modes(State& state, StatementId line) {
+  if (watch_ != nullptr) watch_->left(state, line);
+  if (program_.at(line).changes_modes) modes_.apply(state.parameters, program_.syntax.changes_after(line));
 }
 
 uint32_t AbstractMachine::entry(const State& state, FullLabel label) const {
@@ -247,7 +248,8 @@ State AbstractMachine::resume(const State& caller, const State& exit, const Cont
   out.parameters.locals =
       fanuc ? evaluator_.share_numbers(caller.parameters.locals, exit.parameters.locals) : caller.parameters.locals;
   out.parameters.local_outcomes = fanuc ? PersistentMap() : caller.parameters.local_outcomes;
-  leave_modes(out.parameters, caller.position);
+  if (watch_ != nullptr) watch_->came_back(caller, out);
+  leave_modes(out, caller.position);
   return out;
 }
 

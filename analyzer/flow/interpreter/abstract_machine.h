@@ -20,6 +20,7 @@
 #include "analyzer/flow/interpreter/dependence.h"
 #include "analyzer/flow/interpreter/evaluator.h"
 #include "analyzer/flow/interpreter/mode_access.h"
+#include "analyzer/flow/interpreter/mode_watch.h"
 #include "analyzer/flow/interpreter/refinement.h"
 #include "analyzer/flow/limits.h"
 #include "analyzer/flow/summaries/effects.h"
@@ -97,7 +98,9 @@ class Listener {
 
 class AbstractMachine {
  public:
-  AbstractMachine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool);
+  /// All must outlive it. `modes`: those that are followed even if they decide nothing.
+  AbstractMachine(const Linked& linked, const Profile& profile, const Limits& limits, PersistentMap::Pool& pool,
+                  ModeMask modes = 0);
 
   /// Executes or skips the line at `state.position`.
   void step(State state, const Context& context, Listener& out);
@@ -151,11 +154,14 @@ class AbstractMachine {
   Definers& definers() { return definers_; }
   Version version() const { return profile_.version; }
   /// A line is left for the one behind it, by way of the lines without a statement.
-  void leave_modes(Parameters& p, StatementId line);
+  void leave_modes(State& state, StatementId line);
+  /// From now on `watch` is told.
+  void set_watch(ModeWatch* watch) { watch_ = watch; }
   Evaluator& evaluator() { return evaluator_; }
   /// The modes in which a program begins.
   const ModeState& start() const { return start_; }
   ModeAccess& modes() { return modes_; }
+  const MachineWords& machine_words() const { return machine_words_.words; }
   const ModeUses& mode_uses() const { return mode_uses_; }
   const Evaluator& evaluator() const { return evaluator_; }
   const TrackedParameters& tracked() const { return tracked_; }
@@ -193,6 +199,7 @@ class AbstractMachine {
   ModeState start_;
   ModeUses mode_uses_;
   ModeAccess modes_;
+  ModeWatch* watch_ = nullptr;
   Definers definers_;
   StateDomain states_;
   bool no_fanuc_;     // DISABLE_FANUC_STYLE_SUB

@@ -37,7 +37,7 @@ void AbstractMachine::Step::plain() {
   }
   if (s.kind == LineKind::kM98) return m98();
   if (skipping) return next_line();
-  if (s.kind == LineKind::kModes) return modes();
+  if (s.kind == LineKind::kModeLine) return modes();
   if (s.kind == LineKind::kUserCode) return user_code();
   if (s.kind == LineKind::kMachineCheck) return machine_check();
   if (s.kind == LineKind::kAbort) return context.contour ? next_line() : out.end(state);

@@ -168,7 +168,7 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
     // Measured: with L0 the call is made and simply goes on with the next line, inside; M99 comes back to that line.
     State inside = enter;
     inside.position = here + 1;
-    m.leave_modes(inside.parameters, here);
+    m.leave_modes(inside, here);
     out.call(state, std::move(inside), callee, 1);
     if (repeats == 0) return;
   }

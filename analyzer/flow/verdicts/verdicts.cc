@@ -59,7 +59,11 @@ void Verdicts::stop(const State& at, StopReport report) {
   stop.interpreter = std::move(report.message);
   stop.detail = std::move(report.detail);
   stop.words = report.words;
-  if (stop.words.decided_by != 0) find_setter(at, stop);
+  if (stop.words.decided_by != 0) {
+    const ModeSetter setter = last_setter(analysis_, trace_.at(at.record).parent, at.position, stop.words.decided_by);
+    stop.set_in = setter.file;
+    stop.set_line = setter.line;
+  }
   if (stop.kind == StopKind::kFileEnd) {  // `%` while lines are skipped: blame what is being skipped
     const Definers::Set set = machine.definers().get(machine.entry(at, at.skip));
     stop.statement = kNoStatement;
@@ -79,36 +83,6 @@ void Verdicts::stop(const State& at, StopReport report) {
     stop.unproven = stop.unproven || machine.may_be_elsewhere(sub);
   }
   stops_.add(at.record, std::move(stop));
-}
-
-/// Looks for the line that has set a mode because of which a line stops.
-void Verdicts::find_setter(const State& at, FlowStop& stop) {
-  const ModeUses& uses = analysis_.machine().mode_uses();
-  const ModeMask wanted = stop.words.decided_by;
-  const auto take = [&](const Program* file, uint32_t line) {
-    stop.set_in = file;
-    stop.set_line = line;
-  };
-  const auto among = [&](std::span<const ModeChange> changes) {
-    const auto found = std::ranges::find_if(
-        changes, [&](const ModeChange& change) { return (mask_of(change.mode) & wanted) != 0; });
-    return found == changes.end() ? nullptr : &*found;
-  };
-  const Linked& linked = analysis_.linked();
-  const auto file_of = [&](StatementId id) { return linked.files()[linked.file_of(id)].program.get(); };
-  StatementId next = at.position;
-  for (RecordId id = trace_.at(at.record).parent; id != kNoRecord; id = trace_.at(id).parent) {
-    const StatementId here = trace_.at(id).statement;
-    if (here == kNoStatement) continue;
-    // The lines behind a statement have run where the next statement comes next.
-    if (here + 1 == next) {
-      if (const ModeChange* change = among(program_.syntax.changes_after(here))) return take(file_of(here), change->line);
-    }
-    const Statement& s = program_.at(here);
-    if (s.kind == LineKind::kModes && (uses.changed_at(here) & wanted) != 0) return take(file_of(here), s.line);
-    next = here;
-  }
-  if (const ModeChange* change = among(program_.syntax.first_changes)) take(linked.files()[0].program.get(), change->line);
 }
 
 /// Looks for the line where the trouble began that shows at `at`. False if enough such places were looked for.
@@ -244,6 +218,7 @@ FlowResult Verdicts::finish() {
   result.learned = analysis_.learned_calls(loops.stuck());
   find_ends_in_subs(analysis_, hazards_);
   find_arguments_not_passed();
+  mode_hazards_.find(hazards_);
   find_endless_recursions();
   result.reachability = std::make_shared<Reachability>(analysis_.trace(), analysis_.limits());
   size_t paths = 0;

@@ -10,6 +10,7 @@
 
 #include "analyzer/flow/engine/iteration.h"
 #include "analyzer/flow/verdicts/hazards.h"
+#include "analyzer/flow/verdicts/mode_hazards.h"
 #include "analyzer/flow/verdicts/stops.h"
 
 namespace owlint::flow {
@@ -21,7 +22,10 @@ class Verdicts final : public Events {
       : analysis_(analysis),
         program_(analysis.program()),
         trace_(*analysis.trace()),
-        stops_(analysis.linked(), trace_) {}
+        stops_(analysis.linked(), trace_),
+        mode_hazards_(analysis) {
+    analysis.machine().set_watch(&mode_hazards_);
+  }
 
   void stop(const State& at, StopReport report) override;
   void hazard(const State& at, HazardReport report) override;
@@ -39,7 +43,6 @@ class Verdicts final : public Events {
     StatementId read;
   };
 
-  void find_setter(const State& at, FlowStop& stop);
   bool find_origin(const State& at, Hazard& hazard);
   void find_arguments_not_passed();
   void find_endless_recursions();
@@ -51,6 +54,7 @@ class Verdicts final : public Events {
   Trace& trace_;
   Stops stops_;
   Hazards hazards_;
+  ModeHazards mode_hazards_;
   std::vector<NotPassed> not_passed_;
   std::unordered_set<RecordId> warned_;  // records with an error that FEATURE 0x20 turned into a message
   std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond LinuxCNC's depth

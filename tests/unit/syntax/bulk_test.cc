@@ -27,7 +27,7 @@ std::vector<std::string> told(const Syntax& syntax) {
     std::string one = std::to_string(s.line) + " kind " + std::to_string(static_cast<int>(s.kind));
     if (!s.has_error()) one += told(syntax.changes_after(id));
     if (const LineError* error = syntax.error(s)) one += " " + error->message;
-    if (s.kind == LineKind::kModes) {
+    if (s.kind == LineKind::kModeLine) {
       for (const ModeWord& word : syntax.words_of(s))
         one += " " + std::string(1, word.letter) + std::to_string(word.value);
     }

@@ -35,7 +35,7 @@ struct Read {
         case LineKind::kAbort: out += "abort"; break;
         case LineKind::kUserCode: out += "user code"; break;
         case LineKind::kMachineCheck: out += "machine?"; break;
-        case LineKind::kMotionCheck: out += "motion?"; break;
+        case LineKind::kModeLine: out += "modes?"; break;
         case LineKind::kWords:
         case LineKind::kFileEnd: out += "words"; break;
       }

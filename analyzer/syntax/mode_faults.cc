@@ -1,0 +1,72 @@
+#include "analyzer/syntax/mode_faults.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace owlint {
+namespace {
+
+ModeMask masks_of(BadModes modes) {
+  ModeMask mask = 0;
+  for (const BadMode& bad : modes) mask |= mask_of(bad.mode);
+  return mask;
+}
+
+}  // namespace
+
+Answer ModeFaults::holds(BadModes modes) const {
+  Answer answer = Answer::kYes;
+  for (const BadMode& bad : modes) {
+    const ValueSet may = now_[bad.mode];
+    if ((may & bad.values) == 0) return Answer::kNo;
+    if ((may & ~bad.values) != 0) answer = Answer::kMaybe;
+  }
+  return answer;
+}
+
+/// A mode that is open may have no bad value; where two modes have several values, they may be bad on different runs.
+bool ModeFaults::believes(BadModes modes) const {
+  if ((now_.open & masks_of(modes)) != 0) return false;
+  return std::ranges::count_if(modes, [&](const BadMode& bad) { return !std::has_single_bit(now_[bad.mode]); }) <= 1;
+}
+
+/// The runs that go on have only good values, if one mode alone decides.
+void ModeFaults::survive(BadModes modes) {
+  const BadMode* decides = nullptr;
+  for (const BadMode& bad : modes) {
+    if ((now_[bad.mode] & ~bad.values) == 0) continue;
+    if (decides != nullptr) return;
+    decides = &bad;
+  }
+  now_[decides->mode] &= ~decides->values;
+}
+
+bool ModeFaults::stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by) {
+  faults_.push_back({{kind, std::move(message), word, other, true}, true, decided_by});
+  return true;
+}
+
+bool ModeFaults::stop_in(BadModes modes, StopKind kind, std::string_view message, uint8_t word, uint8_t other) {
+  const Answer answer = holds(modes);
+  if (answer == Answer::kNo) return false;
+  const bool certain = answer == Answer::kYes;
+  faults_.push_back({{kind, std::string(message), word, other, certain}, certain || believes(modes), masks_of(modes)});
+  if (!certain) survive(modes);
+  return certain;
+}
+
+void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by) {
+  faults_.push_back({{kind, std::move(message), word, other, false}, false, decided_by});
+}
+
+void ModeFaults::set_known(Mode mode, ValueSet values) {
+  now_[mode] = values;
+  now_.open &= ~mask_of(mode);
+}
+
+void ModeFaults::set_open(Mode mode, ValueSet values) {
+  now_[mode] = values;
+  now_.open |= mask_of(mode);
+}
+
+}  // namespace owlint

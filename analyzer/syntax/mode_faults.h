@@ -1,0 +1,56 @@
+// Conditions on modes that are sets of values: the faults that follow, and the modes of the runs that do not stop.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "analyzer/syntax/mode_run.h"
+
+namespace owlint {
+
+/// Values of a mode in which a line stops.
+struct BadMode {
+  Mode mode;
+  ValueSet values;
+};
+using BadModes = std::initializer_list<BadMode>;
+constexpr ValueSet all_but(uint8_t value) { return ~value_bit(value); }
+
+inline constexpr BadMode kCompensationOn{Mode::kCompensation, all_but(modes::kG40)};
+/// Without compensation it has no radius.
+inline constexpr BadMode kCompensationMoves{Mode::kRadius, value_bit(modes::kRadiusSet)};
+
+enum class Answer : uint8_t { kNo, kMaybe, kYes };
+
+class ModeFaults {
+ public:
+  ModeFaults(ModeSets* now, std::vector<ModeFault>* faults) : now_(*now), faults_(*faults) {}
+
+  ModeSets& now() { return now_; }
+  const ModeSets& now() const { return now_; }
+  std::vector<ModeFault>* faults() { return &faults_; }
+  /// Whether each of the modes has one of its values.
+  Answer holds(BadModes modes) const;
+  /// The line stops on all runs: true, as it is for stop_in() if no run goes on.
+  bool stop(StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord, ModeMask decided_by = 0);
+  /// The line stops on the runs that have all these values. The modes become those of the other runs.
+  bool stop_in(BadModes modes, StopKind kind, std::string_view message, uint8_t word, uint8_t other = kNoWord);
+  /// The line may stop, for something that is not known.
+  void may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord, ModeMask decided_by = 0);
+
+  void set(Mode mode, uint8_t value) { set_known(mode, value_bit(value)); }
+  void set_known(Mode mode, ValueSet values);
+  /// The mode has one of these values, and it is not known which.
+  void set_open(Mode mode, ValueSet values);
+  void set_open(Mode mode) { set_open(mode, all_values(mode)); }
+
+ private:
+  bool believes(BadModes modes) const;
+  void survive(BadModes modes);
+
+  ModeSets& now_;
+  std::vector<ModeFault>& faults_;
+};
+
+}  // namespace owlint

@@ -1,0 +1,76 @@
+#include "analyzer/syntax/mode_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace owlint {
+
+void ModeLine::save(modes::Saved by) {
+  state_.saved = state_.now;
+  set(Mode::kSaved, by);
+}
+
+const double* ModeLine::value(char letter) const {
+  const uint8_t at = words_.find(letter);
+  return at == kNoWord || !words_[at].known ? nullptr : &words_[at].value;
+}
+
+bool ModeLine::lacks(char letter) const {
+  if (!has(letter)) return true;
+  const double* const given = value(letter);
+  return (letter == 'p' || letter == 'q') && given != nullptr && *given == -1;
+}
+
+int ModeLine::code(GGroup group) const {
+  const GCode* const code = words_.code(group);
+  return code == nullptr ? -1 : code->tenths;
+}
+
+int ModeLine::code(MGroup group) const {
+  const MCode* const code = words_.code(group);
+  return code == nullptr ? -1 : code->number;
+}
+
+bool ModeLine::names_no_spindle(int least) const {
+  const double* const chosen = value('$');
+  if (chosen == nullptr) return false;
+  const double spindle = std::trunc(*chosen);
+  return spindle < least || spindle >= machine_.spindles;
+}
+
+bool ModeLine::choose_spindle(int least, std::string_view message, uint8_t word) {
+  if (!has('$')) return false;
+  if (has_several_spindles()) {
+    set_open(Mode::kTurning);
+    set_open(Mode::kSpeed);
+  }
+  if (!names_no_spindle(least)) return false;
+  const bool too_small = *value('$') < least;
+  if (!machine_.unsure || too_small) return stop(StopKind::kModeConflict, std::string(message), at('$'), word);
+  may_stop(StopKind::kModeConflict, std::string(message), at('$'), word);
+  return false;
+}
+
+void ModeLine::set_spindle(Mode mode, uint8_t value) {
+  // What is open may be that of another spindle, which is still the active one.
+  if (!has_several_spindles() || !now().is_open(mode)) set(mode, value);
+}
+
+const Tool* ModeLine::tool(int number) const {
+  if (!machine_.tools || number <= 0) return nullptr;
+  const auto found = std::ranges::find(*machine_.tools, number, &Tool::number);
+  return found == machine_.tools->end() ? nullptr : &*found;
+}
+
+bool ModeLine::lacks_tool(int number, uint8_t word, uint8_t other) {
+  // Number 0 is the tool in the spindle, and no table has a number below it.
+  if (number == 0 || (number > 0 && (!machine_.tools || tool(number) != nullptr))) return false;
+  return stop(StopKind::kToolMissing, "Requested tool " + std::to_string(number) + " not found in the tool table", word,
+              other);
+}
+
+bool ModeLine::refused_by_compensation(std::string_view message, uint8_t word) {
+  return stop_in({kCompensationOn}, StopKind::kCompensation, message, word);
+}
+
+}  // namespace owlint

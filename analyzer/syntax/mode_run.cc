@@ -1,0 +1,96 @@
+#include "analyzer/syntax/mode_run.h"
+
+#include <algorithm>
+
+#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_restore.h"
+
+namespace owlint {
+namespace {
+
+/// The words in the order in which they act. M72 comes between the two: where it restores something, the rest is lost.
+constexpr auto kFirstSteps =
+    std::to_array({steps::spindle_mode, steps::feed_mode, steps::feed, steps::speed, steps::select_tool,
+                   steps::inputs_outputs, steps::change_tool, steps::spindle, steps::save});
+constexpr auto kRest =
+    std::to_array({steps::coolant, steps::overrides, steps::plane, steps::units, steps::diameter, steps::compensation,
+                   steps::tool_length, steps::system, steps::path_control, steps::distance, steps::retract,
+                   steps::non_modal, steps::axis_offsets, stops_moving});
+
+bool stops_at(std::span<bool (*const)(ModeLine&)> steps, ModeLine& line) {
+  return std::ranges::any_of(steps, [&](auto* step) { return step(line); });
+}
+
+/// Faults of one of two courses: which of them a run takes is not known.
+void add_possible(const std::vector<ModeFault>& found, std::vector<ModeFault>* faults) {
+  for (const ModeFault& fault : found) {
+    faults->push_back(fault);
+    faults->back().fault.certain = faults->back().believed = false;
+  }
+}
+
+/// The states behind two courses.
+ModeState either(const ModeState& a, const ModeState& b) {
+  ModeState joined = join(a, b);
+  for (size_t i = 0; i < kModes; ++i) {
+    if (a.now.may[i] != b.now.may[i]) joined.now.open |= mask_of(static_cast<Mode>(i));
+    if (a.saved.may[i] != b.saved.may[i]) joined.saved.open |= mask_of(static_cast<Mode>(i));
+  }
+  return joined;
+}
+
+/// M72, and the rest of its line if there was nothing to restore. False if no run goes on.
+bool run_from_m72(ModeLine& line) {
+  const uint8_t word = line.at(MGroup::kSpindle);
+  if (line.stop_in({{Mode::kSaved, value_bit(modes::kNotSaved)}}, StopKind::kSavedModes,
+                   "Cannot restore context from invalid stack frame - missing M70/M73?", word))
+    return false;
+  ModeState as_before = line.state();
+  const Restored restored = restore(line.machine(), as_before.saved, word, line);
+  if (restored.something == Answer::kNo) return !stops_at(kRest, line);
+  if (restored.stops || restored.something == Answer::kYes) return !restored.stops;
+  std::vector<ModeFault> faults;
+  ModeLine unlost(line.machine(), line.words(), &as_before, &faults);
+  const bool runs = !stops_at(kRest, unlost);
+  add_possible(faults, line.faults());
+  if (runs) line.state() = either(line.state(), as_before);
+  return true;
+}
+
+}  // namespace
+
+bool ModeRun::run(ModeState* state, std::vector<ModeFault>* faults) const {
+  if (stops_before_it_acts(line_, state, faults)) return false;
+  if (line_.has_unknown_code() || line_.has_remapped_code()) {
+    *state = ModeState::unknown();
+    return true;
+  }
+  ModeLine line(machine_, line_, state, faults);
+  if (stops_at(kFirstSteps, line)) return false;
+  if (line.code(MGroup::kSpindle) == code::kM72) return run_from_m72(line);
+  return !stops_at(kRest, line);
+}
+
+bool read_position(ModeState* state, std::vector<ModeFault>* faults) {
+  return !ModeFaults(&state->now, faults)
+              .stop_in({kCompensationOn}, StopKind::kCompensation,
+                       "Cannot read current position with cutter radius compensation on", kNoWord);
+}
+
+bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults) {
+  const ValueSet saved = state->now[Mode::kSaved];
+  if ((saved & value_bit(modes::kSavedByM73)) == 0) return true;
+  if (saved == value_bit(modes::kSavedByM73)) {
+    ModeFaults line(&state->now, faults);
+    return !restore(machine, state->saved, kNoWord, line).stops;
+  }
+  ModeState restored = *state;
+  std::vector<ModeFault> found;
+  ModeFaults line(&restored.now, &found);
+  const bool runs = !restore(machine, state->saved, kNoWord, line).stops;
+  add_possible(found, faults);
+  if (runs) *state = either(*state, restored);
+  return true;
+}
+
+}  // namespace owlint

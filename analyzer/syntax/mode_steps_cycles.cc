@@ -1,0 +1,120 @@
+// Canned cycles: G73, G74, G81 to G89. Heights are not followed, nor what the holes of one line do to each other.
+#include <algorithm>
+
+#include "analyzer/syntax/mode_line.h"
+
+namespace owlint::steps {
+namespace {
+
+constexpr StopKind kWords = StopKind::kCycleWords;
+
+struct CyclePlane {
+  modes::Plane plane;
+  const char* code;
+  char axis;                 ///< along the hole
+  std::string_view refused;  ///< axes of the other kind of planes
+  const char* name;          ///< as messages about those call it
+  const char* unspecified;
+};
+constexpr CyclePlane kPlanes[] = {
+    {modes::kG17, "G17", 'z', "uvw", "XY", "Z value unspecified in xy plane canned cycle"},
+    {modes::kG18, "G18", 'y', "uvw", "XZ", "Y value unspecified in xz plane canned cycle"},
+    {modes::kG19, "G19", 'x', "uvw", "YZ", "X value unspecified in yz plane canned cycle"},
+    {modes::kG17_1, "G17.1", 'w', "xyz", "UV", "W value unspecified in UV plane canned cycle"},
+    {modes::kG18_1, "G18.1", 'v', "xyz", "UW", "V value unspecified in UW plane canned cycle"},
+    {modes::kG19_1, "G19.1", 'u', "xyz", "VW", "U value unspecified in VW plane canned cycle"},
+};
+
+/// Words that a cycle needs on the line that begins it; further holes have those of the hole before.
+struct CycleWord {
+  MotionSet cycle;
+  char letter;
+  const char* message;
+};
+constexpr CycleWord kNeeded[] = {
+    {set_of(Motion::kG82), 'p', "Dwell time p word missing with g82"},
+    {set_of(Motion::kG86), 'p', "Dwell time p word missing with g86"},
+    {set_of(Motion::kG88), 'p', "Dwell time p word missing with g88"},
+    {set_of(Motion::kG89), 'p', "Dwell time p word missing with g89"},
+    {set_of(Motion::kG73), 'q', "Q word missing with g73"},
+    {set_of(Motion::kG83), 'q', "Q word missing with g83"},
+    {set_of(Motion::kG87), 'i', "I word missing with g87"},
+    {set_of(Motion::kG87), 'j', "J word missing with g87"},
+    {set_of(Motion::kG87), 'k', "K word missing with g87"},
+};
+
+char capital(char letter) { return static_cast<char>(letter - 'a' + 'A'); }
+
+/// The line begins the cycle: the motion mode before it is another one.
+BadMode begins(Motion motion) { return {Mode::kMotion, ~set_of(motion)}; }
+
+bool lacks_word(ModeLine& line, Motion motion, char letter, const char* message) {
+  return line.lacks(letter) && line.stop_in({begins(motion)}, kWords, message, line.mover(), line.at(letter));
+}
+
+bool foreign_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
+  for (const char axis : in.refused) {
+    if (!line.has(axis)) continue;
+    const std::string message = std::string("Cannot put a") + (axis == 'x' ? "n " : " ") + capital(axis) +
+        " in a canned cycle in the " + in.name + " plane";
+    if (line.stop_in({plane}, StopKind::kPlaneWrong, message, line.at(axis), line.mover())) return true;
+  }
+  return false;
+}
+
+bool lacks_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
+  if ((line.machine().axes & letter_set({&in.axis, 1})) != 0 || line.machine().unsure) return false;
+  const std::string message =
+      std::string(in.code) + " canned cycle is not possible on a machine without " + capital(in.axis) + " axis";
+  return line.stop_in({plane}, StopKind::kPlaneWrong, message, line.mover(), line.at(GGroup::kPlane));
+}
+
+/// The axis words, in one plane.
+bool axes(ModeLine& line, Motion motion, const CyclePlane& in) {
+  const BadMode plane{Mode::kPlane, value_bit(in.plane)};
+  if (line.holds({plane}) == Answer::kNo) return false;
+  if (foreign_axis(line, in, plane) || lacks_axis(line, in, plane)) return true;
+  return !line.has(in.axis) && line.stop_in({plane, begins(motion)}, kWords, in.unspecified, line.mover());
+}
+
+bool repeats_none(ModeLine& line) {
+  const double* const l = line.value('l');
+  int32_t repeats = 1;
+  if (l != nullptr) word_integer(*l, &repeats);
+  return repeats == 0 && line.stop(kWords, "Cannot do zero repeats of cycle", line.at('l'), line.mover());
+}
+
+bool taps(ModeLine& line) {
+  constexpr BadMode kOneBlankAway{Mode::kPlane, value_bit(modes::kG18)};
+  const bool other_text = line.holds({kOneBlankAway}) == Answer::kYes;
+  return line.choose_spindle(
+      0, other_text ? "Invalid E-number in G74/G84 cycle" : "Invalid spindle ($) number in G74/G84 cycle",
+      line.mover());
+}
+
+bool pecks_nothing(ModeLine& line) {
+  const double* const q = line.value('q');
+  return q != nullptr && *q <= 0 && !line.lacks('q') &&
+      line.stop(kWords, "Negative or zero q value used", line.at('q'), line.mover());
+}
+
+}  // namespace
+
+bool cycle(ModeLine& line, Motion motion) {
+  constexpr MotionSet kTapping = set_of(Motion::kG74) | set_of(Motion::kG84);
+  constexpr MotionSet kPecking = set_of(Motion::kG73) | set_of(Motion::kG83);
+  if (feed_of(line, motion) ||
+      line.refused_by_compensation("Cannot use canned cycles with cutter compensation on", line.mover()) ||
+      lacks_word(line, motion, 'r', "R clearance plane unspecified in cycle") || repeats_none(line))
+    return true;
+  for (const CyclePlane& plane : kPlanes) {
+    if (axes(line, motion, plane)) return true;
+  }
+  for (const CycleWord& word : kNeeded) {
+    if (contains(word.cycle, motion) && lacks_word(line, motion, word.letter, word.message)) return true;
+  }
+  if (contains(kTapping, motion) && taps(line)) return true;
+  return (contains(kPecking, motion) && pecks_nothing(line)) || turning(line, motion);
+}
+
+}  // namespace owlint::steps

@@ -1,0 +1,112 @@
+// Tools: T, M6, M61, and the length offset G43 to G49.
+#include <cmath>
+
+#include "analyzer/syntax/mode_line.h"
+
+namespace owlint::steps {
+namespace {
+
+constexpr ValueSet kAnyOffset = value_bit(modes::kG49) | value_bit(modes::kOffsetOn);
+
+/// The number of a word that has to be whole; false if it is not known.
+bool number_of(const ModeLine& line, char letter, int* number) {
+  const double* const value = line.value(letter);
+  return value != nullptr && word_integer(*value, number);
+}
+
+/// The tool of H gives an offset, which may be 0.
+void take_offset_of(ModeLine& line, int number) {
+  const Tool* const tool = line.tool(number);
+  if (tool == nullptr) return line.set_open(Mode::kToolOffset, kAnyOffset);
+  line.set(Mode::kToolOffset, tool->has_offset ? modes::kOffsetOn : modes::kG49);
+}
+
+/// G43: without H the tool in the spindle.
+bool from_table(ModeLine& line) {
+  int number = 0;
+  if (number_of(line, 'h', &number) && line.lacks_tool(number, line.at('h'), line.at(GGroup::kToolLength))) return true;
+  take_offset_of(line, number);
+  return false;
+}
+
+/// G43.1: the axes that are named get a new offset.
+bool from_words(ModeLine& line) {
+  bool sets = false;
+  for (const char axis : std::string_view("xyzabcuvw")) {
+    const double* const value = line.value(axis);
+    sets = sets || (value != nullptr && *value != 0);
+  }
+  if (sets) {
+    line.set(Mode::kToolOffset, modes::kOffsetOn);
+  } else if (line.words().has_axis_words()) {
+    line.set_open(Mode::kToolOffset, kAnyOffset);
+  }
+  return false;
+}
+
+/// G43.2: one more offset, of H or from the words. Before 2.10 the words made it look for tool -1.
+bool further(ModeLine& line) {
+  const uint8_t word = line.at(GGroup::kToolLength);
+  const bool axes = line.words().has_axis_words();
+  if (line.has('h') && axes)
+    return line.stop(StopKind::kModeConflict, "G43.2: Can not have both H and axis words", line.at('h'), word);
+  if (!line.has('h') && !axes)
+    return line.stop(StopKind::kModeConflict, "G43.2: No axes specified and H word missing", word);
+  constexpr int kNoTool = -1;
+  int number = 0;
+  if (axes && !line.since(Release::k2_10)) number = kNoTool;
+  if (line.has('h')) number_of(line, 'h', &number);
+  if (line.lacks_tool(number, line.has('h') ? line.at('h') : word)) return true;
+  line.set_open(Mode::kToolOffset, kAnyOffset);
+  return false;
+}
+
+/// M61: its Q is rounded half to even.
+bool set_number(ModeLine& line) {
+  const uint8_t word = line.at(MGroup::kToolChange);
+  const double* const q = line.value('q');
+  if (line.has('q') && q == nullptr) return false;
+  const double number = q == nullptr ? -1 : std::nearbyint(*q);
+  if (number < 0)
+    return line.stop(StopKind::kModeConflict, "Need non-negative Q-word to specify tool number with M61", word,
+                     line.at('q'));
+  return line.lacks_tool(static_cast<int>(number), line.at('q'), word);
+}
+
+}  // namespace
+
+bool select_tool(ModeLine& line) {
+  int number = 0;
+  return number_of(line, 't', &number) && line.lacks_tool(number, line.at('t'));
+}
+
+bool change_tool(ModeLine& line) {
+  const int code = line.code(MGroup::kToolChange);
+  if (code == code::kM61) return set_number(line);
+  if (code != code::kM6) return false;
+  if (line.refused_by_compensation("Cannot change tools with cutter radius compensation on",
+                                   line.at(MGroup::kToolChange)))
+    return true;
+  if (line.machine().unsure) {
+    line.set_open(Mode::kTurning, line.now()[Mode::kTurning] | value_bit(modes::kStopped));
+  } else if (!line.machine().change_keeps_spindle) {
+    line.set(Mode::kTurning, modes::kStopped);
+  }
+  return false;
+}
+
+bool tool_length(ModeLine& line) {
+  const int code = line.code(GGroup::kToolLength);
+  if (code < 0) return false;
+  if (line.refused_by_compensation("Cannot change tool offset with cutter radius compensation on",
+                                   line.at(GGroup::kToolLength)))
+    return true;
+  switch (code) {
+    case code::kG43: return from_table(line);
+    case code::kG43_1: return from_words(line);
+    case code::kG43_2: return further(line);
+    default: line.set(Mode::kToolOffset, modes::kG49); return false;
+  }
+}
+
+}  // namespace owlint::steps

@@ -1,0 +1,87 @@
+#include "analyzer/syntax/modes.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace owlint {
+namespace {
+
+constexpr size_t kMostNames = 9;
+
+struct ModeRow {
+  Mode mode;
+  std::string_view name;
+  std::array<std::string_view, kMostNames> values;
+};
+
+constexpr auto kRows = std::to_array<ModeRow>({
+#define MODE(mode, name, ...) {Mode::mode, name, {__VA_ARGS__}},
+#include "analyzer/syntax/modes.def"
+});
+
+constexpr bool in_order() {
+  for (size_t i = 0; i < kRows.size(); ++i) {
+    if (static_cast<size_t>(kRows[i].mode) != i) return false;
+  }
+  return kRows.size() == kModes;
+}
+static_assert(in_order());
+
+constexpr ValueSet first_values(size_t count) { return (ValueSet{1} << count) - 1; }
+
+ValueSet values_of(const ModeRow& row) {
+  switch (row.mode) {
+    case Mode::kMotion: return all_modes();
+    case Mode::kNurbs: return first_values(modes::kMostPoints + 1);
+    case Mode::kNurbsOrder: return first_values(modes::kMostOrder + 1);
+    default: break;
+  }
+  return first_values(static_cast<size_t>(std::ranges::count_if(row.values, [](auto name) { return !name.empty(); })));
+}
+
+}  // namespace
+
+ValueSet all_values(Mode mode) {
+  static const auto sets = [] {
+    std::array<ValueSet, kModes> all{};
+    std::ranges::transform(kRows, all.begin(), values_of);
+    return all;
+  }();
+  return sets[static_cast<size_t>(mode)];
+}
+
+std::string_view mode_name(Mode mode) { return kRows[static_cast<size_t>(mode)].name; }
+
+std::string value_name(Mode mode, uint8_t value) {
+  switch (mode) {
+    case Mode::kMotion: return motion_name(static_cast<Motion>(value));
+    case Mode::kNurbs: return std::to_string(value);
+    case Mode::kNurbsOrder: return std::to_string(value + modes::kLeastOrder);
+    default: return std::string(kRows[static_cast<size_t>(mode)].values[value]);
+  }
+}
+
+ModeSets ModeSets::started() {
+  ModeSets sets;
+  sets.may.fill(value_bit(0));
+  sets[Mode::kMotion] = set_of(Motion::kNone);
+  return sets;
+}
+
+ModeSets ModeSets::unknown() {
+  ModeSets sets;
+  for (const ModeRow& row : kRows) sets[row.mode] = all_values(row.mode);
+  sets.open = kAllModes;
+  return sets;
+}
+
+ModeSets join(const ModeSets& a, const ModeSets& b) {
+  ModeSets joined;
+  std::ranges::transform(a.may, b.may, joined.may.begin(), std::bit_or<>());
+  joined.open = a.open | b.open;
+  return joined;
+}
+
+ModeState join(const ModeState& a, const ModeState& b) { return {join(a.now, b.now), join(a.saved, b.saved)}; }
+
+}  // namespace owlint
