@@ -37,9 +37,9 @@ SUBJECTS = {
         "#6=#5420|G0 X[#5421*0]|G1 X{n}|G2 I100|G40 G28|T0|M61 Q0|G70 Q900|G5.2 X{n} Y-2 P1|G42|G41",
         "G41 D.5|G42.1|G17.1|G18.1 G41|G42.1 D0 L1|M51"),
     "saved": (
-        "M70|M70|M73|M70 F5|M70 G93|M73 S5 M3|G96 S100|G97|G96 S{v}|G41|G40|G55|G54|G18|G17|M49|M48|M50 P0|M3|M5|M4|F100|F{v}|G93|G94|G95|G94 F50|"
+        "M70|M70|M70|M73|M70 F5|M70 G93|M73 S5|G96 S100|G97|G96 S{v}|G41|G40|G55|G54|G18|G17|M49|M48|M50 P0|M3|M5|M4|F100|F{v}|G93|G94|G95|G94 F50|"
         "G20|G21|G91|G90|G98|G43.1 Z{n}|G49|G61|S100|S{v}|G90.1|G7|M8|M53 P1|G19|G0 X{n}",
-        "M72|M72|M72|M72 G1 X{n}|G33 Z{n} K1|G1 X{n}|G2 I100|G2 J100 K100|G53 G0 X{n}|G43|G81 {a} R1|X{n}|G1 X{n} F5|G18|G55|M71 G1 X{n}|"
+        "M72|M72 G1 X{n}|G33 Z{n} K1|G1 X{n}|G2 I100|G2 J100 K100|G53 G0 X{n}|G43|G81 {a} R1|X{n}|G1 X{n} F5|G18|G55|M71 G1 X{n}|"
         "G76 P1 Z-1 I-.1 J.01 K.05|M72 G80",
         "M71|M72 M2|M72|M71|G97 S0"),
     "cycles": (
@@ -67,8 +67,13 @@ SUBJECTS = {
 # What belongs together, one line after the other.
 NURBS = ("G5.2 X-1 Y-1 P1 L3", "X-2 Y-3 P1", "X-4 Y-1 P1", "G5.3")
 STRAIGHT = ("G91", "G41.1 D.1", "G1 X-5", "X-5", "G40", "G90")
+# What is in effect when it is saved, and before it is restored.
+RESTORED = (("G96 S100", "G97"), ("G96 S50", "G97"), ("G41", "G40"), ("G40", "G41 D0"), ("G54", "G55"), ("G49", "G43.1 Z-1"), ("G61", "G64"),
+            ("G98", "G99"), ("M48", "M49"), ("M50 P1", "M50 P0"), ("M53 P0", "M53 P1"), ("G17", "G18"), ("G18", "G17"), ("G20", "G21"),
+            ("G90", "G91"), ("G93", "G94"), ("G94 F100", "G95"), ("F100", "F0"), ("F100", "G93"), ("M3", "M5"), ("M5", "M4"), ("S100", "S0"),
+            ("G8", "G7"), ("M8", "M9"), ("G91.1", "G90.1"), ("M3 S100", "T0 M6"), ("G42.1 D0", "G40"))
 BETWEEN = ("G43", "T0 M6", "G54", "G18", "G53 G0 X-50", "M64 P1", "G98", "M8", "G19", "G42", "G28", "G61", "#6=[#5+1]", "M3", "G81 X-1 Y-1 Z-1 R1")
-BEGIN = ("G21 G90 G17 G94", "F100", "G94 F100", "M3 S100", "M3", "G90 G54 G40 G80 G49", "G0 X0 Y0", "S100 F100 M4 G0", "G18 F10", "G0 X-1 M3 S9")
+BEGIN = ("G21 G90 G17 G94", "G94 F100", "M3 S100", "M3", "G90 G54 G40 G80 G49", "G0 X0 Y0", "S100 F100 M4 G0", "G18 F10", "G0 X-1 M3 S9")
 CONTOUR = ("G1 X10 Z-5", "G1 X20 Z-20")
 
 
@@ -83,6 +88,7 @@ class ModeMaker(Maker):
         self.polar = rng.random() < 0.3              # at the origin it only goes in G90
         self.nurbs = rng.random() < 0.5              # whole curves, or single points
         self.numbers = rng.random() < 0.5
+        self.together = []                           # lines of groups, but for the first of each
 
     def words(self):
         """One line of words."""
@@ -121,9 +127,9 @@ class ModeMaker(Maker):
             return Line(plain="%s=%s" % (name, rng.choice(("0", "1", "[%s+1]" % name, self.values.fresh(1000)))))
         return Line(plain=self.spelt(self.words()))
 
-    def some(self):
+    def some(self, line=None):
         """A plain line, often in a block of its own: what stops there does not hide all that follows."""
-        line = self.plain()
+        line = line or self.plain()
         if self.rng.random() < 0.75:
             return [line]
         label = self.label()
@@ -132,8 +138,10 @@ class ModeMaker(Maker):
     def group(self):
         """Lines that belong together, now and then with one between them."""
         rng = self.rng
+        if "saved" in self.subjects and rng.random() < 0.8:
+            return self.saved()
         if "splines" in self.subjects and self.nurbs and rng.random() < 0.6:
-            return [Line(plain=line) for line in NURBS]
+            return self.unbroken(NURBS)
         lines = list(STRAIGHT)
         if self.polar:
             return []
@@ -141,7 +149,22 @@ class ModeMaker(Maker):
             lines.insert(rng.randrange(3, 5), rng.choice(BETWEEN))
         if rng.random() < 0.5:
             lines += rng.choice((["G2 I100"], ["G0 X-1", "G2 I100"], ["G81 X-1 Y-1 Z-1 R1", "G2 I100"], ["G3 I100 J100"]))
-        return [Line(plain=line) for line in lines]
+        return self.unbroken(lines)
+
+    def unbroken(self, lines):
+        """Lines between which no call is put."""
+        lines = [Line(plain=line) for line in lines]
+        self.together += lines[1:]
+        return lines
+
+    def saved(self):
+        """Modes that are saved, changed and restored, each of it on some paths."""
+        rng = self.rng
+        pairs = [(before, after) for before, after in rng.sample(RESTORED, rng.choice((1, 2, 2, 3))) if not (self.polar and after == "G91")]
+        lines = [before for before, _ in pairs if rng.random() < 0.7]
+        lines += ["M70"] + [after for _, after in pairs] + [rng.choice(("M72", "M72", "M72 G0 X-1", "G80 M72"))]
+        lines += rng.choice(([], ["G1 X-1"], ["G33 Z-1 K1"], ["G2 I100"], ["G53 G0 X-1"], ["X-1"], ["G1 X-1 F5"]))
+        return sum((self.some(Line(plain=line)) if line != "M70" else [Line(plain=line)] for line in lines), [])
 
     def argument(self, keyword):
         rng = self.rng
@@ -157,11 +180,9 @@ class ModeMaker(Maker):
             lines.append(line)
             while rng.random() < 0.45:
                 lines += self.some()
-        if rng.random() < (0.12 if {"splines", "compensation"} & set(self.subjects) else 0.02):
-            at = rng.randrange(len(lines) + 1)
-            # Not inside of the blocks of other lines, which may leave them.
-            if not any(line.is_oword for line in lines):
-                lines[at:at] = self.group()
+        chance = 0.35 if "saved" in self.subjects else 0.15 if {"splines", "compensation"} & set(self.subjects) else 0.02
+        if rng.random() < chance:
+            lines += self.group()
         return lines
 
     def definition(self, label, room):
@@ -187,7 +208,8 @@ class ModeMaker(Maker):
             body += self.block(share, 0, [], None)
         for label in labels:
             for _ in range(rng.choice((0, 1, 1, 1, 2))):
-                body.insert(rng.randrange(len(body) + 1), self.oword(label, "call"))
+                places = [at for at, line in enumerate(body) if not any(line is one for one in self.together)]
+                body.insert(rng.choice(places), self.oword(label, "call"))
         if rng.random() < 0.97:
             body.append(Line(plain=rng.choice(("M2", "M2", "M30"))))
         if rng.random() < 0.05:
@@ -203,8 +225,7 @@ class ModeMaker(Maker):
         first = 1 if lines[0].plain == "%" else 0
         begin = [Line(plain="#5=%d #7=%d" % (rng.choice((0, 1)), rng.choice((0, 1, 2))))] if self.numbers else []
         begin += [Line(plain=line) for line in rng.sample(BEGIN, rng.choice((0, 1, 2, 2, 3)))]
-        if rng.random() < 0.5:
-            begin.append(Line(plain="G0 X0 Y0"))
+        begin += [Line(plain=line) for line, chance in (("F100", 0.55), ("G0 X0 Y0", 0.5)) if rng.random() < chance]
         if any("900" in line.plain for line in lines):
             begin[0:0] = [Line(900, "sub")] + [Line(plain=line) for line in CONTOUR] + [Line(900, "endsub")]
         lines[first:first] = begin

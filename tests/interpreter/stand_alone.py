@@ -29,6 +29,7 @@ class StandAlone(Interpreter):
         self.written = None
         self.last = 0           # the line that was begun last, in its file
         super().__init__(warnonly, base)
+        os.mkdir(os.path.join(self.folder, "subs"))     # the path is looked for at the start
 
     def run(self, text, choices=b"", block_delete=False):
         run = super().run(text, choices, block_delete)
