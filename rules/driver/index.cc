@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 #include "analyzer/syntax/further_faults.h"
 #include "analyzer/syntax/look_alike.h"
@@ -28,6 +30,7 @@ Index::Index(const Program& program, const FlowResult& flow, const MachineWords&
     at[hazard.statement] = true;
     warned_by_code[rules::code_of(hazard.warned, program.at(hazard.statement))].push_back(&hazard);
   }
+  std::map<std::tuple<std::string_view, const Program*, uint32_t>, StatementId> set_by;
   for (const FlowStop& stop : flow.stops) {
     if (stop.kind == StopKind::kFileEnd && stop.statement != kNoStatement) {
       // A block whose end has a wrong label: the stop at that end and the end of the file, which a run meets
@@ -43,7 +46,16 @@ Index::Index(const Program& program, const FlowResult& flow, const MachineWords&
         continue;
       }
     }
-    by_code[rules::code_of(stop, program)].push_back(&stop);
+    const std::string_view code = rules::code_of(stop, program);
+    if (stop.set_in != nullptr) {
+      // Lines that stop on some way because of one line that has set a mode are one mistake.
+      const auto [first, added] = set_by.try_emplace({code, stop.set_in, stop.set_line}, stop.statement);
+      if (!added) {
+        consequences.emplace(first->second, &stop);
+        continue;
+      }
+    }
+    by_code[code].push_back(&stop);
     if (stop.statement != kNoStatement) add_further(program, stop, machine, codes_known);
   }
   subs = misread_subs(program);
