@@ -58,8 +58,9 @@ bool ModeFaults::stop_in(BadModes modes, StopKind kind, std::string_view message
   return false;
 }
 
-void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by) {
-  faults_.push_back({{kind, std::move(message), word, other, false}, false, decided_by});
+void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by,
+                          bool believed) {
+  faults_.push_back({{kind, std::move(message), word, other, false}, believed, decided_by});
 }
 
 void ModeFaults::set_known(Mode mode, ValueSet values) {

@@ -26,7 +26,8 @@ class ModeLine : public ModeFaults {
   const WordLine& words() const { return words_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
-  bool has_several_spindles() const { return machine_.spindles > 1 || machine_.unsure; }
+  /// Where the machine is not known, a line that chooses one says so.
+  bool has_several_spindles() const { return machine_.spindles > 1 || (machine_.unsure && has('$')); }
 
   bool has(char letter) const { return words_.has(letter); }
   uint8_t at(char letter) const { return words_.find(letter); }

@@ -62,7 +62,7 @@ bool lacks_center(const ModeLine& line) { return !line.has('i') && !line.has('j'
 /// An arc by its center, in one plane.
 bool center(ModeLine& line, const ArcPlane& in) {
   const BadMode plane{Mode::kPlane, value_bit(in.plane)};
-  if (line.has(in.across) && line.stop_in({plane}, StopKind::kArcWords, in.given, line.at(in.across), line.mover()))
+  if (line.has(in.across) && line.stop_in({plane}, StopKind::kPlaneWrong, in.given, line.at(in.across), line.mover()))
     return true;
   const BadMode absolute{Mode::kArcDistance, value_bit(modes::kG90_1)};
   for (const char letter : in.center) {

@@ -52,7 +52,15 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
 }
 
 void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
-  pending_[static_cast<size_t>(mode)] = {0, line, mode, value};
+  ModeChange& change = pending_[static_cast<size_t>(mode)];
+  const bool unused = (changed_ & ~used_ & mask_of(mode)) != 0;
+  if (unused && change.value != value && change.value != ModeChange::kAny && value != ModeChange::kAny &&
+      change.line != line) {
+    const auto last = static_cast<StatementId>(out_.statements.empty() ? 0 : out_.statements.size() - 1);
+    out_.unused_changes.push_back({{last, change.line, mode, change.value}, line, value});
+  }
+  used_ &= ~mask_of(mode);
+  change = {0, line, mode, value};
   changed_ |= mask_of(mode);
   settled_ |= mask_of(mode);
 }
@@ -67,6 +75,7 @@ void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
 
 /// The first line since the last O-word that depends on a mode, if none before it has set the mode.
 void ModesInEffect::need(Mode mode, uint32_t line) {
+  used_ |= mask_of(mode);
   if ((settled_ & mask_of(mode)) != 0) return;
   settled_ |= mask_of(mode);
   const bool first = out_.statements.empty();
@@ -89,12 +98,11 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
   if (motion != Motion::kG0) need(Mode::kFeedMode, line);
 }
 
-void ModesInEffect::pass(const PlainEffect& effect, Lines lines) {
-  const uint32_t last = lines.last;
+void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t last) {
   if (effect.moves) {
-    for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, lines.first);
-    if (effect.arcs) need(Mode::kPlane, lines.first);
-    if (effect.feeds) need(Mode::kFeedMode, lines.first);
+    for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, before + effect.first_move);
+    if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
+    if (effect.first_arc != 0) need(Mode::kPlane, before + effect.first_arc);
   }
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);

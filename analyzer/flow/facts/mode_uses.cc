@@ -1,7 +1,11 @@
 #include "analyzer/flow/facts/mode_uses.h"
 
 #include <bit>
+#include <cmath>
 #include <initializer_list>
+
+#include "analyzer/flow/domain/parameters.h"
+#include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
 namespace {
@@ -9,6 +13,20 @@ namespace {
 bool has_store(const WordLine& words) {
   const MCode* const code = words.code(MGroup::kSpindle);
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
+}
+
+/// Modes of which it is told where a program has not set them.
+bool is_assumed(Mode mode) { return mode == Mode::kUnits || mode == Mode::kDistance || mode == Mode::kPlane; }
+
+/// Whether a parameter is read that must not be while compensation is on.
+bool reads_position(const Syntax& syntax) {
+  for (const Expr& expr : syntax.exprs) {
+    double number = 0;
+    if (expr.op == Operator::kParameter && !expr.target && literal_value(syntax.exprs, expr.left(), &number) &&
+        is_position(std::lround(number)))
+      return true;
+  }
+  return false;
 }
 
 ModeSets only(ModeSets sets, const ModeChange& change) {
@@ -67,10 +85,12 @@ void ModeUses::find_followed() {
     stores = has_store(words);
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
+  if (reachable_[Mode::kCompensation] != value_bit(modes::kG40) && reads_position(program_.syntax))
+    followed_ |= mask_of(Mode::kCompensation);
   // What moves mean differs only where a program has both.
   for (const auto* needs : {&program_.syntax.first_needs, &program_.syntax.mode_needs}) {
     for (const ModeNeed& need : *needs) {
-      if (!std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
+      if (is_assumed(need.mode) || !std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
     }
   }
   // What these depend on.

@@ -63,6 +63,12 @@ void ModeAccess::begin_level(Parameters& p) {
   p.locals.set(pool_, saved_key(Mode::kSaved), mode_value(values_, Mode::kSaved, {value_bit(modes::kNotSaved), false}));
 }
 
+bool ModeAccess::compensates(const Parameters& p) const {
+  if (!uses_.follows(Mode::kCompensation)) return false;
+  const ModeValues side = mode_values(values_, Mode::kCompensation, p.globals.get(mode_key(Mode::kCompensation)));
+  return (side.may & value_bit(modes::kG40)) == 0;
+}
+
 bool ModeAccess::restores(const Parameters& p) const {
   if (!uses_.follows(Mode::kSaved)) return false;
   const ModeValues saved = mode_values(values_, Mode::kSaved, p.locals.get(saved_key(Mode::kSaved)));

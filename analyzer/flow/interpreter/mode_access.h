@@ -22,6 +22,8 @@ class ModeAccess {
   void apply(Parameters& p, std::span<const ModeChange> changes);
   /// A call begins: on its level nothing is saved.
   void begin_level(Parameters& p);
+  /// Whether cutter compensation is surely on.
+  bool compensates(const Parameters& p) const;
   /// Whether the modes that M73 has saved come back where the call ends.
   bool restores(const Parameters& p) const;
 
