@@ -6,6 +6,7 @@
 
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
 namespace {
@@ -36,8 +37,11 @@ ModeSets only(ModeSets sets, const ModeChange& change) {
 
 }  // namespace
 
-void read_words(std::span<const ModeWord> from, WordLine& into) {
-  for (const ModeWord& word : from) into.add({word.letter, word.known, word.value, word.from, word.to});
+bool read_words(const Syntax& syntax, const Statement& asks, WordLine& into) {
+  const bool calls = asks_about_call(syntax, static_cast<StatementId>(&asks - syntax.statements.data()));
+  if (calls) into.begin_call();
+  for (const ModeWord& word : syntax.words_of(asks)) into.add({word.letter, word.known, word.value, word.from, word.to});
+  return !calls;
 }
 
 ModeUses::ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start, ModeMask others)
@@ -64,9 +68,10 @@ void ModeUses::find_reachable() {
 
 bool ModeUses::run(const Statement& s, std::vector<ModeFault>* faults) {
   WordLine words(machine_);
-  read_words(program_.syntax.words_of(s), words);
+  const bool acts = read_words(program_.syntax, s, words);
   ModeState after{reachable_, reachable_};
-  if (!ModeRun(machine_, words).run(&after, faults)) return false;
+  const ModeRun run(machine_, words);
+  if (!run.check(&after, faults) || !acts || !run.act(&after, faults)) return false;
   const ModeSets before = reachable_;
   after.now.assigned = 0;
   reachable_ = join(before, after.now);
@@ -81,8 +86,7 @@ void ModeUses::find_followed() {
     run(s, &faults);
     if (stores) continue;
     WordLine words(machine_);
-    read_words(program_.syntax.words_of(s), words);
-    stores = has_store(words);
+    stores = read_words(program_.syntax, s, words) && has_store(words);
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
   if (reachable_[Mode::kCompensation] != value_bit(modes::kG40) && reads_position(program_.syntax))
@@ -114,7 +118,7 @@ ModeMask ModeUses::changed_at(StatementId id) const {
   }
   if (s.kind == LineKind::kModeLine) {
     WordLine words(machine_);
-    read_words(program_.syntax.words_of(s), words);
+    if (!read_words(program_.syntax, s, words)) return changed & followed_;
     if (words.has_unknown_code() || words.has_remapped_code() || has_store(words)) return followed_;
     ModeState after{reachable_, reachable_};
     std::vector<ModeFault> faults;

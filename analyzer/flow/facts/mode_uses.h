@@ -10,8 +10,9 @@
 
 namespace owlint::flow {
 
-/// The words of a kModeLine, as far as they are not computed.
-void read_words(std::span<const ModeWord> from, WordLine& into);
+/// The words of a kModeLine, as far as they are not computed. False for those of a line that begins with M98: they are checked, but
+/// not carried out.
+bool read_words(const Syntax& syntax, const Statement& asks, WordLine& into);
 
 class ModeUses {
  public:
