@@ -90,6 +90,7 @@ bool distance(ModeLine& line);        ///< G90 G91, then G90.1 G91.1
 bool retract(ModeLine& line);         ///< G98 G99
 bool non_modal(ModeLine& line);       ///< G10 G28 G28.1 G30 G30.1 G52 G92 G5.3
 bool axis_offsets(ModeLine& line);    ///< G92.1 G92.2 G92.3
+bool pause(ModeLine& line);           ///< M0 M1 M60, behind the motion
 
 /// G40, also one that M72 writes.
 void switch_compensation_off(ModeFaults& of);

@@ -26,8 +26,8 @@ void enter(ModeLine& line) {
 void keep_feed(ModeLine& line) {
   const Answer inverse = line.holds({kInverseTime});
   if (inverse == Answer::kNo) return;
-  if (inverse == Answer::kYes && !line.since(Release::k2_10)) return line.set(Mode::kFeed, modes::kFeedSet);
-  line.set_open(Mode::kFeed);
+  const ValueSet left = line.since(Release::k2_10) ? all_values(Mode::kFeed) : value_bit(modes::kFeedSet);
+  line.set_open(Mode::kFeed, inverse == Answer::kYes ? left : left | line.now()[Mode::kFeed]);
 }
 
 bool lacks_plane(ModeLine& line) {

@@ -52,17 +52,21 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
 }
 
 void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
-  ModeChange& change = pending_[static_cast<size_t>(mode)];
-  const bool unused = (changed_ & ~used_ & mask_of(mode)) != 0;
-  if (unused && change.value != value && change.value != ModeChange::kAny && value != ModeChange::kAny &&
-      change.line != line) {
-    const auto last = static_cast<StatementId>(out_.statements.empty() ? 0 : out_.statements.size() - 1);
-    out_.unused_changes.push_back({{last, change.line, mode, change.value}, line, value});
-  }
-  used_ &= ~mask_of(mode);
-  change = {0, line, mode, value};
+  pending_[static_cast<size_t>(mode)] = {0, line, mode, value};
   changed_ |= mask_of(mode);
   settled_ |= mask_of(mode);
+  note_set(mode, value, line);
+}
+
+/// Remembers what a mode is set to, until a line depends on it: if it is set again before, the first time was for nothing.
+void ModesInEffect::note_set(Mode mode, uint8_t value, uint32_t line) {
+  ModeChange& before = last_set_[static_cast<size_t>(mode)];
+  const bool known = before.value != ModeChange::kAny && value != ModeChange::kAny;
+  if ((unused_ & mask_of(mode)) != 0 && known && before.value != value && before.line != line)
+    out_.unused_changes.push_back({before, line, value});
+  const auto last = static_cast<StatementId>(out_.statements.empty() ? 0 : out_.statements.size() - 1);
+  before = {last, line, mode, value};
+  unused_ |= mask_of(mode);
 }
 
 void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
@@ -75,7 +79,7 @@ void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
 
 /// The first line since the last O-word that depends on a mode, if none before it has set the mode.
 void ModesInEffect::need(Mode mode, uint32_t line) {
-  used_ |= mask_of(mode);
+  unused_ &= ~mask_of(mode);
   if ((settled_ & mask_of(mode)) != 0) return;
   settled_ |= mask_of(mode);
   const bool first = out_.statements.empty();
@@ -177,7 +181,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     if (keep && !stops) {
       flush();
       state_ = ModeState::unknown();
-      settled_ = 0;
+      settled_ = unused_ = 0;
     }
     return keep;
   }
@@ -201,6 +205,10 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   }
   flush();
   settled_ |= after.now.assigned;
+  for (ModeMask set = after.now.assigned; set != 0; set &= set - 1) {
+    const Mode mode = mode_at(static_cast<size_t>(std::countr_zero(set)));
+    note_set(mode, after.now.is_open(mode) ? ModeChange::kAny : value_of(after.now, mode), statement.line);
+  }
   need_of(*words, statement.line);
   state_ = after;
   state_.now.assigned = 0;

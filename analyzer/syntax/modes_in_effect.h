@@ -36,6 +36,7 @@ class ModesInEffect {
   void take(const ModeState& after, uint32_t line);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
+  void note_set(Mode mode, uint8_t value, uint32_t line);
   void need(Mode mode, uint32_t line);
   void need_of(const WordLine& words, uint32_t line);
   void flush();
@@ -46,11 +47,12 @@ class ModesInEffect {
   LineParser& parser_;
   MachineWords machine_;
   ModeState state_ = ModeState::unknown();
-  std::array<ModeChange, kModes> pending_{};  // by mode, where changed_ has it
-  ModeMask changed_ = 0;                      // since the last statement
-  ModeMask settled_ = 0;                      // set or needed since the last O-word
-  ModeMask used_ = 0;                         // needed since it was set last
-  bool asks_ = false;                         // of the line that was judged
+  std::array<ModeChange, kModes> pending_{};   // by mode, where changed_ has it
+  ModeMask changed_ = 0;                       // since the last statement
+  ModeMask settled_ = 0;                       // set or needed since the last O-word
+  std::array<ModeChange, kModes> last_set_{};  // by mode, where unused_ has it
+  ModeMask unused_ = 0;                        // set, and not needed since
+  bool asks_ = false;                          // of the line that was judged
   std::vector<ModeFault> faults_;
 };
 

@@ -45,9 +45,13 @@ bool read_words(const Syntax& syntax, const Statement& asks, WordLine& into) {
 }
 
 ModeUses::ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start, ModeMask others)
-    : program_(program), machine_(machine), reachable_(start), followed_(others) {
+    : program_(program), machine_(machine), reachable_(start), others_(start), followed_(others) {
   find_reachable();
   find_followed();
+  others_ = reachable_;
+  for (size_t i = 0; i < kModes; ++i) {
+    if (!std::has_single_bit(reachable_.may[i])) others_.open |= ModeMask{1} << i;
+  }
 }
 
 void ModeUses::find_reachable() {

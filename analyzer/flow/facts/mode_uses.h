@@ -21,6 +21,8 @@ class ModeUses {
 
   /// The modes that decide whether some line stops, or what it means.
   ModeMask followed() const { return followed_; }
+  /// The values that the other modes may have, as far as the program's lines say.
+  const ModeSets& others() const { return others_; }
   bool follows(Mode mode) const { return (followed_ & mask_of(mode)) != 0; }
   /// Of these, the ones that a statement, or the lines behind it, may change.
   ModeMask changed_at(StatementId id) const;
@@ -33,7 +35,7 @@ class ModeUses {
 
   const Program& program_;
   const MachineWords& machine_;
-  ModeSets reachable_;
+  ModeSets reachable_, others_;
   ModeMask followed_ = 0;
 };
 

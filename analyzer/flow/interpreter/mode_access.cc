@@ -22,7 +22,8 @@ constexpr ModeMask kLevel = mask_of(Mode::kSaved);  // belongs to a level of cal
 }  // namespace
 
 ModeState ModeAccess::state(const Parameters& p) const {
-  ModeState out = ModeState::unknown();
+  // Code that owlint does not know may have set anything.
+  ModeState out = p.outside ? ModeState::unknown() : ModeState{uses_.others(), ModeSets::unknown()};
   for_modes(uses_.followed() & ~kLevel, [&](Mode mode) {
     put(out.now, mode, mode_values(values_, mode, p.globals.get(mode_key(mode))));
     if (uses_.follows(Mode::kSaved)) put(out.saved, mode, mode_values(values_, mode, p.locals.get(saved_key(mode))));

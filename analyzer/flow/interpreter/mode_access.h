@@ -15,7 +15,6 @@ class ModeAccess {
   ModeAccess(const ModeUses& uses, size_t names, KnownValues& values, PersistentMap::Pool& pool)
       : uses_(uses), saved_keys_(kLocalNames + static_cast<uint32_t>(names)), values_(values), pool_(pool) {}
 
-  /// What is not followed may be anything.
   ModeState state(const Parameters& p) const;
   void set(Parameters& p, const ModeState& state);
   /// The same of some lines that are not carried out one by one.
