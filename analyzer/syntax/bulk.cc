@@ -78,7 +78,7 @@ class PlainLine {
     }
     const uint8_t* const table = table_of(*proven);
     if (table == nullptr || (words_ & kRotaryWords & ~proven->rotary) != 0 ||
-        ((table[0] | table[has_feed() ? 1 : 0]) >> key(*proven) & 1) == 0)
+        (runs_with(*proven, table) >> key(*proven) & 1) == 0)
       return false;
     take(number, proven, effect);
     return true;
@@ -97,6 +97,10 @@ class PlainLine {
   const char* end() const { return at_; }
 
  private:
+  /// The keys that run: with F also those that run without it, unless the motion may be one that takes no F.
+  uint32_t runs_with(const Proven& proven, const uint8_t* table) const {
+    return table[has_feed() ? 1 : 0] | (code(proven) == Proven::kNoCode ? 0U : table[0]);
+  }
   bool has_feed() const { return (words_ & kFeed) != 0; }
   int code(const Proven& proven) const { return has_code() ? code_ : proven.code; }
 
@@ -127,6 +131,7 @@ class PlainLine {
     effect->speed |= (words_ & kSpeed) != 0;
     if ((words_ & kAxisWords) != 0) {
       effect->moves = true;
+      effect->alone |= proven->code == Proven::kNoCode;
       if (effect->first_move == 0) effect->first_move = number;
       if (proven->code > 1 && effect->first_arc == 0) effect->first_arc = number;
     }

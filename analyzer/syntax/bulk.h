@@ -32,6 +32,7 @@ struct PlainEffect {
   bool feed = false;              ///< a feed that is not 0
   bool speed = false;
   bool moves = false;
+  bool alone = false;       ///< one of them moves by a motion that is not known
   bool feeds = false;       ///< one of them is no G0
   bool straight = false;    ///< one of them is a G0 or G1
   uint32_t first_move = 0;  ///< the first line with an axis word, from 1; 0: none

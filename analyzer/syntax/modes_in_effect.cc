@@ -21,6 +21,18 @@ bool asks_inputs(const WordLine& words) {
       (input != nullptr && input->number == code::kM66);
 }
 
+/// See moved().
+constexpr ModeMask kOfMoves =
+    mask_of(Mode::kEntry) | mask_of(Mode::kStraightOwed) | mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder);
+
+/// A feed and a speed that are not 0 refuse nothing.
+ModeMask better(const ModeSets& sets) {
+  ModeMask mask = 0;
+  if (sets[Mode::kFeed] == value_bit(modes::kFeedSet)) mask |= mask_of(Mode::kFeed);
+  if (sets[Mode::kSpeed] == value_bit(modes::kSpeedSet)) mask |= mask_of(Mode::kSpeed);
+  return mask;
+}
+
 bool stacks_modes(const WordLine& words) {
   const MCode* const code = words.code(MGroup::kSpindle);
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
@@ -103,25 +115,33 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
 }
 
 void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t last) {
+  if (stopped_) return;
   if (effect.moves) {
     for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, before + effect.first_move);
     if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
     if (effect.first_arc != 0) need(Mode::kPlane, before + effect.first_arc);
   }
+  if (effect.moves) moved(effect.alone, last);
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
   if (effect.speed) set(Mode::kSpeed, modes::kSpeedSet, last);
   if (effect.straight) set(Mode::kStraightOwed, modes::kNotOwed, last);
-  if (effect.moves) moved(last);
 }
 
-/// Whether a compensated path has begun depends on how far the lines move.
-void ModesInEffect::moved(uint32_t line) {
+/// Moves do to some modes what is not worth a question: whether a compensated path has begun depends on how far they go, and by a
+/// motion that is not known (`alone`) anything may be added to a curve.
+void ModesInEffect::moved(bool alone, uint32_t line) {
   ModeSets& now = state_.now;
-  if (now[Mode::kCompensation] == value_bit(modes::kG40) || now[Mode::kEntry] == value_bit(modes::kMade)) return;
-  now[Mode::kEntry] = all_values(Mode::kEntry);
-  now.open |= mask_of(Mode::kEntry);
-  note(Mode::kEntry, ModeChange::kAny, line);
+  const auto forget = [&](Mode mode) {
+    now[mode] = all_values(mode);
+    now.open |= mask_of(mode);
+    note(mode, ModeChange::kAny, line);
+    std::erase_if(asked_, [mode](const ModeFault& fault) { return (fault.decided_by & mask_of(mode)) != 0; });
+  };
+  if (now[Mode::kCompensation] != value_bit(modes::kG40) && now[Mode::kEntry] != value_bit(modes::kMade))
+    forget(Mode::kEntry);
+  if (!alone) return;
+  for (const Mode mode : {Mode::kStraightOwed, Mode::kNurbs, Mode::kNurbsOrder}) forget(mode);
 }
 
 /// Writes down what the lines since the last statement have set.
@@ -150,25 +170,42 @@ bool ModesInEffect::asks(const WordLine& words, const ModeState& after) const {
   for (size_t i = 0; i < words.size(); ++i) {
     if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters) == 0) return true;
   }
-  for (size_t i = 0; i < kModes; ++i) {
-    const Mode mode = mode_at(i);
-    const bool changes = after.now[mode] != state_.now[mode] || (after.now.assigned & mask_of(mode)) != 0;
-    if (changes && after.now.is_open(mode)) return true;
-  }
-  return false;
+  return (after.now.assigned & after.now.open & ~kOfMoves) != 0;
 }
 
 /// Takes over what a line without a question does.
 void ModesInEffect::take(const ModeState& after, uint32_t line) {
-  for (size_t i = 0; i < kModes; ++i) {
-    const Mode mode = mode_at(i);
-    if (after.now[mode] != state_.now[mode] || after.now.is_open(mode) != state_.now.is_open(mode))
+  for (ModeMask set = after.now.assigned & ~(kOfMoves & after.now.open); set != 0; set &= set - 1) {
+    const Mode mode = mode_at(static_cast<size_t>(std::countr_zero(set)));
+    if (after.now[mode] != state_.now[mode] || state_.now.is_open(mode))
       note(mode, value_of(after.now, mode), line);
-    else if ((after.now.assigned & mask_of(mode)) != 0)
+    else
       note_set(mode, value_of(after.now, mode), line);
   }
   state_ = after;
   state_.now.assigned = 0;
+}
+
+/// Leaves out what a line before has asked: a run that goes on behind it does not stop for the same in the same modes.
+void ModesInEffect::leave_out_asked() {
+  std::erase_if(faults_, [this](const ModeFault& fault) {
+    const auto same = [&](const ModeFault& before) {
+      constexpr ModeMask kOthers = ~mask_of(Mode::kMotion);  // a message belongs to one motion, or to all alike
+      return (before.decided_by & kOthers) == (fault.decided_by & kOthers) &&
+          before.fault.message == fault.fault.message;
+    };
+    return !fault.fault.certain && fault.decided_by != 0 && std::ranges::any_of(asked_, same);
+  });
+}
+
+/// A feed that is not 0 is taken for set, whatever the feed mode: what that does in inverse time mode the flow knows.
+void ModesInEffect::set_feed(const WordLine& words, ModeSets* after) {
+  constexpr double kSmallFeed = 0.05;
+  const uint8_t f = words.find('f');
+  const bool open = (after->assigned & after->open & mask_of(Mode::kFeed)) != 0;
+  if (!open || f == kNoWord || !words[f].known || words[f].value < kSmallFeed) return;
+  (*after)[Mode::kFeed] = value_bit(modes::kFeedSet);
+  after->open &= ~mask_of(Mode::kFeed);
 }
 
 bool ModesInEffect::judge(Statement& statement, bool keep) {
@@ -187,26 +224,37 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
       flush();
       state_ = ModeState::unknown();
       settled_ = unused_ = 0;
+      asked_.clear();
+      stopped_ = false;
     }
     return keep;
   }
   if (asks_inputs(*words)) out_.input_lines.push_back(statement.line);
+  if (stopped_) return keep;
+  const bool alone = words->depends_on_motion() && !std::has_single_bit(state_.now[Mode::kMotion]);
   ModeState after = state_;
-  ModeRun(machine_, *words).run(&after, &faults_);
+  stopped_ = !ModeRun(machine_, *words).run(&after, &faults_);
+  set_feed(*words, &after.now);
+  leave_out_asked();
   if (faults_.size() == 1 && faults_.front().fault.certain) {
     statement.error = parser_.add_error(faults_.front().fault);
     return true;
   }
   asks_ = asks(*words, after);
+  const ModeMask worse = after.now.assigned & ~better(after.now) & ~mask_of(Mode::kMotion);
+  std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
+  if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());
   // With block delete on the line does nothing.
   if (statement.block_delete && (asks_ || after != state_)) {
     asks_ = true;
+    stopped_ = false;
+    asked_.clear();
     after = ModeState::unknown();
   }
   if (!asks_) {
     take(after, statement.line);
     need_of(*words, statement.line);
-    if (words->has_axis_words()) moved(statement.line);
+    if (words->has_axis_words()) moved(alone, statement.line);
     return keep;
   }
   flush();

@@ -32,11 +32,13 @@ class ModesInEffect {
   void finish() { flush(); }
 
  private:
+  void leave_out_asked();
+  static void set_feed(const WordLine& words, ModeSets* after);
   bool asks(const WordLine& words, const ModeState& after) const;
   void take(const ModeState& after, uint32_t line);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
-  void moved(uint32_t line);
+  void moved(bool alone, uint32_t line);
   void note_set(Mode mode, uint8_t value, uint32_t line);
   void need(Mode mode, uint32_t line);
   void need_of(const WordLine& words, uint32_t line);
@@ -53,8 +55,10 @@ class ModesInEffect {
   ModeMask settled_ = 0;                       // set or needed since the last O-word
   std::array<ModeChange, kModes> last_set_{};  // by mode, where unused_ has it
   ModeMask unused_ = 0;                        // set, and not needed since
+  bool stopped_ = false;                       // no run goes on behind a line since the last O-word
   bool asks_ = false;                          // of the line that was judged
   std::vector<ModeFault> faults_;
+  std::vector<ModeFault> asked_;  // of lines since the last O-word, in modes that none has set since
 };
 
 }  // namespace owlint
