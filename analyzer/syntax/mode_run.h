@@ -1,6 +1,7 @@
 // What the interpreter does with a line of words in the modes that may be in effect: the checks of the complete line, then its
 // words one after the other in the order in which they act. The line stops at the first that the modes refuse; what passes
-// changes them. Positions are not followed: what an arc, a cycle or a compensated path stops with for its numbers is not here.
+// changes them. Positions are not followed: what an arc, a cycle or a compensated path stops with for its numbers is not
+// here. Nor is what needs the tool in the spindle (G10 L0), or the program of a user code.
 #pragma once
 
 #include <vector>

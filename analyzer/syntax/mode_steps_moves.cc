@@ -7,8 +7,8 @@
 namespace owlint::steps {
 namespace {
 
-constexpr BadMode kNoAxesThere{Mode::kPlane,
-                               value_bit(modes::kG17_1) | value_bit(modes::kG18_1) | value_bit(modes::kG19_1)};
+constexpr BadMode kUvwPlanes{Mode::kPlane,
+                             value_bit(modes::kG17_1) | value_bit(modes::kG18_1) | value_bit(modes::kG19_1)};
 constexpr BadMode kNoRadius{Mode::kRadius, value_bit(modes::kNoRadius)};
 constexpr BadMode kInverseTime{Mode::kFeedMode, value_bit(modes::kG93)};
 
@@ -30,8 +30,8 @@ void keep_feed(ModeLine& line) {
   line.set_open(Mode::kFeed, inverse == Answer::kYes ? left : left | line.now()[Mode::kFeed]);
 }
 
-bool lacks_plane(ModeLine& line) {
-  return line.stop_in({kCompensationMoves, kNoAxesThere}, StopKind::kCompensation,
+bool compensates_uvw(ModeLine& line) {
+  return line.stop_in({kCompensationMoves, kUvwPlanes}, StopKind::kCompensation,
                       "BUG: Invalid plane for cutter compensation", line.mover());
 }
 
@@ -138,7 +138,7 @@ std::string name_of_contour(int tenths) {
 
 bool straight(ModeLine& line, Motion motion) {
   owe_nothing(line);
-  if (feed_of(line, motion) || machine_coordinates(line) || lacks_plane(line)) return true;
+  if (feed_of(line, motion) || machine_coordinates(line) || compensates_uvw(line)) return true;
   if (motion == Motion::kG1) keep_feed(line);
   enter(line);
   return false;
@@ -147,7 +147,7 @@ bool straight(ModeLine& line, Motion motion) {
 bool arc(ModeLine& line, Motion motion) {
   if (line.stop_in({{Mode::kStraightOwed, value_bit(modes::kOwed)}}, StopKind::kCompensation,
                    "The move just after exiting cutter compensation mode must be straight, not an arc", line.mover()) ||
-      line.stop_in({kNoAxesThere}, StopKind::kPlaneWrong, "Cannot do an arc in planes G17.1, G18.1, or G19.1",
+      line.stop_in({kUvwPlanes}, StopKind::kPlaneWrong, "Cannot do an arc in planes G17.1, G18.1, or G19.1",
                    line.mover()))
     return true;
   const bool no_center = lacks_center(line);
@@ -166,7 +166,7 @@ bool arc(ModeLine& line, Motion motion) {
 
 bool thread(ModeLine& line, Motion motion) {
   owe_nothing(line);
-  if (lacks_plane(line)) return true;
+  if (compensates_uvw(line)) return true;
   switch (motion) {
     case Motion::kG33:
       return thread_spindle(line, "Invalid spindle ($) number in G33 move", "Spindle not turning in G33");
