@@ -22,9 +22,10 @@ bool goes_on_behind(StopKind kind) {
   }
 }
 
-constexpr double kReturn = 99;  // M98 and M99 are about calls, whatever else their line has
-bool is_call(const WrittenWord& word) {
-  return word.letter == 'm' && word.value && (*word.value == kReturn || *word.value == kReturn - 1);
+/// Whether a run leaves the line at this code: what is behind it need not be meant to run.
+bool leaves_line(const WrittenWord& word) {
+  constexpr double kLeaving[] = {2, 30, 98, 99};
+  return word.letter == 'm' && word.value && std::ranges::find(kLeaving, *word.value) != std::end(kLeaving);
 }
 
 /// One line, read a second time from its beginning.
@@ -35,7 +36,7 @@ class Rereading {
   std::vector<LineError> run(WordReader reader, uint64_t first) {
     begin_ = reader.line_begin();
     while (const std::optional<WrittenWord> word = reader.next()) {
-      if (is_call(*word)) break;
+      if (leaves_line(*word)) break;
       if (reader.fault() != StopKind::kNone) {
         without_number(*word, reader);
       } else {

@@ -121,7 +121,7 @@ void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t la
     if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
     if (effect.first_arc != 0) need(Mode::kPlane, before + effect.first_arc);
   }
-  if (effect.moves) moved(effect.alone, last);
+  if (effect.moves) moved(effect.alone && !std::has_single_bit(state_.now[Mode::kMotion]), last);
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
   if (effect.speed) set(Mode::kSpeed, modes::kSpeedSet, last);
