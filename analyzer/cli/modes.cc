@@ -26,7 +26,7 @@ void print(const Program& program, uint32_t line, const std::vector<ModeThere>& 
     if (!is_worth_showing(there)) continue;
     std::string place = places_of(there, program);
     if (place.empty()) place = there.known ? "as LinuxCNC starts" : "";
-    std::cout << fmt::format("  {:<19}{:<12}", mode_name(there.mode), value_text(there))
+    std::cout << fmt::format("  {:<21}{:<12}", mode_name(there.mode), value_text(there))
               << (place.empty() ? "" : "  " + place) << '\n';
   }
 }

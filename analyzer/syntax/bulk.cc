@@ -69,16 +69,18 @@ class PlainLine {
     return true;
   }
 
-  /// Whether the line surely runs. Then what it does is added to `proven` and `effect`.
-  bool runs(Proven* proven, PlainEffect* effect) const {
+  /// Whether the line surely runs. Then what it does is added to `proven` and `effect`; `number`: of the line.
+  bool runs(uint32_t number, Proven* proven, PlainEffect* effect) const {
     if ((words_ & kMoves) == 0) {  // nothing moves, and nothing uses S up; F has an effect of its own
       if ((words_ & kFeed) != 0) return false;
       effect->speed |= (words_ & kSpeed) != 0;
       return true;
     }
     const uint8_t* const table = table_of(*proven);
-    if (table == nullptr || ((table[0] | table[has_feed() ? 1 : 0]) >> key(*proven) & 1) == 0) return false;
-    take(proven, effect);
+    if (table == nullptr || (words_ & kRotaryWords & ~proven->rotary) != 0 ||
+        ((table[0] | table[has_feed() ? 1 : 0]) >> key(*proven) & 1) == 0)
+      return false;
+    take(number, proven, effect);
     return true;
   }
 
@@ -87,6 +89,7 @@ class PlainLine {
     if ((words_ & kMoves) == 0) return;
     if (uint8_t* const table = table_of(*proven)) table[has_feed() ? 1 : 0] |= static_cast<uint8_t>(1U << key(*proven));
     if (has_code()) proven->code = static_cast<int8_t>(code_);
+    proven->rotary |= words_ & kRotaryWords;
   }
 
   bool has_code() const { return (words_ & kG) != 0; }
@@ -115,17 +118,20 @@ class PlainLine {
   /// Three letters that follow each other, as a number.
   static uint32_t three(uint32_t words, uint32_t letters) { return (words & letters) / (letters & ~(letters - 1)); }
 
-  void take(Proven* proven, PlainEffect* effect) const {
+  void take(uint32_t number, Proven* proven, PlainEffect* effect) const {
     if (has_code()) {
       proven->code = static_cast<int8_t>(code_);
       effect->motion = static_cast<Motion>(code_);
     }
     effect->feed |= has_feed();
     effect->speed |= (words_ & kSpeed) != 0;
-    effect->moves |= (words_ & kAxisWords) != 0;
+    if ((words_ & kAxisWords) != 0) {
+      effect->moves = true;
+      if (effect->first_move == 0) effect->first_move = number;
+      if (proven->code > 1 && effect->first_arc == 0) effect->first_arc = number;
+    }
     effect->straight |= proven->code == 0 || proven->code == 1;
     effect->feeds |= proven->code > 0;
-    effect->arcs |= proven->code > 1;
   }
 
   void skip_blanks() {
@@ -187,7 +193,7 @@ Passed pass_plain_lines(std::string_view bytes, size_t from, const Proven& prove
   const char* const begin = bytes.data();
   while (out.next < bytes.size()) {
     PlainLine line(begin + out.next);
-    if (!line.read() || !line.runs(&out.proven, &out.effect)) break;
+    if (!line.read() || !line.runs(out.lines + 1, &out.proven, &out.effect)) break;
     const auto length = static_cast<size_t>(line.end() - begin) - out.next;
     if (length > kLineLimit) break;
     ++out.lines;

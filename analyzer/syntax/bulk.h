@@ -20,20 +20,22 @@ struct Proven {
   // Each without F on the line, then with it.
   uint8_t straight[2] = {0, 0};  ///< G0 is bit 0, G1 bit 1
   uint8_t arcs[2] = {0, 0};      ///< by the set of I, J and K
+  uint32_t rotary = 0;           ///< letters of A, B and C that have been there
   uint8_t alone[2] = {0, 0};     ///< by the set of X, Y and Z, where the motion in effect is not known
 
   bool operator==(const Proven&) const = default;
 };
 
-/// What plain lines set.
+/// What plain lines set, and need of the modes.
 struct PlainEffect {
   Motion motion = Motion::kNone;  ///< that of the last G0, G1, G2 or G3
   bool feed = false;              ///< a feed that is not 0
   bool speed = false;
   bool moves = false;
-  bool feeds = false;     ///< one of them is no G0
-  bool arcs = false;      ///< one of them is a G2 or G3
-  bool straight = false;  ///< one of them is a G0 or G1
+  bool feeds = false;       ///< one of them is no G0
+  bool straight = false;    ///< one of them is a G0 or G1
+  uint32_t first_move = 0;  ///< the first line with an axis word, from 1; 0: none
+  uint32_t first_arc = 0;   ///< and the first G2 or G3
 
   bool operator==(const PlainEffect&) const = default;
 };

@@ -1,6 +1,5 @@
 #include "analyzer/syntax/mode_faults.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace owlint {
@@ -24,10 +23,16 @@ Answer ModeFaults::holds(BadModes modes) const {
   return answer;
 }
 
-/// A mode that is open may have no bad value; where two modes have several values, they may be bad on different runs.
+/// Of the values that an open mode may have, the bad ones may be on no run; where two modes have several values, they may be
+/// bad on different runs.
 bool ModeFaults::believes(BadModes modes) const {
-  if ((now().open & masks_of(modes)) != 0) return false;
-  return std::ranges::count_if(modes, [&](const BadMode& bad) { return !std::has_single_bit(now()[bad.mode]); }) <= 1;
+  int several = 0;
+  for (const BadMode& bad : modes) {
+    if (std::has_single_bit(now()[bad.mode])) continue;
+    if (now().is_open(bad.mode)) return false;
+    ++several;
+  }
+  return several <= 1;
 }
 
 /// The runs that go on have only good values, if one mode alone decides.
@@ -58,8 +63,9 @@ bool ModeFaults::stop_in(BadModes modes, StopKind kind, std::string_view message
   return false;
 }
 
-void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by) {
-  faults_.push_back({{kind, std::move(message), word, other, false}, false, decided_by});
+void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other, ModeMask decided_by,
+                          bool believed) {
+  faults_.push_back({{kind, std::move(message), word, other, false}, believed, decided_by});
 }
 
 void ModeFaults::set_known(Mode mode, ValueSet values) {

@@ -37,8 +37,9 @@ class ModeFaults {
   bool stop(StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord, ModeMask decided_by = 0);
   /// The line stops on the runs that have all these values. The modes become those of the other runs.
   bool stop_in(BadModes modes, StopKind kind, std::string_view message, uint8_t word, uint8_t other = kNoWord);
-  /// The line may stop, for something that is not known.
-  void may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord, ModeMask decided_by = 0);
+  /// The line may stop, for something that is not known. `believed`: some machines stop.
+  void may_stop(StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord, ModeMask decided_by = 0,
+                bool believed = false);
 
   void set(Mode mode, uint8_t value) { set_known(mode, value_bit(value)); }
   void set_known(Mode mode, ValueSet values);

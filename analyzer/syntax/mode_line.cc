@@ -47,7 +47,7 @@ bool ModeLine::choose_spindle(int least, std::string_view message, uint8_t word)
   if (!names_no_spindle(least)) return false;
   const bool too_small = *value('$') < least;
   if (!machine_.unsure || too_small) return stop(StopKind::kModeConflict, std::string(message), at('$'), word);
-  may_stop(StopKind::kModeConflict, std::string(message), at('$'), word);
+  may_stop(StopKind::kModeConflict, std::string(message), at('$'), word, 0, true);
   return false;
 }
 

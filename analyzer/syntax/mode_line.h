@@ -26,7 +26,8 @@ class ModeLine : public ModeFaults {
   const WordLine& words() const { return words_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
-  bool has_several_spindles() const { return machine_.spindles > 1 || machine_.unsure; }
+  /// Where the machine is not known, a line that chooses one says so.
+  bool has_several_spindles() const { return machine_.spindles > 1 || (machine_.unsure && has('$')); }
 
   bool has(char letter) const { return words_.has(letter); }
   uint8_t at(char letter) const { return words_.find(letter); }
@@ -89,6 +90,7 @@ bool distance(ModeLine& line);        ///< G90 G91, then G90.1 G91.1
 bool retract(ModeLine& line);         ///< G98 G99
 bool non_modal(ModeLine& line);       ///< G10 G28 G28.1 G30 G30.1 G52 G92 G5.3
 bool axis_offsets(ModeLine& line);    ///< G92.1 G92.2 G92.3
+bool pause(ModeLine& line);           ///< M0 M1 M60, behind the motion
 
 /// G40, also one that M72 writes.
 void switch_compensation_off(ModeFaults& of);

@@ -18,8 +18,9 @@ void for_motions(MotionSet motions, Try attempt) {
 /// Collects the faults of the line in each of the motions. One message is one fault.
 class FaultsByMotion {
  public:
-  FaultsByMotion(bool open, MotionSet motions, std::vector<ModeFault>* faults)
-      : open_(open), motions_(motions), faults_(*faults), first_(faults->size()) {}
+  /// `depends`: whether it is the motion in effect that counts.
+  FaultsByMotion(bool depends, bool open, MotionSet motions, std::vector<ModeFault>* faults)
+      : depends_(depends), open_(open), motions_(motions), faults_(*faults), first_(faults->size()) {}
 
   void add(Motion motion, ModeFault fault);
   /// Whether the fault has been found in all of these motions.
@@ -38,6 +39,7 @@ class FaultsByMotion {
     bool believed = false;
   };
 
+  const bool depends_;
   const bool open_;
   const MotionSet motions_;
   std::vector<ModeFault>& faults_;
@@ -72,7 +74,7 @@ void FaultsByMotion::finish(bool some_go_on) {
     const bool motion_decides = found.in != motions_ || (found.certain != 0 && found.certain != motions_);
     fault.fault.certain = found.certain == motions_;
     fault.believed = motion_decides ? found.certain != 0 && !open_ : found.believed;
-    if (motion_decides) fault.decided_by |= mask_of(Mode::kMotion);
+    if (depends_) fault.decided_by |= mask_of(Mode::kMotion);
   }
   if (some_go_on) return;
   faults_.back().fault.certain = faults_.back().believed = true;
@@ -149,7 +151,7 @@ bool stops_before_it_acts(const WordLine& words, ModeState* state, std::vector<M
   ModeSets& now = state->now;
   const MotionSet in_effect = now[Mode::kMotion];
   const MotionSet motions = words.depends_on_motion() ? in_effect : first_of(in_effect);
-  FaultsByMotion found(now.is_open(Mode::kMotion), motions, faults);
+  FaultsByMotion found(words.depends_on_motion(), now.is_open(Mode::kMotion), motions, faults);
   MotionSet pass = motions;
   for_motions(motions, [&](Motion motion) {
     std::optional<Fault> fault = words.check(modes_of(now, motion));
@@ -176,14 +178,15 @@ bool stops_moving(ModeLine& line) {
     return stops_moving(line, mode);
   }
   const bool open = line.now().is_open(Mode::kMotion);
-  FaultsByMotion found(open, motions, line.faults());
+  FaultsByMotion found(true, open, motions, line.faults());
   std::optional<ModeState> joined;
   std::vector<ModeFault> faults;
   for_motions(motions, [&](Motion mode) {
     ModeState state = line.state();
     faults.clear();
+    state.now[Mode::kMotion] = set_of(mode);
+    state.now.open &= ~mask_of(Mode::kMotion);
     ModeLine one(line.machine(), words, &state, &faults);
-    one.set(Mode::kMotion, static_cast<uint8_t>(mode));
     const bool stops = stops_moving(one, mode);
     for (ModeFault& fault : faults) found.add(mode, std::move(fault));
     if (!stops) joined = joined ? join(*joined, state) : state;

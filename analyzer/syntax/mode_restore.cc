@@ -36,7 +36,7 @@ constexpr Written kLine[] = {
     {Mode::kArcDistance, {" G91.1", " G90.1"}},
     {Mode::kDiameter, {" G8", " G7"}},
     {Mode::kAxisOffsets, {" G92.2", " G92.3"}},
-    {Mode::kPathControl, {" G64 P0.000000 Q0.000000", "", ""}},
+    {Mode::kPathControl, {" G64 P0.000000 Q0.000000", "", "", " G64 P... Q..."}},
 };
 /// M codes: the first one stands on that line too, the others on lines of their own.
 constexpr Written kCodes[] = {
@@ -56,11 +56,6 @@ constexpr Refused kRefused[] = {
     {Mode::kPathControl, "Cannot change control mode with cutter radius compensation on"},
     {Mode::kRetract, "Cannot change retract mode with cutter radius compensation on"},
 };
-
-template <typename Do>
-void for_values(ValueSet set, Do apply) {
-  for (; set != 0; set &= set - 1) apply(static_cast<uint8_t>(std::countr_zero(set)));
-}
 
 Answer may(const ModeSets& sets, Mode mode, ValueSet values) {
   const ValueSet has = sets[mode] & values;
@@ -108,7 +103,9 @@ class Restoration {
   Answer find_written(Mode mode) const;
   Answer is_written(Mode mode, uint8_t saved, uint8_t now) const;
   std::string text_of(const Written& row) const;
-  const Written* first_code() const;
+  std::string codes_text() const;
+  std::string line_text() const;
+  Answer is_first(const Written& code) const;
 
   bool stops(Answer whether, const std::string& text, std::string_view message, Mode mode);
   bool line_fails();
@@ -132,19 +129,18 @@ class Restoration {
   Answer on_before_{}, on_behind_{};  ///< compensation
 };
 
-/// Whether the interpreter writes a word to get from the value that is in effect to the saved one.
+/// Whether the interpreter writes a word to get from the value that is in effect to the saved one. Two feeds, speeds or
+/// tolerances may be different numbers.
 Answer Restoration::is_written(Mode mode, uint8_t saved, uint8_t now) const {
   const bool always = machine_.release >= Release::k2_10;
   switch (mode) {
     case Mode::kFeed:
     case Mode::kSpeed:
-      // All that is set has one value here, but may be different numbers.
       if (always) return Answer::kYes;
       return saved == now && saved != modes::kNoFeed ? Answer::kMaybe : answer(saved != now);
     case Mode::kPathControl:
-      if (saved != modes::kG64 || saved != now) return answer(saved != now);
-      if (always) return Answer::kYes;
-      return saved_.is_open(mode) || before_.is_open(mode) ? Answer::kMaybe : Answer::kNo;
+      if (always && (saved == modes::kG64 || saved == modes::kG64Within)) return Answer::kYes;
+      return saved == now && saved == modes::kG64Within ? Answer::kMaybe : answer(saved != now);
     // What was off is not switched off again.
     case Mode::kAdaptiveFeed: return answer(saved == modes::kAdaptiveOn && now == modes::kAdaptiveOff);
     case Mode::kFeedHold: return answer(saved == modes::kHoldOn && now == modes::kHoldOff);
@@ -176,11 +172,26 @@ std::string Restoration::text_of(const Written& row) const {
   return std::string(row.text[saved]);
 }
 
-/// The M code that stands on the line of the G codes; null without one.
-const Written* Restoration::first_code() const {
-  const auto* const first =
+/// The line of F, S and G codes.
+std::string Restoration::codes_text() const {
+  std::string text;
+  for (const Written& row : kLine) text += text_of(row);
+  return text;
+}
+
+/// The same with the first M code behind it.
+std::string Restoration::line_text() const {
+  std::string text = codes_text();
+  const auto* const code =
       std::ranges::find_if(kCodes, [&](const Written& row) { return writes(row.mode) != Answer::kNo; });
-  return first == std::end(kCodes) ? nullptr : first;
+  return code == std::end(kCodes) ? text : text + text_of(*code);
+}
+
+/// Whether the M code stands on that line, if it is written.
+Answer Restoration::is_first(const Written& code) const {
+  Answer first = Answer::kYes;
+  for (const Written* row = kCodes; row != &code; ++row) first = both(first, opposite(writes(row->mode)));
+  return first;
 }
 
 bool Restoration::stops(Answer whether, const std::string& text, std::string_view message, Mode mode) {
@@ -193,19 +204,18 @@ bool Restoration::stops(Answer whether, const std::string& text, std::string_vie
   return false;
 }
 
-/// What the line of G codes stops with, in the order in which its words act.
+/// What that line stops with, in the order in which its words act.
 bool Restoration::line_fails() {
-  std::string text;
-  for (const Written& row : kLine) text += text_of(row);
-  const Written* const code = first_code();
-  if (code != nullptr) text += text_of(*code);
+  const std::string text = line_text();
   const Answer g96 = both(writes(Mode::kSpindleMode), may(saved_, Mode::kSpindleMode, value_bit(modes::kG96)));
   if (stops(both(g96, opposite(writes(Mode::kSpeed))), text, "S word missing with G96", Mode::kSpindleMode))
     return true;
-  if (code != nullptr && is_override(code->mode) &&
-      stops(both(on_before_, writes(code->mode)), text, kNoOverrides, code->mode))
-    return true;
-
+  for (const Written& code : kCodes) {
+    const Answer refused = both(on_before_, writes(code.mode));
+    if (is_override(code.mode) &&
+        stops(both(refused, is_first(code)), codes_text() + text_of(code), kNoOverrides, code.mode))
+      return true;
+  }
   const Answer plane = both(writes(Mode::kPlane), may(saved_, Mode::kPlane, kPlanesOfAxes));
   if (stops(both(on_before_, plane), text, "Cannot change planes with cutter radius compensation on", Mode::kPlane))
     return true;
@@ -221,10 +231,10 @@ bool Restoration::line_fails() {
 
 /// What a further M code stops with, on its own line.
 bool Restoration::codes_fail() {
-  const Written* const first = first_code();
-  return std::ranges::any_of(kCodes, [&](const Written& row) {
-    return &row != first && is_override(row.mode) &&
-        stops(both(writes(row.mode), on_behind_), text_of(row), kNoOverrides, row.mode);
+  return std::ranges::any_of(kCodes, [&](const Written& code) {
+    const Answer refused = both(on_behind_, writes(code.mode));
+    return is_override(code.mode) &&
+        stops(both(refused, opposite(is_first(code))), text_of(code), kNoOverrides, code.mode);
   });
 }
 

@@ -15,7 +15,7 @@ constexpr auto kFirstSteps =
 constexpr auto kRest =
     std::to_array({steps::coolant, steps::overrides, steps::plane, steps::units, steps::diameter, steps::compensation,
                    steps::tool_length, steps::system, steps::path_control, steps::distance, steps::retract,
-                   steps::non_modal, steps::axis_offsets, stops_moving});
+                   steps::non_modal, steps::axis_offsets, stops_moving, steps::pause});
 
 bool stops_at(std::span<bool (*const)(ModeLine&)> steps, ModeLine& line) {
   return std::ranges::any_of(steps, [&](auto* step) { return step(line); });

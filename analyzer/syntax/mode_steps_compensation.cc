@@ -41,12 +41,13 @@ bool by_diameter(ModeLine& line, int code) {
 bool by_tool(ModeLine& line, int code) {
   const uint8_t word = line.at(GGroup::kCutterCompensation);
   const double* const d = line.value('d');
-  const double number = d == nullptr ? 0 : std::trunc(*d + 0.5);
-  if (d != nullptr && !(std::abs(*d - number) < kWholeSlack))
+  const double whole = d == nullptr ? 0 : std::trunc(*d + 0.5);
+  if (d != nullptr && !(std::abs(*d - whole) < kWholeSlack))
     return line.stop(StopKind::kCompensation, g_name(code) + " requires D word to be a whole number", line.at('d'),
                      word);
-  if (line.lacks_tool(static_cast<int>(number), line.at('d'), word)) return true;
-  const Tool* const tool = line.tool(static_cast<int>(number));
+  const int number = nearest_integer(whole);
+  if (line.lacks_tool(number, line.at('d'), word)) return true;
+  const Tool* const tool = line.tool(number);
   if (tool == nullptr) return switch_on(line, code, nullptr);
   constexpr BadMode kNotG18{Mode::kPlane, all_but(modes::kG18)};
   if (tool->orientation != 0 && tool->orientation != kFrontOrientation && line.holds({kNotG18}) != Answer::kNo &&

@@ -15,14 +15,21 @@ struct CyclePlane {
   std::string_view refused;  ///< axes of the other kind of planes
   const char* name;          ///< as messages about those call it
   const char* unspecified;
+  const char* below;
 };
 constexpr CyclePlane kPlanes[] = {
-    {modes::kG17, "G17", 'z', "uvw", "XY", "Z value unspecified in xy plane canned cycle"},
-    {modes::kG18, "G18", 'y', "uvw", "XZ", "Y value unspecified in xz plane canned cycle"},
-    {modes::kG19, "G19", 'x', "uvw", "YZ", "X value unspecified in yz plane canned cycle"},
-    {modes::kG17_1, "G17.1", 'w', "xyz", "UV", "W value unspecified in UV plane canned cycle"},
-    {modes::kG18_1, "G18.1", 'v', "xyz", "UW", "V value unspecified in UW plane canned cycle"},
-    {modes::kG19_1, "G19.1", 'u', "xyz", "VW", "U value unspecified in VW plane canned cycle"},
+    {modes::kG17, "G17", 'z', "uvw", "XY", "Z value unspecified in xy plane canned cycle",
+     "R less than z in cycle in xy plane"},
+    {modes::kG18, "G18", 'y', "uvw", "XZ", "Y value unspecified in xz plane canned cycle",
+     "R less than y in cycle in xz plane"},
+    {modes::kG19, "G19", 'x', "uvw", "YZ", "X value unspecified in yz plane canned cycle",
+     "R less than x in cycle in yz plane"},
+    {modes::kG17_1, "G17.1", 'w', "xyz", "UV", "W value unspecified in UV plane canned cycle",
+     "R less than w in cycle in uv plane"},
+    {modes::kG18_1, "G18.1", 'v', "xyz", "UW", "V value unspecified in UW plane canned cycle",
+     "R less than v in cycle in uw plane"},
+    {modes::kG19_1, "G19.1", 'u', "xyz", "VW", "U value unspecified in VW plane canned cycle",
+     "R less than u in cycle in vw plane"},
 };
 
 /// Words that a cycle needs on the line that begins it; further holes have those of the hole before.
@@ -69,12 +76,27 @@ bool lacks_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
   return line.stop_in({plane}, StopKind::kPlaneWrong, message, line.mover(), line.at(GGroup::kPlane));
 }
 
+/// Whether the hole would lie above R. In G90 both are on the line, or one of them is not known here; in G91 the depth counts from
+/// R on.
+bool is_above(ModeLine& line, const CyclePlane& in, BadMode plane) {
+  const double* const depth = line.value(in.axis);
+  if (depth == nullptr) return false;
+  const double* const r = line.value('r');
+  const auto stops = [&](modes::Distance distance) {
+    return line.stop_in({plane, {Mode::kDistance, value_bit(distance)}}, kWords, in.below, line.at(in.axis),
+                        line.at('r'));
+  };
+  if (r != nullptr && *r < *depth && stops(modes::kG90)) return true;
+  return *depth > 0 && stops(modes::kG91);
+}
+
 /// The axis words, in one plane.
 bool axes(ModeLine& line, Motion motion, const CyclePlane& in) {
   const BadMode plane{Mode::kPlane, value_bit(in.plane)};
   if (line.holds({plane}) == Answer::kNo) return false;
   if (foreign_axis(line, in, plane) || lacks_axis(line, in, plane)) return true;
-  return !line.has(in.axis) && line.stop_in({plane, begins(motion)}, kWords, in.unspecified, line.mover());
+  if (!line.has(in.axis) && line.stop_in({plane, begins(motion)}, kWords, in.unspecified, line.mover())) return true;
+  return is_above(line, in, plane);
 }
 
 bool repeats_none(ModeLine& line) {

@@ -44,7 +44,10 @@ constexpr FeedCheck kFeedChecks[] = {
 };
 
 bool fails(ModeLine& line, const FeedCheck& check) {
-  const BadMode in{Mode::kFeedMode, check.in};
+  BadMode in{Mode::kFeedMode, check.in};
+  // In G94 and G95 the F of the line itself is the feed.
+  const double* const f = line.value('f');
+  if (check.needs == FeedCheck::kFeed && f != nullptr && *f > 0) in.values &= kInverseTime;
   const uint8_t word = line.mover();
   switch (check.needs) {
     case FeedCheck::kFeed: return line.stop_in({in, kZeroFeed}, StopKind::kFeedMissing, check.message, word);

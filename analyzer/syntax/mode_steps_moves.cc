@@ -26,8 +26,8 @@ void enter(ModeLine& line) {
 void keep_feed(ModeLine& line) {
   const Answer inverse = line.holds({kInverseTime});
   if (inverse == Answer::kNo) return;
-  if (inverse == Answer::kYes && !line.since(Release::k2_10)) return line.set(Mode::kFeed, modes::kFeedSet);
-  line.set_open(Mode::kFeed);
+  const ValueSet left = line.since(Release::k2_10) ? all_values(Mode::kFeed) : value_bit(modes::kFeedSet);
+  line.set_open(Mode::kFeed, inverse == Answer::kYes ? left : left | line.now()[Mode::kFeed]);
 }
 
 bool lacks_plane(ModeLine& line) {
@@ -62,7 +62,7 @@ bool lacks_center(const ModeLine& line) { return !line.has('i') && !line.has('j'
 /// An arc by its center, in one plane.
 bool center(ModeLine& line, const ArcPlane& in) {
   const BadMode plane{Mode::kPlane, value_bit(in.plane)};
-  if (line.has(in.across) && line.stop_in({plane}, StopKind::kArcWords, in.given, line.at(in.across), line.mover()))
+  if (line.has(in.across) && line.stop_in({plane}, StopKind::kPlaneWrong, in.given, line.at(in.across), line.mover()))
     return true;
   const BadMode absolute{Mode::kArcDistance, value_bit(modes::kG90_1)};
   for (const char letter : in.center) {

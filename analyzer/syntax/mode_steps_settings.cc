@@ -128,26 +128,23 @@ bool path_control(ModeLine& line) {
   if (set_without_compensation(line, GGroup::kPathControl,
                                "Cannot change control mode with cutter radius compensation on"))
     return true;
-  // Two G64 with tolerances may not be the same; only M72 asks.
   if (line.code(GGroup::kPathControl) == code::kG64 && (may_be_tolerance(line, 'p') || may_be_tolerance(line, 'q')))
-    line.set_open(Mode::kPathControl, value_bit(modes::kG64));
+    line.set(Mode::kPathControl, modes::kG64Within);
   return false;
 }
 
 bool coolant(ModeLine& line) {
   const int code = line.code(MGroup::kCoolant);
   if (code < 0) return false;
-  ValueSet after = value_bit(modes::kNoCoolant);
-  if (code != code::kM9) {
-    const uint8_t more = code == code::kM7 ? modes::kMist : modes::kFlood;
-    after = 0;
-    for (uint8_t value = modes::kNoCoolant; value <= modes::kBoth; ++value) {
-      if ((line.now()[Mode::kCoolant] & value_bit(value)) != 0) after |= value_bit(value | more);
-    }
+  if (code == code::kM9) {
+    line.set(Mode::kCoolant, modes::kNoCoolant);
+    return false;
   }
+  const uint8_t more = code == code::kM7 ? modes::kMist : modes::kFlood;
+  ValueSet after = 0;
+  for_values(line.now()[Mode::kCoolant], [&](uint8_t before) { after |= value_bit(before | more); });
   line.now()[Mode::kCoolant] = after;
   line.now().assigned |= mask_of(Mode::kCoolant);
-  if (code == code::kM9) line.set(Mode::kCoolant, modes::kNoCoolant);
   return false;
 }
 
@@ -159,7 +156,13 @@ bool overrides(ModeLine& line) {
   const Answer on = turns_on(line, code);
   constexpr const char* kEnable = "Cannot enable overrides with cutter radius compensation on";
   constexpr const char* kDisable = "Cannot disable overrides with cutter radius compensation on";
-  if (line.refused_by_compensation(on == Answer::kNo ? kDisable : kEnable, word)) return true;
+  if (on == Answer::kMaybe) {
+    // It stops either way, but it is not known what with.
+    if (line.holds({kCompensationOn}) != Answer::kNo)
+      line.may_stop(StopKind::kCompensation, kEnable, word, line.at('p'));
+  } else if (line.refused_by_compensation(on == Answer::kNo ? kDisable : kEnable, word)) {
+    return true;
+  }
   const auto* const override = std::ranges::find(kOverrides, code, &Override::code);
   return override != std::end(kOverrides) && set_override(line, *override, on);
 }

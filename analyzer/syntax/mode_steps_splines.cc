@@ -110,6 +110,20 @@ void set_order(ModeLine& line) {
   line.set(Mode::kNurbsOrder, static_cast<uint8_t>(std::min<int>(order - modes::kLeastOrder, modes::kMostOrder)));
 }
 
+/// A curve needs as many points as its order says.
+bool too_few_points(ModeLine& line, uint8_t word) {
+  const ValueSet orders = line.now()[Mode::kNurbsOrder];
+  const int least = std::countr_zero(orders) + modes::kLeastOrder;
+  const int most = static_cast<int>(std::bit_width(orders)) - 1 + modes::kLeastOrder;
+  const BadMode too_few{Mode::kNurbs, value_bit(static_cast<uint8_t>(most)) - 1};
+  if (line.holds({too_few}) == Answer::kNo) return false;
+  const std::string message =
+      "You must specify a number of control points at least equal to the order L = " + std::to_string(least);
+  if (least == most) return line.stop_in({too_few}, kWords, message, word);
+  line.may_stop(kWords, message, word, kNoWord, mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder));
+  return false;
+}
+
 }  // namespace
 
 bool spline(ModeLine& line, Motion motion) {
@@ -128,17 +142,17 @@ bool nurbs(ModeLine& line, Motion motion) {
   return false;
 }
 
+/// Since 2.10 a curve does not go on behind a pause.
+bool pause(ModeLine& line) {
+  if (line.code(MGroup::kStop) >= 0 && line.since(Release::k2_10)) line.set(Mode::kNurbs, modes::kNoPoints);
+  return false;
+}
+
 bool end_nurbs(ModeLine& line) {
   const uint8_t word = line.at(GGroup::kNonModal);
   if (line.stop_in({{Mode::kMotion, ~set_of(Motion::kG5_2)}}, kWords, "Cannot use G5.3 without G5.2 first", word))
     return true;
-  const int order = std::countr_zero(line.now()[Mode::kNurbsOrder]) + modes::kLeastOrder;
-  const ValueSet enough = ~(value_bit(static_cast<uint8_t>(order)) - 1);
-  if (std::has_single_bit(line.now()[Mode::kNurbsOrder]) && line.holds({{Mode::kNurbs, ~enough}}) != Answer::kNo &&
-      line.stop_in(
-          {{Mode::kNurbs, ~enough}}, kWords,
-          "You must specify a number of control points at least equal to the order L = " + std::to_string(order), word))
-    return true;
+  if (too_few_points(line, word)) return true;
   line.set(Mode::kNurbs, modes::kNoPoints);
   return false;
 }

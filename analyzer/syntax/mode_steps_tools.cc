@@ -70,7 +70,7 @@ bool set_number(ModeLine& line) {
   if (number < 0)
     return line.stop(StopKind::kModeConflict, "Need non-negative Q-word to specify tool number with M61", word,
                      line.at('q'));
-  return line.lacks_tool(static_cast<int>(number), line.at('q'), word);
+  return line.lacks_tool(nearest_integer(number), line.at('q'), word);
 }
 
 }  // namespace

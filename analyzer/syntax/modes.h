@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -60,7 +61,7 @@ enum Diameter : uint8_t { kG8, kG7 };
 enum System : uint8_t { kG54, kG55, kG56, kG57, kG58, kG59, kG59_1, kG59_2, kG59_3 };
 enum ToolOffset : uint8_t { kG49, kOffsetOn };
 enum Retract : uint8_t { kG99, kG98 };
-enum PathControl : uint8_t { kG64, kG61, kG61_1 };
+enum PathControl : uint8_t { kG64, kG61, kG61_1, kG64Within };  ///< the last one with a tolerance
 enum Compensation : uint8_t { kG40, kG41, kG42 };
 enum Radius : uint8_t { kNoRadius, kRadiusSet };
 enum Entry : uint8_t { kToCome, kMade };
@@ -84,6 +85,11 @@ using ModeMask = uint32_t;
 constexpr ValueSet value_bit(uint8_t value) { return ValueSet{1} << value; }
 constexpr ModeMask mask_of(Mode mode) { return ModeMask{1} << static_cast<int>(mode); }
 inline constexpr ModeMask kAllModes = (mask_of(Mode::kSaved) << 1) - 1;
+
+template <typename Do>
+void for_values(ValueSet values, Do apply) {
+  for (; values != 0; values &= values - 1) apply(static_cast<uint8_t>(std::countr_zero(values)));
+}
 
 /// All values that the mode has.
 ValueSet all_values(Mode mode);

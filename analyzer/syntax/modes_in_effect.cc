@@ -55,6 +55,18 @@ void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
   pending_[static_cast<size_t>(mode)] = {0, line, mode, value};
   changed_ |= mask_of(mode);
   settled_ |= mask_of(mode);
+  note_set(mode, value, line);
+}
+
+/// Remembers what a mode is set to, until a line depends on it: if it is set again before, the first time was for nothing.
+void ModesInEffect::note_set(Mode mode, uint8_t value, uint32_t line) {
+  ModeChange& before = last_set_[static_cast<size_t>(mode)];
+  const bool known = before.value != ModeChange::kAny && value != ModeChange::kAny;
+  if ((unused_ & mask_of(mode)) != 0 && known && before.value != value && before.line != line)
+    out_.unused_changes.push_back({before, line, value});
+  const auto last = static_cast<StatementId>(out_.statements.empty() ? 0 : out_.statements.size() - 1);
+  before = {last, line, mode, value};
+  unused_ |= mask_of(mode);
 }
 
 void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
@@ -67,6 +79,7 @@ void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
 
 /// The first line since the last O-word that depends on a mode, if none before it has set the mode.
 void ModesInEffect::need(Mode mode, uint32_t line) {
+  unused_ &= ~mask_of(mode);
   if ((settled_ & mask_of(mode)) != 0) return;
   settled_ |= mask_of(mode);
   const bool first = out_.statements.empty();
@@ -89,12 +102,11 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
   if (motion != Motion::kG0) need(Mode::kFeedMode, line);
 }
 
-void ModesInEffect::pass(const PlainEffect& effect, Lines lines) {
-  const uint32_t last = lines.last;
+void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t last) {
   if (effect.moves) {
-    for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, lines.first);
-    if (effect.arcs) need(Mode::kPlane, lines.first);
-    if (effect.feeds) need(Mode::kFeedMode, lines.first);
+    for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, before + effect.first_move);
+    if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
+    if (effect.first_arc != 0) need(Mode::kPlane, before + effect.first_arc);
   }
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
@@ -169,7 +181,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     if (keep && !stops) {
       flush();
       state_ = ModeState::unknown();
-      settled_ = 0;
+      settled_ = unused_ = 0;
     }
     return keep;
   }
@@ -193,6 +205,10 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   }
   flush();
   settled_ |= after.now.assigned;
+  for (ModeMask set = after.now.assigned; set != 0; set &= set - 1) {
+    const Mode mode = mode_at(static_cast<size_t>(std::countr_zero(set)));
+    note_set(mode, after.now.is_open(mode) ? ModeChange::kAny : value_of(after.now, mode), statement.line);
+  }
   need_of(*words, statement.line);
   state_ = after;
   state_.now.assigned = 0;

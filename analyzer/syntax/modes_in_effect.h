@@ -21,12 +21,8 @@ class ModesInEffect {
   ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine)
       : out_(out), parser_(parser), machine_(machine) {}
 
-  /// The numbers of the first and the last of some lines.
-  struct Lines {
-    uint32_t first, last;
-  };
-  /// Takes in plain lines.
-  void pass(const PlainEffect& effect, Lines lines);
+  /// Takes in plain lines, whose numbers count from `before` on; `last`: the number of the last of them.
+  void pass(const PlainEffect& effect, uint32_t before, uint32_t last);
   /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
   /// Returns whether the line is to be kept: `keep`, or because of its words.
   bool judge(Statement& statement, bool keep);
@@ -40,6 +36,7 @@ class ModesInEffect {
   void take(const ModeState& after, uint32_t line);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
+  void note_set(Mode mode, uint8_t value, uint32_t line);
   void need(Mode mode, uint32_t line);
   void need_of(const WordLine& words, uint32_t line);
   void flush();
@@ -50,10 +47,12 @@ class ModesInEffect {
   LineParser& parser_;
   MachineWords machine_;
   ModeState state_ = ModeState::unknown();
-  std::array<ModeChange, kModes> pending_{};  // by mode, where changed_ has it
-  ModeMask changed_ = 0;                      // since the last statement
-  ModeMask settled_ = 0;                      // set or needed since the last O-word
-  bool asks_ = false;                         // of the line that was judged
+  std::array<ModeChange, kModes> pending_{};   // by mode, where changed_ has it
+  ModeMask changed_ = 0;                       // since the last statement
+  ModeMask settled_ = 0;                       // set or needed since the last O-word
+  std::array<ModeChange, kModes> last_set_{};  // by mode, where unused_ has it
+  ModeMask unused_ = 0;                        // set, and not needed since
+  bool asks_ = false;                          // of the line that was judged
   std::vector<ModeFault> faults_;
 };
 

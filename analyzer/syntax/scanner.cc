@@ -155,6 +155,8 @@ void look_through(std::string_view bytes, const Stretch& stretch, const Take& ta
     const Passed passed = pass_plain_lines(until_end, at, proven);
     Found found;
     found.plain_effect = passed.effect;
+    if (passed.effect.first_move != 0) found.plain_effect.first_move += line;
+    if (passed.effect.first_arc != 0) found.plain_effect.first_arc += line;
     if (passed.first_code != 0) {
       found.plain_first = line + passed.first_code;
       found.plain_last = line + passed.last_code;
@@ -193,7 +195,7 @@ class Reader {
       seen_first_ = true;
       note_plain(before_ + found.plain_first);
       out_.last_code = before_ + found.plain_last;
-      modes_.pass(found.plain_effect, {before_ + found.plain_first, out_.last_code});
+      modes_.pass(found.plain_effect, before_, out_.last_code);
     }
     if (found.over) {
       before_ += found.line;

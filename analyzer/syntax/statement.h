@@ -85,6 +85,13 @@ struct ModeChange {
   uint8_t value = kAny;
 };
 
+/// A mode that is set, and set again before any line depends on it.
+struct UnusedChange {
+  ModeChange first;
+  uint32_t line = 0;  ///< the second one
+  uint8_t value = 0;
+};
+
 /// The first line behind a statement, before the next one, that means something else in another mode, where the lines between
 /// have not set the mode.
 struct ModeNeed {
@@ -164,8 +171,9 @@ struct Syntax {
   std::vector<Item> items;
   std::vector<LineError> errors;
   std::vector<ModeWord> mode_words;
-  std::vector<ModeChange> mode_changes;   ///< in the order of statements
-  std::vector<ModeNeed> mode_needs;       ///< the same
+  std::vector<ModeChange> mode_changes;  ///< in the order of statements
+  std::vector<ModeNeed> mode_needs;      ///< the same
+  std::vector<UnusedChange> unused_changes;
   std::vector<ModeNeed> first_needs;      ///< of plain lines before the first statement
   std::vector<ModeChange> first_changes;  ///< by plain lines before the first statement
   std::vector<uint32_t> input_lines;      ///< lines that ask the machine's inputs: G38.2 to G38.5, M66

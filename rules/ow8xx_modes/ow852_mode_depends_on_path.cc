@@ -51,10 +51,17 @@ uint8_t value_set(const Hazard& h) {
   return find_word(words, code_of_value(h.mode, h.from)) != nullptr ? h.from : h.to;
 }
 
+/// Whether the line stops on one of the paths: that is said by another rule.
+bool stops_on(const Input& in, uint32_t line) {
+  return std::ranges::any_of(in.flow.stops, [&](const FlowStop& stop) {
+    return stop.statement != kNoStatement && in.program.at(stop.statement).line == line;
+  });
+}
+
 void check(const Input& in, Reporter& out) {
   std::set<std::tuple<Mode, const Program*, uint32_t>> said;  // the first move behind a line is enough
   for (const Hazard& h : in.flow.hazards) {
-    if (h.kind != HazardKind::kModeDependsOnPath || h.needed_in != &in.program) continue;
+    if (h.kind != HazardKind::kModeDependsOnPath || h.needed_in != &in.program || stops_on(in, h.needed_line)) continue;
     const uint8_t set = value_set(h);
     const uint8_t other = set == h.from ? h.to : h.from;
     const std::string one = move_under(h.mode, set);

@@ -15,6 +15,9 @@ inline constexpr long kLastNumber = 5601;
 /// From here on: positions, offsets, probe results, tool data. The machine changes these between two lines.
 inline constexpr long kFirstVolatileNumber = 5061;
 
+/// #5420 to #5428, the position in the program's coordinates.
+inline bool is_position(long number) { return number >= 5420 && number <= 5428; }
+
 /// A parameter by number or by name.
 struct ParameterId {
   uint32_t id = 0;  ///< the number, or a NameId

@@ -31,6 +31,7 @@ void Iteration::start() {
     state.skip = machine_.full_label(kGlobalScope, program_.entry);
     state.seek = true;
     state.parameters.outside = true;
+    machine_.modes().begin_level(state.parameters);
     machine_.evaluator().expect_from_outside(program_.name(program_.entry), state.parameters);
   } else {
     calls_.begin({}, false);

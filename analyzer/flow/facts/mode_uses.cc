@@ -1,7 +1,12 @@
 #include "analyzer/flow/facts/mode_uses.h"
 
 #include <bit>
+#include <cmath>
 #include <initializer_list>
+
+#include "analyzer/flow/domain/parameters.h"
+#include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
 namespace {
@@ -11,6 +16,20 @@ bool has_store(const WordLine& words) {
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
 }
 
+/// Modes of which it is told where a program has not set them.
+bool is_assumed(Mode mode) { return mode == Mode::kUnits || mode == Mode::kDistance || mode == Mode::kPlane; }
+
+/// Whether a parameter is read that must not be while compensation is on.
+bool reads_position(const Syntax& syntax) {
+  for (const Expr& expr : syntax.exprs) {
+    double number = 0;
+    if (expr.op == Operator::kParameter && !expr.target && literal_value(syntax.exprs, expr.left(), &number) &&
+        is_position(std::lround(number)))
+      return true;
+  }
+  return false;
+}
+
 ModeSets only(ModeSets sets, const ModeChange& change) {
   sets[change.mode] |= change.value == ModeChange::kAny ? all_values(change.mode) : value_bit(change.value);
   return sets;
@@ -18,14 +37,21 @@ ModeSets only(ModeSets sets, const ModeChange& change) {
 
 }  // namespace
 
-void read_words(std::span<const ModeWord> from, WordLine& into) {
-  for (const ModeWord& word : from) into.add({word.letter, word.known, word.value, word.from, word.to});
+bool read_words(const Syntax& syntax, const Statement& asks, WordLine& into) {
+  const bool calls = asks_about_call(syntax, static_cast<StatementId>(&asks - syntax.statements.data()));
+  if (calls) into.begin_call();
+  for (const ModeWord& word : syntax.words_of(asks)) into.add({word.letter, word.known, word.value, word.from, word.to});
+  return !calls;
 }
 
 ModeUses::ModeUses(const Program& program, const MachineWords& machine, const ModeSets& start, ModeMask others)
-    : program_(program), machine_(machine), reachable_(start), followed_(others) {
+    : program_(program), machine_(machine), reachable_(start), others_(start), followed_(others) {
   find_reachable();
   find_followed();
+  others_ = reachable_;
+  for (size_t i = 0; i < kModes; ++i) {
+    if (!std::has_single_bit(reachable_.may[i])) others_.open |= ModeMask{1} << i;
+  }
 }
 
 void ModeUses::find_reachable() {
@@ -46,9 +72,10 @@ void ModeUses::find_reachable() {
 
 bool ModeUses::run(const Statement& s, std::vector<ModeFault>* faults) {
   WordLine words(machine_);
-  read_words(program_.syntax.words_of(s), words);
+  const bool acts = read_words(program_.syntax, s, words);
   ModeState after{reachable_, reachable_};
-  if (!ModeRun(machine_, words).run(&after, faults)) return false;
+  const ModeRun run(machine_, words);
+  if (!run.check(&after, faults) || !acts || !run.act(&after, faults)) return false;
   const ModeSets before = reachable_;
   after.now.assigned = 0;
   reachable_ = join(before, after.now);
@@ -63,14 +90,15 @@ void ModeUses::find_followed() {
     run(s, &faults);
     if (stores) continue;
     WordLine words(machine_);
-    read_words(program_.syntax.words_of(s), words);
-    stores = has_store(words);
+    stores = read_words(program_.syntax, s, words) && has_store(words);
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
+  if (reachable_[Mode::kCompensation] != value_bit(modes::kG40) && reads_position(program_.syntax))
+    followed_ |= mask_of(Mode::kCompensation);
   // What moves mean differs only where a program has both.
   for (const auto* needs : {&program_.syntax.first_needs, &program_.syntax.mode_needs}) {
     for (const ModeNeed& need : *needs) {
-      if (!std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
+      if (is_assumed(need.mode) || !std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
     }
   }
   // What these depend on.
@@ -94,7 +122,7 @@ ModeMask ModeUses::changed_at(StatementId id) const {
   }
   if (s.kind == LineKind::kModeLine) {
     WordLine words(machine_);
-    read_words(program_.syntax.words_of(s), words);
+    if (!read_words(program_.syntax, s, words)) return changed & followed_;
     if (words.has_unknown_code() || words.has_remapped_code() || has_store(words)) return followed_;
     ModeState after{reachable_, reachable_};
     std::vector<ModeFault> faults;

@@ -10,8 +10,9 @@
 
 namespace owlint::flow {
 
-/// The words of a kModeLine, as far as they are not computed.
-void read_words(std::span<const ModeWord> from, WordLine& into);
+/// The words of a kModeLine, as far as they are not computed. False for those of a line that begins with M98: they are checked, but
+/// not carried out.
+bool read_words(const Syntax& syntax, const Statement& asks, WordLine& into);
 
 class ModeUses {
  public:
@@ -20,6 +21,8 @@ class ModeUses {
 
   /// The modes that decide whether some line stops, or what it means.
   ModeMask followed() const { return followed_; }
+  /// The values that the other modes may have, as far as the program's lines say.
+  const ModeSets& others() const { return others_; }
   bool follows(Mode mode) const { return (followed_ & mask_of(mode)) != 0; }
   /// Of these, the ones that a statement, or the lines behind it, may change.
   ModeMask changed_at(StatementId id) const;
@@ -32,7 +35,7 @@ class ModeUses {
 
   const Program& program_;
   const MachineWords& machine_;
-  ModeSets reachable_;
+  ModeSets reachable_, others_;
   ModeMask followed_ = 0;
 };
 

@@ -30,6 +30,7 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       structure_(program_),
       effects_(program_, structure_.regular, mode_uses_, limits) {
   if (profile.setup != nullptr && profile.setup->has_remaps) evaluator_.distrust_globals();
+  evaluator_.set_modes(&modes_);
   labels_.emplace_back(kNoName, kNoName);
   index();
 }

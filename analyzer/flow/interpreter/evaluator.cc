@@ -187,6 +187,9 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, const Reading& h
     } else if (number < 1 || number > kLastNumber) {
       out.fails = StopKind::kParameterRange;
       out.message = "Parameter number out of range";
+    } else if (is_position(number) && modes_ != nullptr && modes_->compensates(in)) {
+      out.fails = StopKind::kCompensation;
+      out.message = "Cannot read current position with cutter radius compensation on";
     } else {
       out.value = read_number(number, in);
       if (out.value == kNotPassed) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analyzer/flow/domain/known_parameters.h"
+#include "analyzer/flow/interpreter/mode_access.h"
 #include "analyzer/flow/interpreter/remembered_conditions.h"
 #include "analyzer/flow/interpreter/tracked_parameters.h"
 
@@ -101,6 +102,8 @@ class Evaluator {
   /// From now on nothing is known about global parameters: code that owlint does not follow may change them.
   void distrust_globals() { distrusts_globals_ = true; }
   bool distrusts_globals() const { return distrusts_globals_; }
+  /// Whether the position may be read is asked of these modes.
+  void set_modes(const ModeAccess* modes) { modes_ = modes; }
   /// The effect of the machine's INI on the names that depend on it, as a number.
   uint64_t machine_values() const;
   KnownValues& values() { return values_; }
@@ -123,6 +126,7 @@ class Evaluator {
   NameId value_returned_name_;
   bool coarse_ = false;
   bool distrusts_globals_ = false;
+  const ModeAccess* modes_ = nullptr;
 };
 
 }  // namespace owlint::flow

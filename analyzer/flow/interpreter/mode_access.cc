@@ -22,7 +22,8 @@ constexpr ModeMask kLevel = mask_of(Mode::kSaved);  // belongs to a level of cal
 }  // namespace
 
 ModeState ModeAccess::state(const Parameters& p) const {
-  ModeState out = ModeState::unknown();
+  // Code that owlint does not know may have set anything.
+  ModeState out = p.outside ? ModeState::unknown() : ModeState{uses_.others(), ModeSets::unknown()};
   for_modes(uses_.followed() & ~kLevel, [&](Mode mode) {
     put(out.now, mode, mode_values(values_, mode, p.globals.get(mode_key(mode))));
     if (uses_.follows(Mode::kSaved)) put(out.saved, mode, mode_values(values_, mode, p.locals.get(saved_key(mode))));
@@ -61,6 +62,12 @@ void ModeAccess::apply(Parameters& p, std::span<const ModeChange> changes) {
 void ModeAccess::begin_level(Parameters& p) {
   if (!uses_.follows(Mode::kSaved)) return;
   p.locals.set(pool_, saved_key(Mode::kSaved), mode_value(values_, Mode::kSaved, {value_bit(modes::kNotSaved), false}));
+}
+
+bool ModeAccess::compensates(const Parameters& p) const {
+  if (!uses_.follows(Mode::kCompensation)) return false;
+  const ModeValues side = mode_values(values_, Mode::kCompensation, p.globals.get(mode_key(Mode::kCompensation)));
+  return (side.may & value_bit(modes::kG40)) == 0;
 }
 
 bool ModeAccess::restores(const Parameters& p) const {

@@ -15,13 +15,14 @@ class ModeAccess {
   ModeAccess(const ModeUses& uses, size_t names, KnownValues& values, PersistentMap::Pool& pool)
       : uses_(uses), saved_keys_(kLocalNames + static_cast<uint32_t>(names)), values_(values), pool_(pool) {}
 
-  /// What is not followed may be anything.
   ModeState state(const Parameters& p) const;
   void set(Parameters& p, const ModeState& state);
   /// The same of some lines that are not carried out one by one.
   void apply(Parameters& p, std::span<const ModeChange> changes);
   /// A call begins: on its level nothing is saved.
   void begin_level(Parameters& p);
+  /// Whether cutter compensation is surely on.
+  bool compensates(const Parameters& p) const;
   /// Whether the modes that M73 has saved come back where the call ends.
   bool restores(const Parameters& p) const;
 

@@ -58,7 +58,7 @@ class Builder {
   void add_words(const Statement& s, bool always) {
     const MachineWords machine;
     WordLine words(machine);
-    read_words(program_.syntax.words_of(s), words);
+    if (!read_words(program_.syntax, s, words)) return;
     const ModeState before = ModeState::unknown();
     ModeState after = before;
     std::vector<ModeFault> faults;

@@ -46,19 +46,25 @@ void ModeHazards::came_back(const State& caller, const State& back) {
   }
 }
 
-/// The first line behind a call, in the order of the file, that depends on a mode before anything sets it.
-const ModeNeed* ModeHazards::needed_behind(StatementId call, Mode mode) const {
+/// The first line of a region from a statement on, in the order of the file, that depends on a mode before anything sets it.
+const ModeNeed* ModeHazards::needed_in(RegionId region, StatementId from, Mode mode, int depth) const {
   const ModeUses& uses = analysis_.machine().mode_uses();
-  const RegionId region = program_.region_of[call];
-  for (StatementId id = call; id < program_.size(); ++id) {
+  for (StatementId id = from; id < program_.size(); ++id) {
     if (program_.region_of[id] != region) {
       if (region != kMainRegion) return nullptr;
       continue;
     }
     const Statement& s = program_.at(id);
     if (s.kind == LineKind::kFileEnd || s.kind == LineKind::kProgramEnd) return nullptr;
-    if (id != call && leaks_.contains({id, mode})) return nullptr;  // which may put it right
+    if (id != from && leaks_.contains({id, mode})) return nullptr;  // which may put it right
     if (s.kind == LineKind::kModeLine && (uses.changed_at(id) & mask_of(mode)) != 0) return nullptr;
+    if (id != from && s.calls() && depth > 0) {
+      const auto call = std::ranges::lower_bound(program_.calls, id, {}, &Call::statement);
+      const bool known = call != program_.calls.end() && call->statement == id && call->target != kNoRegion;
+      const ModeNeed* const need =
+          known ? needed_in(call->target, program_.regions[call->target].opener, mode, depth - 1) : nullptr;
+      if (need != nullptr) return need;
+    }
     for (const ModeNeed& need : program_.syntax.needs_after(id)) {
       if (need.mode == mode) return &need;
     }
@@ -67,6 +73,12 @@ const ModeNeed* ModeHazards::needed_behind(StatementId call, Mode mode) const {
     }
   }
   return nullptr;
+}
+
+/// The first line behind a call that depends on a mode.
+const ModeNeed* ModeHazards::needed_behind(StatementId call, Mode mode) const {
+  constexpr int kDeepest = 2;  // subs that the lines behind it call
+  return needed_in(program_.region_of[call], call, mode, kDeepest);
 }
 
 /// Whether the caller has set the mode itself: then it expects to find it like that.
@@ -152,10 +164,26 @@ void ModeHazards::find_assumed(Hazards& hazards) const {
   }
 }
 
+void ModeHazards::find_unused(Hazards& hazards) const {
+  const Program& main = *analysis_.linked().files()[0].program;
+  for (const UnusedChange& change : main.syntax.unused_changes) {
+    if (!matters_by_path(change.first.mode) || change.first.after >= main.size()) continue;
+    Hazard hazard = hazard_at(HazardKind::kModeInactive, change.first.after);
+    hazard.mode = change.first.mode;
+    hazard.from = change.first.value;
+    hazard.to = change.value;
+    hazard.set_in = hazard.needed_in = &main;
+    hazard.set_line = change.first.line;
+    hazard.needed_line = change.line;
+    hazards.add(std::move(hazard), change.line);
+  }
+}
+
 void ModeHazards::find(Hazards& hazards) const {
   find_leaks(hazards);
   find_different(hazards);
   find_assumed(hazards);
+  find_unused(hazards);
 }
 
 }  // namespace owlint::flow

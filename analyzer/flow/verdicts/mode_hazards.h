@@ -38,6 +38,8 @@ class ModeHazards final : public ModeWatch {
   void find_leaks(Hazards& hazards) const;
   void find_different(Hazards& hazards) const;
   void find_assumed(Hazards& hazards) const;
+  void find_unused(Hazards& hazards) const;
+  const ModeNeed* needed_in(RegionId region, StatementId from, Mode mode, int depth) const;
   const ModeNeed* needed_behind(StatementId call, Mode mode) const;
   bool sets_before(StatementId call, Mode mode) const;
 

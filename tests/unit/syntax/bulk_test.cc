@@ -57,6 +57,14 @@ std::vector<std::string> told_line_by_line(const std::string& text) {
   return told(syntax);
 }
 
+/// What is told first of the one and not of the other.
+std::string difference(const std::vector<std::string>& fast, const std::vector<std::string>& slow) {
+  const auto [a, b] = std::mismatch(fast.begin(), fast.end(), slow.begin(), slow.end());
+  return a == fast.end() && b == slow.end()
+      ? ""
+      : "fast: " + (a == fast.end() ? "-" : *a) + "\nline by line: " + (b == slow.end() ? "-" : *b);
+}
+
 /// Lines as in programs, most of them plain, and such that are nearly plain.
 std::string random_program(std::mt19937& random) {
   static const std::vector<std::string> kWords = {
@@ -108,7 +116,7 @@ TEST_CASE("the fast path keeps of files what reading line by line keeps", "[bulk
         continue;
       if (std::ranges::any_of(fast.statements, [](const Statement& s) { return s.kind == LineKind::kAbort; })) continue;
       ++compared;
-      CHECK(told(fast) == told_line_by_line(bytes));
+      CHECK(difference(told(fast), told_line_by_line(bytes)) == "");
     }
   }
   CHECK(compared > 400);
@@ -126,14 +134,14 @@ TEST_CASE("what may matter is never passed over", "[bulk]") {
         "#1=2",     "G0 X[1]",     "100 sub",   " 5",    "sub",   "if [1]",  "G1 X1\rG0",  "\xEF\xBB\xBFG1",
         "G1 X\xE4", "G0 X1 ; c",   "$(x)",      "X1 X2", "G1 G0", "G1 I1",   "U1",         "G4",
         "X",        "X.",          "X1..",      "F-1",   "G5",    "G1.5",    "X1 2",       "R5",
-        "N",        "N1. X1",      "G1 X1 F0",  "S0",    "F100",  "G2 X1 R5"}) {
+        "N",        "N1. X1",      "G1 X1 F0",  "A1",  "S0",    "F100",  "G2 X1 R5"}) {
     INFO(line);
     CHECK(stops_at(std::string("G1 X1\n") + line + "\nG1 X2\n", all) == 6);
   }
   CHECK(stops_at(std::string("G1 X1\nX") + std::string(252, '1') + "\nG1\n", all) == 6);
   CHECK(stops_at(std::string("G1 X1\nX") + std::string(251, '1') + "\nG1\n", all) == 6 + 253 + 3);
   for (const char* line : {"G1 X1 Y-2.5", "  X1", "", "  \t", "N10 G1 X1", "X1\r", "G1X1Y1", "S500", "G2 X1 I1",
-                           "g03x1y0r.5", "A1", "X1 F05"}) {
+                           "g03x1y0r.5", "X1 F05"}) {
     INFO(line);
     const std::string text = std::string("G1 X1\n") + line + "\nG1 X2\n";
     CHECK(stops_at(text, all) == text.size());
