@@ -87,11 +87,7 @@ bool change_tool(ModeLine& line) {
   if (line.refused_by_compensation("Cannot change tools with cutter radius compensation on",
                                    line.at(MGroup::kToolChange)))
     return true;
-  if (line.machine().unsure) {
-    line.set_open(Mode::kTurning, line.now()[Mode::kTurning] | value_bit(modes::kStopped));
-  } else if (!line.machine().change_keeps_spindle) {
-    line.set(Mode::kTurning, modes::kStopped);
-  }
+  if (!line.machine().change_keeps_spindle) line.set(Mode::kTurning, modes::kStopped);
   return false;
 }
 

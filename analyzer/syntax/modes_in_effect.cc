@@ -112,13 +112,16 @@ void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t la
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
   if (effect.speed) set(Mode::kSpeed, modes::kSpeedSet, last);
   if (effect.straight) set(Mode::kStraightOwed, modes::kNotOwed, last);
-  // Whether a compensated path has begun depends on how far the lines move.
-  if (effect.moves && state_.now[Mode::kCompensation] != value_bit(modes::kG40) &&
-      state_.now[Mode::kEntry] != value_bit(modes::kMade)) {
-    state_.now[Mode::kEntry] = all_values(Mode::kEntry);
-    state_.now.open |= mask_of(Mode::kEntry);
-    note(Mode::kEntry, ModeChange::kAny, last);
-  }
+  if (effect.moves) moved(last);
+}
+
+/// Whether a compensated path has begun depends on how far the lines move.
+void ModesInEffect::moved(uint32_t line) {
+  ModeSets& now = state_.now;
+  if (now[Mode::kCompensation] == value_bit(modes::kG40) || now[Mode::kEntry] == value_bit(modes::kMade)) return;
+  now[Mode::kEntry] = all_values(Mode::kEntry);
+  now.open |= mask_of(Mode::kEntry);
+  note(Mode::kEntry, ModeChange::kAny, line);
 }
 
 /// Writes down what the lines since the last statement have set.
@@ -161,6 +164,8 @@ void ModesInEffect::take(const ModeState& after, uint32_t line) {
     const Mode mode = mode_at(i);
     if (after.now[mode] != state_.now[mode] || after.now.is_open(mode) != state_.now.is_open(mode))
       note(mode, value_of(after.now, mode), line);
+    else if ((after.now.assigned & mask_of(mode)) != 0)
+      note_set(mode, value_of(after.now, mode), line);
   }
   state_ = after;
   state_.now.assigned = 0;
@@ -201,6 +206,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   if (!asks_) {
     take(after, statement.line);
     need_of(*words, statement.line);
+    if (words->has_axis_words()) moved(statement.line);
     return keep;
   }
   flush();

@@ -36,6 +36,7 @@ class ModesInEffect {
   void take(const ModeState& after, uint32_t line);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
+  void moved(uint32_t line);
   void note_set(Mode mode, uint8_t value, uint32_t line);
   void need(Mode mode, uint32_t line);
   void need_of(const WordLine& words, uint32_t line);

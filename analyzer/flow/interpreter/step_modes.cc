@@ -50,7 +50,10 @@ Evaluation AbstractMachine::Step::line_computes() const {
 
 /// Reports what the words stop with. False if no run goes on.
 bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
-  if (!faults.empty() && line_computes().fails != StopKind::kNone) return true;
+  if (faults.empty()) return true;
+  // A number that its word may not have is what the values of the line stop with; this finding knows the word.
+  const StopKind before = line_computes().fails;
+  if (before != StopKind::kNone && before != StopKind::kNumberOutOfRange) return true;
   for (const ModeFault& found : faults) {
     const Fault& fault = found.fault;
     if (!fault.certain && !found.believed) continue;
