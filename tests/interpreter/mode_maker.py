@@ -223,7 +223,7 @@ class ModeMaker(Maker):
         """With what most programs begin with, and the subs that lines ask for."""
         rng = self.rng
         first = 1 if lines[0].plain == "%" else 0
-        begin = [Line(plain="#5=%d #7=%d" % (rng.choice((0, 1)), rng.choice((0, 1, 2))))] if self.numbers else []
+        begin = [Line(plain="(run before) #5=%d #7=%d" % (rng.choice((0, 1)), rng.choice((0, 1, 2))))] if self.numbers else []
         begin += [Line(plain=line) for line in rng.sample(BEGIN, rng.choice((0, 1, 2, 2, 3)))]
         begin += [Line(plain=line) for line, chance in (("F100", 0.55), ("G0 X0 Y0", 0.5)) if rng.random() < chance]
         if any("900" in line.plain for line in lines):

@@ -39,7 +39,8 @@ class StandAlone(Interpreter):
         line = self._line(self.last)
         if run.message.startswith("M7x: restore_settings"):
             return replace(run, line=restores(text, line))
-        return replace(run, line=line) if run.line and _CONTOUR.match(text.split("\n")[line - 1]) else run
+        begun = text.split("\n")[max(0, line - 1):line]
+        return replace(run, line=line) if run.line and begun and _CONTOUR.match(begun[0]) else run
 
     def _ask(self, data, choices, block_delete):
         if data != self.written:
