@@ -13,7 +13,6 @@
 namespace owlint::lsp {
 namespace {
 
-
 /// Some lines of a Markdown list.
 class Points {
  public:
@@ -115,8 +114,7 @@ std::string letter_help(const WordRow& row, const std::vector<WrittenWord>& line
              fmt::format("{}{}", rules::number_text(row.number),
                          row.below == nullptr ? "" : fmt::format(", {} or more", row.least)));
   std::string takers = is_axis(row.letter) ? "motions" : "";
-  if (!taking.empty())
-    takers += (takers.empty() ? "" : "; ") + rules::spoken(taking, release);
+  if (!taking.empty()) takers += (takers.empty() ? "" : "; ") + rules::spoken(taking, release);
   points.add("taken by", takers);
   if (std::string_view("fst").find(row.letter) != std::string_view::npos) points.add("stands with any code, and alone");
   points.add("needed by", rules::spoken(rules::codes_needing(row.letter, release), release));

@@ -48,19 +48,19 @@ struct MachineSetup {
   std::string path;              ///< of the INI
   std::optional<uint32_t> mask;  ///< FEATURE or FEATURES
   const Ini::Entry* mask_entry = nullptr;
-  bool warnonly = false;           ///< OWORD_WARNONLY
-  bool counts_arguments = false;   ///< OWORD_NARGS: subs have `#<n_args>`
-  bool reads_ini = true;           ///< INI_VARS: programs read entries of the INI as `#<_ini[section]entry>`
-  bool reads_hal = true;           ///< HAL_PIN_VARS: and pins as `#<_hal[pin]>`
-  bool no_fanuc = false;           ///< DISABLE_FANUC_STYLE_SUB
-  bool has_remaps = false;         ///< codes on motion lines may run subs
-  bool has_python = false;         ///< a called sub may be a Python function
-  int32_t spindles = 1;            ///< [TRAJ]SPINDLES, as the interpreter has it: any number
+  bool warnonly = false;              ///< OWORD_WARNONLY
+  bool counts_arguments = false;      ///< OWORD_NARGS: subs have `#<n_args>`
+  bool reads_ini = true;              ///< INI_VARS: programs read entries of the INI as `#<_ini[section]entry>`
+  bool reads_hal = true;              ///< HAL_PIN_VARS: and pins as `#<_hal[pin]>`
+  bool no_fanuc = false;              ///< DISABLE_FANUC_STYLE_SUB
+  bool has_remaps = false;            ///< codes on motion lines may run subs
+  bool has_python = false;            ///< a called sub may be a Python function
+  int32_t spindles = 1;               ///< [TRAJ]SPINDLES, as the interpreter has it: any number
   bool change_keeps_spindle = false;  ///< TOOL_CHANGE_WITH_SPINDLE_ON: M6 does not stop it
-  std::vector<IniFolder> folders;  ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
-  std::bitset<100> user_codes;     ///< from M100 on: those whose file is there and may be executed
-  bool user_folders_known = true;  ///< all folders in which such files are looked for are here
-  std::vector<IniCall> calls;      ///< subs that the machine calls, without a program
+  std::vector<IniFolder> folders;     ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
+  std::bitset<100> user_codes;        ///< from M100 on: those whose file is there and may be executed
+  bool user_folders_known = true;     ///< all folders in which such files are looked for are here
+  std::vector<IniCall> calls;         ///< subs that the machine calls, without a program
   std::shared_ptr<const SearchPath> search_path;
   std::optional<ToolTable> tools;  ///< none if there is no file of them, or if a program keeps them: DB_PROGRAM
   std::shared_ptr<const Source> tools_source;  ///< the file of `tools`

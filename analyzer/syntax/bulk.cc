@@ -111,6 +111,7 @@ class PlainLine {
     if (code < 2) return (words_ & kArcWords) == 0 ? proven.straight : nullptr;
     // By its radius an arc needs an end in the plane: with both of these it has one in any.
     const bool radius = (words_ & kRadius) != 0;
+    if (!radius && (words_ & kCenterWords) == 0) return nullptr;
     return radius && ((words_ & kCenterWords) != 0 || (words_ & kXY) != kXY) ? nullptr : proven.arcs;
   }
   /// The line's bit in that table.

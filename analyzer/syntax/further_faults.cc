@@ -95,7 +95,8 @@ class Rereading {
                        static_cast<uint8_t>(word.span.begin - begin_), static_cast<uint8_t>(word.span.end - begin_)});
   }
 
-  /// Two words that exclude each other: perhaps a line feed is missing. What is wrong behind it is wrong on a line that begins here.
+  /// Two words that exclude each other: perhaps a line feed is missing. What is wrong behind it is wrong on a line that
+  /// begins here.
   void begin_again(const WrittenWord& word) {
     words_.clear();
     add(word);

@@ -76,8 +76,8 @@ bool lacks_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
   return line.stop_in({plane}, StopKind::kPlaneWrong, message, line.mover(), line.at(GGroup::kPlane));
 }
 
-/// Whether the first hole would lie above R. In G90 both are on the line, or one of them is not known here; in G91 the depth counts
-/// from R on.
+/// Whether the first hole would lie above R. In G90 both are on the line, or one of them is not known here; in G91 the depth
+/// counts from R on.
 bool is_above(ModeLine& line, const CyclePlane& in, BadMode plane) {
   const double* const depth = line.value(in.axis);
   if (depth == nullptr || line.mover() == kNoWord) return false;

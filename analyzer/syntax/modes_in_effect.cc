@@ -22,8 +22,10 @@ bool asks_inputs(const WordLine& words) {
 }
 
 /// See moved().
-constexpr ModeMask kOfMoves =
-    mask_of(Mode::kEntry) | mask_of(Mode::kStraightOwed) | mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder);
+constexpr ModeMask of_moves(bool alone) {
+  return mask_of(Mode::kEntry) |
+      (alone ? mask_of(Mode::kStraightOwed) | mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder) : 0);
+}
 
 /// A feed and a speed that are not 0 refuse nothing.
 ModeMask better(const ModeSets& sets) {
@@ -83,7 +85,7 @@ void ModesInEffect::note_set(Mode mode, uint8_t value, uint32_t line) {
 
 void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
   ModeSets& now = state_.now;
-  if (now[mode] == value_bit(value)) return;
+  if (now[mode] == value_bit(value) && !now.is_open(mode)) return;
   now[mode] = value_bit(value);
   now.open &= ~mask_of(mode);
   note(mode, value, line);
@@ -165,17 +167,17 @@ void ModesInEffect::flush() {
 }
 
 /// Whether the flow has to carry out the line: what it stops with or does depends on what is not known here.
-bool ModesInEffect::asks(const WordLine& words, const ModeState& after) const {
+bool ModesInEffect::asks(const WordLine& words, const ModeState& after, bool alone) const {
   if (!faults_.empty() || stacks_modes(words) || words.has_unknown_code() || words.has_remapped_code()) return true;
   for (size_t i = 0; i < words.size(); ++i) {
     if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters) == 0) return true;
   }
-  return (after.now.assigned & after.now.open & ~kOfMoves) != 0;
+  return (after.now.assigned & after.now.open & ~of_moves(alone)) != 0;
 }
 
 /// Takes over what a line without a question does.
-void ModesInEffect::take(const ModeState& after, uint32_t line) {
-  for (ModeMask set = after.now.assigned & ~(kOfMoves & after.now.open); set != 0; set &= set - 1) {
+void ModesInEffect::take(const ModeState& after, bool alone, uint32_t line) {
+  for (ModeMask set = after.now.assigned & ~(of_moves(alone) & after.now.open); set != 0; set &= set - 1) {
     const Mode mode = mode_at(static_cast<size_t>(std::countr_zero(set)));
     if (after.now[mode] != state_.now[mode] || state_.now.is_open(mode))
       note(mode, value_of(after.now, mode), line);
@@ -190,9 +192,10 @@ void ModesInEffect::take(const ModeState& after, uint32_t line) {
 void ModesInEffect::leave_out_asked() {
   std::erase_if(faults_, [this](const ModeFault& fault) {
     const auto same = [&](const ModeFault& before) {
-      constexpr ModeMask kOthers = ~mask_of(Mode::kMotion);  // a message belongs to one motion, or to all alike
-      return (before.decided_by & kOthers) == (fault.decided_by & kOthers) &&
-          before.fault.message == fault.fault.message;
+      // A message belongs to one motion, or to all alike; but of a motion that was not known only some runs had it.
+      constexpr ModeMask kMotion = mask_of(Mode::kMotion);
+      return (before.decided_by | kMotion) == (fault.decided_by | kMotion) &&
+          (before.decided_by & kMotion) <= (fault.decided_by & kMotion) && before.fault.message == fault.fault.message;
     };
     return !fault.fault.certain && fault.decided_by != 0 && std::ranges::any_of(asked_, same);
   });
@@ -208,6 +211,14 @@ void ModesInEffect::set_feed(const WordLine& words, ModeSets* after) {
   after->open &= ~mask_of(Mode::kFeed);
 }
 
+/// Runs come from elsewhere, or a line that is deleted may have done anything or nothing.
+void ModesInEffect::forget() {
+  state_ = ModeState::unknown();
+  settled_ = unused_ = 0;
+  asked_.clear();
+  stopped_ = false;
+}
+
 bool ModesInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
   asks_ = false;
@@ -220,12 +231,9 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     }
     // At O-words runs come from elsewhere, or go elsewhere and come back; behind a line that stops there is none.
     const bool stops = statement.kind == LineKind::kWords && statement.has_error();
-    if (keep && !stops) {
+    if (keep && (!stops || statement.block_delete)) {
       flush();
-      state_ = ModeState::unknown();
-      settled_ = unused_ = 0;
-      asked_.clear();
-      stopped_ = false;
+      forget();
     }
     return keep;
   }
@@ -238,10 +246,11 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   leave_out_asked();
   if (faults_.size() == 1 && faults_.front().fault.certain) {
     statement.error = parser_.add_error(faults_.front().fault);
+    if (statement.block_delete) forget();
     return true;
   }
-  asks_ = asks(*words, after);
-  const ModeMask worse = after.now.assigned & ~better(after.now) & ~mask_of(Mode::kMotion);
+  asks_ = asks(*words, after, alone);
+  const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
   if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());
   // With block delete on the line does nothing.
@@ -252,7 +261,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     after = ModeState::unknown();
   }
   if (!asks_) {
-    take(after, statement.line);
+    take(after, alone, statement.line);
     need_of(*words, statement.line);
     if (words->has_axis_words()) moved(alone, statement.line);
     return keep;

@@ -32,10 +32,11 @@ class ModesInEffect {
   void finish() { flush(); }
 
  private:
+  void forget();
   void leave_out_asked();
   static void set_feed(const WordLine& words, ModeSets* after);
-  bool asks(const WordLine& words, const ModeState& after) const;
-  void take(const ModeState& after, uint32_t line);
+  bool asks(const WordLine& words, const ModeState& after, bool alone) const;
+  void take(const ModeState& after, bool alone, uint32_t line);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
   void moved(bool alone, uint32_t line);

@@ -1,5 +1,5 @@
-// Where the questions about a line are (kMachineCheck, kModeLine), beside the statement of the line itself: in front of it, in this
-// order.
+// Where the questions about a line are (kMachineCheck, kModeLine), beside the statement of the line itself: in front of it,
+// in this order.
 #pragma once
 
 #include "analyzer/syntax/statement.h"

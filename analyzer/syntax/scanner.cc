@@ -209,6 +209,7 @@ class Reader {
     const bool too_long = found.view.too_long && !ends_in_nuls(line);
     if (found.view.too_long && !too_long) line = line.substr(0, line.find('\0') + 1);
     bool keep = too_long;
+    bool asked = false;  // kept only for a question about it
     if (too_long) {
       statement.offset = found.begin;
       statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
@@ -223,7 +224,9 @@ class Reader {
       if (code) out_.last_code = number;
       if (view.matters || view.too_long) {
         keep = parser_.parse(line, found.begin, &statement);
+        asked = !keep;
         keep = modes_.judge(statement, keep);
+        asked = asked && keep && !statement.has_error();
       }
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
@@ -238,7 +241,7 @@ class Reader {
           keep = true;
         }
       }
-      if (!keep && code) note_plain(number);
+      if ((!keep || asked) && code) note_plain(number);
     }
     const WordLine* const words = found.view.matters && !too_long ? parser_.words() : nullptr;
     const bool unsure = found.view.matters && !too_long && parser_.unsure() != kNoError;

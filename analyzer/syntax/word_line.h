@@ -50,8 +50,8 @@ class WordLine {
   explicit WordLine(const MachineWords& machine) : machine_(&machine) {}
   /// Takes up another line.
   void clear();
-  /// The line begins with M98: all its other words are read and checked, and none but P and L has an effect. M98 is not counted as
-  /// an M word (measured).
+  /// The line begins with M98: all its other words are read and checked, and none but P and L has an effect. M98 is not
+  /// counted as an M word (measured).
   void begin_call();
 
   /// Before a word's value is read, of a letter that begins one (word_row). The word the fault is about has the index

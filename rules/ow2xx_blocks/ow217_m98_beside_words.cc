@@ -1,6 +1,7 @@
 // OW217 m98-beside-words: M98 or M99 on a line with other words.
 // Depends on: they call and return only as the line's first word. LinuxCNC reads all words of an M98 line, even if the line
-// is skipped, and checks them against each other if it is not, but only P and L have an effect; in a sub nothing may come after M99.
+// is skipped, and checks them against each other if it is not, but only P and L have an effect; in a sub nothing may come
+// after M99.
 #include <algorithm>
 
 #include "analyzer/syntax/known_line.h"
@@ -112,7 +113,8 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
   return f;
 }
 
-/// Whether the words of an M98 line that did not stop may stop it all the same: by what they compute, or by modes that are not known.
+/// Whether the words of an M98 line that did not stop may stop it all the same: by what they compute, or by modes that are
+/// not known.
 bool may_stop(const Program& p, StatementId id) {
   const Statement& s = p.at(id);
   const std::string_view rest = p.source->slice(s.rest_span());

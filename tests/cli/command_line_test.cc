@@ -48,7 +48,7 @@ TEST_CASE("exit status 2 for wrong usage", "[cli]") {
                                                        {"--jobs", "many", good},
                                                        {"--feature", "many", good},
                                                        {"--linuxcnc", "2.6", good},
-                                                       {"--select", "OW9", good},
+                                                       {"--select", "OW99", good},
                                                        {"--ignore", "XX", good},
                                                        {"--severity", "OW104", good},
                                                        {"--severity", "OW104=fatal", good},

@@ -36,7 +36,7 @@ Stops stops_of(const FlowResult& result) {
 /// Stops that only some values make: they are not seen where these are joined with others (README, "Limits").
 bool of_values(StopKind kind) {
   return kind == StopKind::kValueFails || kind == StopKind::kParameterRange || kind == StopKind::kParameterReadOnly ||
-      kind == StopKind::kLabelNotInteger || kind == StopKind::kM98Words;
+      kind == StopKind::kLabelNotInteger || kind == StopKind::kM98Words || kind == StopKind::kNumberOutOfRange;
 }
 
 /// A call whose label is joined from many values calls no sub that is followed (README, "Limits").

@@ -51,7 +51,7 @@ std::string many_subs(std::mt19937& random) {
         case 0: out += fmt::format("#<n> = {}\n", below(4)); break;
         case 1: out += "#<n> = [#<n> + 1]\n"; break;
         case 2: out += fmt::format("#{} = [#{} * 2]\n", 1 + below(3), 1 + below(3)); break;
-        case 3: out += below(4) == 0 ? fmt::format("#<_g> = {}\n", below(3)) : "G1 X[#1]\n"; break;
+        case 3: out += below(4) == 0 ? fmt::format("#<_g> = {}\n", below(3)) : "G0 X[#1]\n"; break;
         case 4: out += below(4) == 0 ? "#31 = [#31 + 1]\n" : "G0 Z[#<n>]\n"; break;
         case 5:
           if (subs > 0) out += fmt::format("o<s{}> call [{}] [#500]\n", below(subs), below(4));
@@ -127,5 +127,6 @@ TEST_CASE("remembered calls change no finding while programs of many subs are ed
       text = test::damaged(edit % 3 == 2 ? whole : text, random);
     }
   }
-  CHECK(recalled > kPrograms * 8 / 10);
+  // Calls of subs that set or need modes which are followed are not remembered.
+  CHECK(recalled > kPrograms / 5);
 }

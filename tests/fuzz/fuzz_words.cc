@@ -132,16 +132,16 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   bytes += '\n';
   MotionSet modes = all_modes();
-  Taken taken = Taken::kNothing;
+  Proven proven;
   for (size_t at = 0; at < bytes.size();) {
     const size_t feed = bytes.find('\n', at);
     const std::string_view text = std::string_view(bytes).substr(at, feed - at);
-    const Passed passed = pass_plain_lines(std::string_view(bytes).substr(0, feed + 1), at, taken);
+    const Passed passed = pass_plain_lines(std::string_view(bytes).substr(0, feed + 1), at, proven);
     require(passed.lines <= 1 && passed.next == (passed.lines == 1 ? feed + 1 : at));
     if (text.size() > kLineLimit) return 0;
     const Line line(text, at, machine);
-    if (passed.lines == 1) line.must_run(modes, passed.motion);
-    taken = passed.lines == 1 ? passed.taken : taken_after(text, taken);
+    if (passed.lines == 1) line.must_run(modes, passed.effect.motion);
+    proven = passed.lines == 1 ? passed.proven : proven_after(text, proven);
     if (line.stops(&modes)) return 0;
     at = feed + 1;
   }

@@ -58,8 +58,8 @@ class KnownValues {
   double value(ValueId id) const { return constants_[id - kFirstConstant]; }
   Range range(ValueId id) const;
   /// What is known after two paths are joined: the least value that holds both. Two constants or ranges make the range over
-  /// both, widened to the thresholds, and two sets the set of what is in one of them. Commutative, associative and idempotent; as there are few thresholds, a value that is
-  /// joined with more and more others comes to rest.
+  /// both, widened to the thresholds, and two sets the set of what is in one of them. Commutative, associative and
+  /// idempotent; as there are few thresholds, a value that is joined with more and more others comes to rest.
   ValueId join(ValueId a, ValueId b);
   void set_thresholds(Thresholds thresholds) { thresholds_ = std::move(thresholds); }
   const Thresholds& thresholds() const { return thresholds_; }

@@ -40,7 +40,8 @@ ModeSets only(ModeSets sets, const ModeChange& change) {
 bool read_words(const Syntax& syntax, const Statement& asks, WordLine& into) {
   const bool calls = asks_about_call(syntax, static_cast<StatementId>(&asks - syntax.statements.data()));
   if (calls) into.begin_call();
-  for (const ModeWord& word : syntax.words_of(asks)) into.add({word.letter, word.known, word.value, word.from, word.to});
+  for (const ModeWord& word : syntax.words_of(asks))
+    into.add({word.letter, word.known, word.value, word.from, word.to});
   return !calls;
 }
 
@@ -93,6 +94,7 @@ void ModeUses::find_followed() {
     stores = read_words(program_.syntax, s, words) && has_store(words);
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
+  refuses_ = !faults.empty();
   if (reachable_[Mode::kCompensation] != value_bit(modes::kG40) && reads_position(program_.syntax))
     followed_ |= mask_of(Mode::kCompensation);
   // What moves mean differs only where a program has both.

@@ -1,5 +1,5 @@
-// Which modes decide anything in a program: only those are followed. Most programs never leave most modes, so that what a line needs
-// of them is there in any case.
+// Which modes decide anything in a program: only those are followed. Most programs never leave most modes, so that what a
+// line needs of them is there in any case.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace owlint::flow {
 
-/// The words of a kModeLine, as far as they are not computed. False for those of a line that begins with M98: they are checked, but
-/// not carried out.
+/// The words of a kModeLine, as far as they are not computed. False for those of a line that begins with M98: they are
+/// checked, but not carried out.
 bool read_words(const Syntax& syntax, const Statement& asks, WordLine& into);
 
 class ModeUses {
@@ -24,6 +24,8 @@ class ModeUses {
   /// The values that the other modes may have, as far as the program's lines say.
   const ModeSets& others() const { return others_; }
   bool follows(Mode mode) const { return (followed_ & mask_of(mode)) != 0; }
+  /// Whether some line stops in some of the modes that may be in effect.
+  bool refuses() const { return refuses_; }
   /// Of these, the ones that a statement, or the lines behind it, may change.
   ModeMask changed_at(StatementId id) const;
 
@@ -37,6 +39,7 @@ class ModeUses {
   const MachineWords& machine_;
   ModeSets reachable_, others_;
   ModeMask followed_ = 0;
+  bool refuses_ = false;
 };
 
 }  // namespace owlint::flow

@@ -1,4 +1,5 @@
-// What the own lines of a sub need of the modes and do to them, whatever the way through it; the subs that it calls are not looked at.
+// What the own lines of a sub need of the modes and do to them, whatever the way through it; the subs that it calls are not
+// looked at.
 #pragma once
 
 #include <map>

@@ -100,11 +100,11 @@ TEST_CASE("without indentation no place is guessed among several", "[program]") 
 }
 
 TEST_CASE("a sub without endsub names the likely one", "[program]") {
-  const auto p = build("o<slot> sub\nG0 X1\no<slto> endsub\no<slot> call\nM2\n");
+  const auto p = build("o<slot> sub\n#1=1\no<slto> endsub\no<slot> call\nM2\n");
   REQUIRE(p->regions.size() == 2);
   CHECK(p->regions[1].end == kNoStatement);
   CHECK(line_of(*p, p->regions[1].likely_end) == 3);
-  CHECK(p->region_of[2] == kMainRegion);
+  CHECK(p->region_of[3] == kMainRegion);
 }
 
 TEST_CASE("definitions inside blocks know the block", "[program]") {

@@ -92,7 +92,7 @@ TEST_CASE("with a small budget a path shows its last decisions", "[verdicts]") {
 }
 
 TEST_CASE("an endless loop is a hazard, and no run ends", "[verdicts]") {
-  const FlowResult result = verdicts_of("o1 while [1]\n  G0 X1\no1 endwhile\nM2\n");
+  const FlowResult result = verdicts_of("o1 while [1]\n  #1=1\no1 endwhile\nM2\n");
   REQUIRE(result.hazards.size() == 1);
   CHECK(result.hazards[0].kind == HazardKind::kEndlessLoop);
   CHECK(result.hazards[0].statement == 0);
