@@ -91,7 +91,7 @@ std::string random_program(std::mt19937& random) {
 TEST_CASE("the fast path keeps what reading line by line keeps", "[bulk]") {
   std::mt19937 random(4711);
   size_t different = 0;
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < 50'000; ++i) {
     const std::string text = random_program(random);
     const Syntax fast = scan(*Source::own("p.ngc", text));
     if (told(fast) == told_line_by_line(text)) continue;
