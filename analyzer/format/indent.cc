@@ -41,8 +41,13 @@ std::vector<Edit> indentation(const Program& program, const IndentStyle& style) 
   StatementId next = 0;
   for (size_t at = 0; at < bytes.size();) {
     const size_t feed = std::min(bytes.find('\n', at), bytes.size());
-    const bool has_statement = next < program.size() && program.at(next).offset == at;
-    const int depth = std::max(0, level + (has_statement ? steps.line[next] : 0));
+    // In front of a line's own statement there may be questions about it.
+    int own = 0, behind = 0;
+    for (; next < program.size() && program.at(next).offset <= feed; ++next) {
+      own += steps.line[next];
+      behind += steps.behind[next];
+    }
+    const int depth = std::max(0, level + own);
     const std::string_view line = bytes.substr(at, feed - at);
     const size_t blanks = std::min(line.find_first_not_of(" \t"), line.size());
     const size_t text = line.size() - blanks;
@@ -55,7 +60,7 @@ std::vector<Edit> indentation(const Program& program, const IndentStyle& style) 
       std::string indent(std::min(wanted, kLineLimit - text), style.spaces ? ' ' : '\t');
       if (line.substr(0, blanks) != indent) edits.push_back({{at, at + blanks}, std::move(indent)});
     }
-    if (has_statement) level += steps.behind[next++];
+    level += behind;
     at = feed + 1;
   }
   return edits;

@@ -54,7 +54,8 @@ def main():
         for choices in (b"", bytes([1]) * 40):
             compared += 1
             ends = ending(interpreter, before, choices), ending(interpreter, after, choices)
-            if ends[0] != ends[1]:
+            # A spline leaves a place that is different in every run.
+            if ends[0] != ends[1] and ending(interpreter, before, choices) == ends[0]:
                 different += 1
                 print("%s: %s before, %s after" % (path, ends[0][:3], ends[1][:3]))
     interpreter.close()
