@@ -30,7 +30,8 @@ OPEN = {
     # Order on one line: what a tool table, the INI or the shape of a path decides comes first; and the text that M72 executes.
     "modes": {"ctx-m72-comp-with-other-system.ngc", "ctx-m72-other-plane-while-comp-on.ngc", "g10-l1-unknown-before-nothing.ngc",
               "order-comp-before-tool-offset.ngc", "order-m100-before-plane-and-comp.ngc", "order-t-before-m62.ngc",
-              "pre-g2-after-comp-before-plane-uv.ngc", "userm-m100-before-the-g-codes.ngc", "ini-indexer-g1-before-feed-check.ngc"},
+              "pre-g2-after-comp-before-plane-uv.ngc", "userm-m100-before-the-g-codes.ngc", "ctx-m72-overrides-while-comp-on.ngc",
+              "ini-indexer-g1-before-feed-check.ngc"},
     "geometry": {"cycle-g83-q-tiny-never-ends.ngc", "g76-large-r-takes-k-over-j-to-the-r-passes.ngc",
                  "g7x-arc-centered-on-its-start-crashes.ngc", "g7x-contour-bad-word.ngc", "g7x-contour-u-and-w.ngc",
                  "g76-order-rotary-before-i.ngc", "spline-g5-order-p-q-after-polar.ngc", "g7x-g71-half-circle-never-ends.ngc", "g7x-g72-of-an-arc-in-x-never-ends.ngc",

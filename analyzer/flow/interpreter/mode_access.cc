@@ -23,7 +23,7 @@ constexpr ModeMask kLevel = mask_of(Mode::kSaved);  // belongs to a level of cal
 
 ModeState ModeAccess::state(const Parameters& p) const {
   // Code that owlint does not know may have set anything.
-  ModeState out = p.outside ? ModeState::unknown() : ModeState{uses_.others(), ModeSets::unknown()};
+  ModeState out = p.outside ? ModeState::unknown() : ModeState{uses_.others(), uses_.others()};
   for_modes(uses_.followed() & ~kLevel, [&](Mode mode) {
     put(out.now, mode, mode_values(values_, mode, p.globals.get(mode_key(mode))));
     if (uses_.follows(Mode::kSaved)) put(out.saved, mode, mode_values(values_, mode, p.locals.get(saved_key(mode))));
