@@ -65,12 +65,15 @@ session('hover over words', { files: machine }, async (client) => {
   withUserCode(client);
   const part = 'nc/part.ngc';
   client.open(part);
-  const hover = async (piece, into = 0) => {
+  const whole = async (piece, into = 0) => {
     const place = client.params(part, piece, into);
     const result = await client.request('textDocument/hover', place);
     if (result) assert.ok(places.contains(result.range, { start: place.position, end: place.position }), piece);
     return result && markup(result.contents);
   };
+  const modes = '\n\nBefore this line:\n\n';
+  const hover = async (piece, into = 0) => (await whole(piece, into))?.split(modes)[0] ?? null;
+  assert.ok((await whole('G88.1')).endsWith(`${modes}- motion mode: G1, line 1\n- feed: set, line 1`));
   assert.equal(await hover('G1 X1'), '**G1** straight move at feed rate\n\n- group: motion\n- takes: axes X Z');
   assert.equal(await hover('G88.1'), '**G88.1** code of this machine\n\n`REMAP` on line 4 of machine.ini: on this machine it calls `o<measure>`.');
   assert.match(await hover('M6'), /^\*\*M6\*\* change the tool\n\n- group: tool change\n\n`REMAP` on line 2 of machine\.ini: on this machine it calls `o<change>`\.$/);
