@@ -8,8 +8,6 @@
 namespace owlint::audit {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Chooses the lines, and gives them in stretches without gaps.
 class ShownLines {
  public:
@@ -28,12 +26,12 @@ class ShownLines {
     }
   }
 
-  Json json() const {
-    Json stretches = Json::array();
+  nlohmann::ordered_json json() const {
+    nlohmann::ordered_json stretches = nlohmann::ordered_json::array();
     uint32_t next = 0;
     for (const uint32_t number : lines_) {
       if (next == 0 || number - next > kHole) {
-        stretches.push_back({number, Json::array()});
+        stretches.push_back({number, nlohmann::ordered_json::array()});
         next = number;
       }
       for (; next <= number; ++next) stretches.back()[1].push_back(text(next));
@@ -65,14 +63,14 @@ class ShownLines {
 
 }  // namespace
 
-Json shown_lines(const Program& program, const std::vector<Finding>& findings) {
+nlohmann::ordered_json shown_lines(const Program& program, const std::vector<Finding>& findings) {
   return ShownLines(program, findings).json();
 }
 
-Json kept_lines(const Source& source, const std::vector<Finding>& findings) {
+nlohmann::ordered_json kept_lines(const Source& source, const std::vector<Finding>& findings) {
   std::set<uint32_t> numbers;
   for (const Finding& f : findings) numbers.insert(source.position(f.span.begin).line);
-  Json stretches = Json::array();
+  nlohmann::ordered_json stretches = nlohmann::ordered_json::array();
   for (const uint32_t number : numbers) stretches.push_back({number, {printable(source.slice(source.line(number)))}});
   return stretches;
 }

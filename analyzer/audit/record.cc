@@ -12,33 +12,31 @@
 namespace owlint::audit {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Writes findings, and gathers the lines that they point at.
 class Writer {
  public:
-  Json report(const FileReport& report) {
-    Json findings = Json::array();
+  nlohmann::json report(const FileReport& report) {
+    nlohmann::json findings = nlohmann::json::array();
     for (const Finding& f : report.findings) findings.push_back(finding(*report.source, f));
     return {source(*report.source), std::move(findings)};
   }
 
-  Json list(const std::vector<FileReport>& reports) {
-    Json all = Json::array();
+  nlohmann::json list(const std::vector<FileReport>& reports) {
+    nlohmann::json all = nlohmann::json::array();
     for (const FileReport& one : reports) all.push_back(report(one));
     return all;
   }
 
-  Json program(const ProgramReport& program) {
+  nlohmann::json program(const ProgramReport& program) {
     return {{"own", report(program.own)},   {"called", list(program.called)},
             {"calls", program.calls},       {"python", program.python},
             {"sub_file", program.sub_file}, {"only_definitions", program.only_definitions}};
   }
 
-  std::string finish(Json json) {
-    Json sources = Json::array();
+  std::string finish(nlohmann::json json) {
+    nlohmann::json sources = nlohmann::json::array();
     for (const auto& [source, lines] : sources_) {
-      Json kept = Json::array();
+      nlohmann::json kept = nlohmann::json::array();
       for (const uint32_t number : lines) {
         const Span line = source->line(number);
         kept.push_back({number, line.begin, std::string(source->slice(line))});
@@ -47,7 +45,7 @@ class Writer {
     }
     json["sources"] = std::move(sources);
     std::string bytes;
-    Json::to_msgpack(json, bytes);
+    nlohmann::json::to_msgpack(json, bytes);
     return bytes;
   }
 
@@ -61,7 +59,7 @@ class Writer {
   }
 
   /// A place, and a promise that its lines are kept.
-  Json place(const Source& in, Span span) {
+  nlohmann::json place(const Source& in, Span span) {
     std::set<uint32_t>& lines = sources_[source(in)].second;
     constexpr uint32_t kMost = 64;  // in between more than that nothing is shown
     const uint32_t first = in.position(span.begin).line;
@@ -71,29 +69,30 @@ class Writer {
     return {span.begin, span.end};
   }
 
-  Json related(const Source& own, const std::vector<Related>& places) {
-    Json all = Json::array();
+  nlohmann::json related(const Source& own, const std::vector<Related>& places) {
+    nlohmann::json all = nlohmann::json::array();
     for (const Related& r : places) {
       const Source& in = r.source == nullptr ? own : *r.source;
-      all.push_back({place(in, r.span), r.message, r.source == nullptr ? Json(nullptr) : Json(source(in))});
+      all.push_back(
+          {place(in, r.span), r.message, r.source == nullptr ? nlohmann::json(nullptr) : nlohmann::json(source(in))});
     }
     return all;
   }
 
-  Json finding(const Source& own, const Finding& f) {
+  nlohmann::json finding(const Source& own, const Finding& f) {
     const Source& in = f.source == nullptr ? own : *f.source;
-    Json fixes = Json::array();
+    nlohmann::json fixes = nlohmann::json::array();
     for (const Fix& fix : f.fixes) {
-      Json edits = Json::array();
+      nlohmann::json edits = nlohmann::json::array();
       for (const Edit& edit : fix.edits) edits.push_back({place(in, edit.span), edit.text});
       fixes.push_back({fix.title, fix.safe, std::move(edits)});
     }
-    Json consequences = Json::array();
+    nlohmann::json consequences = nlohmann::json::array();
     for (const Consequence& c : f.consequences) consequences.push_back({c.code, place(in, c.span), c.interpreter});
     return {{"code", f.code},
             {"severity", static_cast<int>(f.severity)},
             {"span", place(in, f.span)},
-            {"source", f.source == nullptr ? Json(nullptr) : Json(source(in))},
+            {"source", f.source == nullptr ? nlohmann::json(nullptr) : nlohmann::json(source(in))},
             {"scope", f.scope},
             {"message", f.message},
             {"help", f.help},
@@ -104,7 +103,7 @@ class Writer {
             {"never_ends", f.never_ends},
             {"runs_other", f.runs_other},
             {"group", f.group},
-            {"habit", f.habit_severity ? Json(static_cast<int>(*f.habit_severity)) : Json(nullptr)},
+            {"habit", f.habit_severity ? nlohmann::json(static_cast<int>(*f.habit_severity)) : nlohmann::json(nullptr)},
             {"related", related(in, f.related)},
             {"path", related(in, f.path)},
             {"fixes", std::move(fixes)},
@@ -123,26 +122,27 @@ template <typename Work>
 auto whole(const Work& work) {
   try {
     return work();
-  } catch (const Json::exception& problem) {
+  } catch (const nlohmann::json::exception& problem) {
     throw StoreProblem(fmt::format("the store is damaged: {}", problem.what()));
   } catch (const std::out_of_range& problem) {
     throw StoreProblem(fmt::format("the store is damaged: {}", problem.what()));
   }
 }
 
-Span span_of(const Json& json) { return {json.at(0).get<uint64_t>(), json.at(1).get<uint64_t>()}; }
+Span span_of(const nlohmann::json& json) { return {json.at(0).get<uint64_t>(), json.at(1).get<uint64_t>()}; }
 
-std::shared_ptr<const Source> source_at(const Json& json, const Sources& sources) {
+std::shared_ptr<const Source> source_at(const nlohmann::json& json, const Sources& sources) {
   return json.is_null() ? nullptr : sources.at(json.get<size_t>());
 }
 
-std::vector<Related> related_of(const Json& json, const Sources& sources) {
+std::vector<Related> related_of(const nlohmann::json& json, const Sources& sources) {
   std::vector<Related> all;
-  for (const Json& r : json) all.push_back({span_of(r.at(0)), r.at(1).get<std::string>(), source_at(r.at(2), sources)});
+  for (const nlohmann::json& r : json)
+    all.push_back({span_of(r.at(0)), r.at(1).get<std::string>(), source_at(r.at(2), sources)});
   return all;
 }
 
-Finding finding_of(const Json& json, const Sources& sources) {
+Finding finding_of(const nlohmann::json& json, const Sources& sources) {
   Finding f;
   const Rule* rule = find_rule(json.at("code").get<std::string>());
   if (rule == nullptr) throw std::out_of_range("a rule that does not exist");
@@ -164,13 +164,14 @@ Finding finding_of(const Json& json, const Sources& sources) {
   if (!json.at("habit").is_null()) f.habit_severity = static_cast<Severity>(json.at("habit").get<int>());
   f.related = related_of(json.at("related"), sources);
   f.path = related_of(json.at("path"), sources);
-  for (const Json& fix : json.at("fixes")) {
+  for (const nlohmann::json& fix : json.at("fixes")) {
     Fix& made = f.fixes.emplace_back();
     fix.at(0).get_to(made.title);
     made.safe = fix.at(1);
-    for (const Json& edit : fix.at(2)) made.edits.push_back({span_of(edit.at(0)), edit.at(1).get<std::string>()});
+    for (const nlohmann::json& edit : fix.at(2))
+      made.edits.push_back({span_of(edit.at(0)), edit.at(1).get<std::string>()});
   }
-  for (const Json& c : json.at("consequences")) {
+  for (const nlohmann::json& c : json.at("consequences")) {
     const Rule* other = find_rule(c.at(0).get<std::string>());
     if (other != nullptr) f.consequences.push_back({other->code, span_of(c.at(1)), c.at(2).get<std::string>()});
   }
@@ -183,14 +184,14 @@ Finding finding_of(const Json& json, const Sources& sources) {
 
 std::string record_of(const checking::Checked& checked) {
   Writer writer;
-  Json json{{"report", writer.program(checked.report)}, {"among_subs", checked.among_subs}};
+  nlohmann::json json{{"report", writer.program(checked.report)}, {"among_subs", checked.among_subs}};
   if (checked.as_sub) json["as_sub"] = writer.program(*checked.as_sub);
   return writer.finish(std::move(json));
 }
 
 std::string record_of(const std::vector<FileReport>& reports) {
   Writer writer;
-  Json json{{"reports", writer.list(reports)}};
+  nlohmann::json json{{"reports", writer.list(reports)}};
   return writer.finish(std::move(json));
 }
 
@@ -199,11 +200,11 @@ size_t Records::add(const std::string& bytes) {
 }
 
 size_t Records::take_in(const std::string& bytes) {
-  Json record = Json::from_msgpack(bytes);
-  for (const Json& source : record.at("sources")) {
+  nlohmann::json record = nlohmann::json::from_msgpack(bytes);
+  for (const nlohmann::json& source : record.at("sources")) {
     Kept& kept = kept_[source.at(0).get<std::string>()];
     kept.line_count = source.at(1);
-    for (const Json& line : source.at(2)) {
+    for (const nlohmann::json& line : source.at(2)) {
       const uint32_t number = line.at(0);
       kept.lines.try_emplace(number, KeptLine{number, line.at(1), line.at(2)});
     }
@@ -212,9 +213,9 @@ size_t Records::take_in(const std::string& bytes) {
   return records_.size() - 1;
 }
 
-std::vector<std::shared_ptr<const Source>> Records::sources_of(const Json& record) {
+std::vector<std::shared_ptr<const Source>> Records::sources_of(const nlohmann::json& record) {
   Sources sources;
-  for (const Json& json : record.at("sources")) {
+  for (const nlohmann::json& json : record.at("sources")) {
     const auto at = kept_.find(json.at(0).get_ref<const std::string&>());
     if (at->second.source == nullptr) {
       std::vector<KeptLine> lines;
@@ -226,16 +227,16 @@ std::vector<std::shared_ptr<const Source>> Records::sources_of(const Json& recor
   return sources;
 }
 
-FileReport Records::report(const Json& json, const Sources& sources) const {
+FileReport Records::report(const nlohmann::json& json, const Sources& sources) const {
   FileReport report;
   report.source = sources.at(json.at(0).get<size_t>());
-  for (const Json& f : json.at(1)) report.findings.push_back(finding_of(f, sources));
+  for (const nlohmann::json& f : json.at(1)) report.findings.push_back(finding_of(f, sources));
   return report;
 }
 
-std::vector<FileReport> Records::list(const Json& json, const Sources& sources) const {
+std::vector<FileReport> Records::list(const nlohmann::json& json, const Sources& sources) const {
   std::vector<FileReport> all;
-  for (const Json& one : json) all.push_back(report(one, sources));
+  for (const nlohmann::json& one : json) all.push_back(report(one, sources));
   return all;
 }
 
@@ -243,9 +244,9 @@ checking::Checked Records::checked(size_t number) {
   return whole([&] { return read_checked(records_[number]); });
 }
 
-checking::Checked Records::read_checked(const Json& record) {
+checking::Checked Records::read_checked(const nlohmann::json& record) {
   const Sources sources = sources_of(record);
-  const auto program = [&](const Json& json) {
+  const auto program = [&](const nlohmann::json& json) {
     ProgramReport out;
     out.own = report(json.at("own"), sources);
     out.called = list(json.at("called"), sources);

@@ -35,9 +35,9 @@ struct Group {
   std::string found_in;  ///< the folder of the file that may be meant; empty: there is none
 };
 
-class Folder {
+class CommonFaults {
  public:
-  Folder(std::span<FileReport> reports, const Tree& tree) : reports_(reports), folders_(tree.folders) {
+  CommonFaults(std::span<FileReport> reports, const Tree& tree) : reports_(reports), folders_(tree.folders) {
     for (const std::string& path : tree.files) by_name_[path.substr(path.rfind('/') + 1)].push_back(&path);
   }
 
@@ -164,6 +164,6 @@ std::vector<std::string> folders_of(const Files& files, const std::vector<std::s
   return folders;
 }
 
-void fold_groups(std::span<FileReport> reports, const Tree& tree) { Folder(reports, tree).run(); }
+void fold_groups(std::span<FileReport> reports, const Tree& tree) { CommonFaults(reports, tree).run(); }
 
 }  // namespace owlint::checking

@@ -30,7 +30,7 @@
 namespace owlint::cli {
 namespace {
 
-std::string plural(size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+std::string counted(size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
 
 class Check {
  public:
@@ -148,7 +148,7 @@ class Check {
     const bool whole = files == fixed.size();
     if (!line_.quiet && (whole || files > 0))
       std::cerr << (files == 0 ? "nothing fixed\n"
-                               : fmt::format("fixed {} in {}\n", plural(made, "finding"), plural(files, "file")));
+                               : fmt::format("fixed {} in {}\n", counted(made, "finding"), counted(files, "file")));
     return whole;
   }
 
@@ -170,7 +170,7 @@ class Check {
       suppressed += report.findings.size();
     }
     std::cout << standard;
-    if (!line_.quiet) std::cerr << "suppressed " << plural(suppressed, "finding") << '\n';
+    if (!line_.quiet) std::cerr << "suppressed " << counted(suppressed, "finding") << '\n';
     return status_;
   }
 
@@ -191,7 +191,8 @@ class Check {
         complain(fmt::format("cannot write {}: {}", line_.baseline, error));
         return false;
       }
-      if (!line_.quiet) std::cerr << fmt::format("recorded {} in {}\n", plural(known, "known finding"), line_.baseline);
+      if (!line_.quiet)
+        std::cerr << fmt::format("recorded {} in {}\n", counted(known, "known finding"), line_.baseline);
       return true;
     }
     Baseline baseline;
@@ -206,9 +207,9 @@ class Check {
     for (FileReport& report : result_.reports) known += baseline.take_out(*report.source, report.findings);
     if (line_.quiet) return true;
     if (known > 0)
-      std::cerr << fmt::format("{} not shown (listed in {})\n", plural(known, "known finding"), line_.baseline);
+      std::cerr << fmt::format("{} not shown (listed in {})\n", counted(known, "known finding"), line_.baseline);
     if (const size_t gone = baseline.gone(); gone > 0)
-      std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` removes them\n", plural(gone, "finding"),
+      std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` removes them\n", counted(gone, "finding"),
                                line_.baseline);
     return true;
   }

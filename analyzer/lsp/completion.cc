@@ -6,14 +6,12 @@
 #include "analyzer/lsp/keywords.h"
 #include "analyzer/lsp/places.h"
 #include "analyzer/lsp/word_help.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint::lsp {
 namespace {
 
 enum Kind { kFunction = 3, kValue = 12, kKeyword = 14, kSnippet = 15 };
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 Json item(const Document& document, const std::string& label, Kind kind, const std::string& text, Span replaced,
           const std::string& detail) {
@@ -61,10 +59,10 @@ class Completion {
 
   Json run() {
     size_t at = 0;
-    while (at < before_.size() && is_blank(before_[at])) ++at;
+    while (at < before_.size() && is_space_or_tab(before_[at])) ++at;
     if (at < before_.size() && (before_[at] | 0x20) == 'n') {
       for (++at; at < before_.size() &&
-           (is_blank(before_[at]) || std::isdigit(static_cast<unsigned char>(before_[at])) != 0);)
+           (is_space_or_tab(before_[at]) || std::isdigit(static_cast<unsigned char>(before_[at])) != 0);)
         ++at;
     }
     if (at == before_.size()) {
@@ -73,7 +71,7 @@ class Completion {
     }
     if ((before_[at] | 0x20) != 'o') return code_completion(document_, workspace_.profile_of(document_), offset_);
     const size_t label = at++;
-    while (at < before_.size() && is_blank(before_[at])) ++at;
+    while (at < before_.size() && is_space_or_tab(before_[at])) ++at;
     if (at < before_.size() && before_[at] == '<') {
       const size_t close = before_.find('>', at);
       if (close == std::string_view::npos) {
@@ -89,7 +87,7 @@ class Completion {
       return std::move(out_);
     }
     const std::string name = normalised(before_.substr(label, at - label));
-    while (at < before_.size() && is_blank(before_[at])) ++at;
+    while (at < before_.size() && is_space_or_tab(before_[at])) ++at;
     const size_t typed = at;
     while (at < before_.size() && is_letter(before_[at])) ++at;
     if (at == before_.size()) keywords(name, typed);
@@ -102,7 +100,7 @@ class Completion {
   static std::string normalised(std::string_view label) {
     std::string out;
     for (const char c : label.substr(1)) {
-      if (!is_blank(c) && c != '<' && c != '>') out.push_back(c);
+      if (!is_space_or_tab(c) && c != '<' && c != '>') out.push_back(c);
     }
     return small_letters(out);
   }

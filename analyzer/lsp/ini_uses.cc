@@ -7,12 +7,12 @@
 
 #include "analyzer/lsp/parameter_uses.h"
 #include "analyzer/program/program.h"
+#include "analyzer/text/characters.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name(char c) { return is_digit(c) || (c >= 'a' && c <= 'z') || c == '_' || c == '-'; }
 
 /// Whether `word` stands in `text`, with no letter, digit or the like around it.

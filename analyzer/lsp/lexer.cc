@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "analyzer/text/characters.h"
 #include "analyzer/text/source.h"
 
 namespace owlint::lsp {
 namespace {
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 constexpr std::array<std::string_view, 10> kWordOperators = {"mod", "eq", "ne",  "gt", "ge",
                                                              "lt",  "le", "and", "or", "xor"};

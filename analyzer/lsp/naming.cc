@@ -13,9 +13,6 @@ namespace {
 
 constexpr long kLastFreeNumber = 5000;  // what follows is LinuxCNC's: positions, offsets, tool data
 
-bool is_number(std::string_view text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
 bool is_block_label(const Statement& s) { return s.kind == LineKind::kOWord && !global_label(s.keyword); }
 std::string file_name(const std::string& path) { return std::string(name_of(path)); }
 
@@ -48,6 +45,10 @@ std::optional<std::string> sub_of_cycle(std::string_view line) {
 }
 
 }  // namespace
+
+bool is_number(std::string_view name) {
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 void refuse(const std::string& why) { throw ResponseError{ErrorCode::kRequestFailed, why}; }
 

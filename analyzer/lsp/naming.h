@@ -12,6 +12,9 @@ namespace owlint::lsp {
 /// Answers a request with an error that says why.
 [[noreturn]] void refuse(const std::string& why);
 
+/// Whether a name is a number: `100`, as in `o100` and `#100`.
+bool is_number(std::string_view name);
+
 class Naming {
  public:
   /// Throws ResponseError where the name cannot be changed, whatever the new one is.

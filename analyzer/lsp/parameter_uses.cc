@@ -5,13 +5,11 @@
 
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/text/characters.h"
 #include "analyzer/text/source.h"
 
 namespace owlint::lsp {
 namespace {
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string without_blanks(std::string_view text) {
   std::string out;

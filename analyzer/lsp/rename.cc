@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::string_view kNever = "<>[]()#;/\\`$|&{}*?~\"'";
 
-bool is_number(std::string_view text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
 void check_name(const std::string& name) {
   constexpr size_t kDigits = 9;
   if (name.empty()) refuse("the new name is empty");

@@ -9,7 +9,7 @@
 namespace owlint::lsp {
 namespace {
 
-enum SymbolKind { kFunction = 12, kNamespace = 3, kEvent = 24 };
+enum SymbolKind { kFunctionSymbol = 12, kNamespace = 3, kEvent = 24 };
 
 Span whole_block(const Program& p, const Block& b) {
   const Statement& opener = p.at(b.opener);
@@ -42,8 +42,8 @@ std::vector<Entry> entries(const Document& document) {
     const Span range{opener.offset, r.last > r.opener ? p.at(r.last - 1).end() : opener.end()};
     const std::string comment = leading_comment(document, r.opener);
     out.push_back({range,
-                   symbol(document, label_text(p.name(r.name)), kFunction, comment.substr(0, comment.find('\n')), range,
-                          opener.head_span())});
+                   symbol(document, label_text(p.name(r.name)), kFunctionSymbol, comment.substr(0, comment.find('\n')),
+                          range, opener.head_span())});
   }
   for (const Block& b : p.blocks) {
     const Span range = whole_block(p, b);
@@ -96,7 +96,7 @@ Json workspace_symbol(Workspace& workspace, const Json& params) {
       const std::string label = label_text(p.name(r.name));
       if (label.find(query) == std::string::npos) continue;
       out.push_back({{"name", label},
-                     {"kind", static_cast<int>(kFunction)},
+                     {"kind", static_cast<int>(kFunctionSymbol)},
                      {"location", document->location(p.at(r.opener).head_span())}});
     }
   }

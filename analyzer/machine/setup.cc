@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t kMaxSubroutineFolders = 10;  // measured: of those that exist, the eleventh is not searched
 
-std::string_view trim(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   const size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
@@ -30,9 +30,10 @@ std::optional<int32_t> integer_of(const Ini::Entry* entry) {
 /// Switches are compared as integers (measured): `yes`, `true` and 2 switch nothing on, `no` and `false` nothing off.
 bool is_number(const Ini::Entry* entry, int wanted) { return integer_of(entry) == wanted; }
 
-class Reader {
+class SetupReader {
  public:
-  Reader(const Files& files, MachineSetup& setup, const std::string& path, const std::vector<std::string>& sub_path)
+  SetupReader(const Files& files, MachineSetup& setup, const std::string& path,
+              const std::vector<std::string>& sub_path)
       : files_(files), m_(setup), sub_path_(sub_path), folder_(folder_of(path)) {
     if (folder_.empty()) folder_ = ".";
   }
@@ -166,7 +167,7 @@ class Reader {
     }
     const auto add_code = [&](std::string_view section, std::string_view key) {
       for (const Ini::Entry* entry : m_.ini.all(section, key)) {
-        m_.calls.push_back({key, std::string(trim(entry->value)), "", entry->source, entry->span});
+        m_.calls.push_back({key, std::string(without_blanks(entry->value)), "", entry->source, entry->span});
       }
     };
     add_code("RS274NGC", "RS274NGC_STARTUP_CODE");
@@ -195,7 +196,7 @@ class Reader {
 }  // namespace
 
 std::optional<uint32_t> parse_mask(std::string_view text) {
-  text = trim(text);
+  text = without_blanks(text);
   int base = 10;
   if (text.starts_with("0x") || text.starts_with("0X")) {
     text.remove_prefix(2);
@@ -225,7 +226,7 @@ std::shared_ptr<const MachineSetup> read_setup(const Files& files, const std::st
   auto setup = std::make_shared<MachineSetup>();
   setup->path = path;
   if (!setup->ini.read(files, path, error)) return nullptr;
-  Reader(files, *setup, path, sub_path).run();
+  SetupReader(files, *setup, path, sub_path).run();
   return setup;
 }
 

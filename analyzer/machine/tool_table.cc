@@ -7,18 +7,19 @@
 #include <optional>
 #include <unordered_set>
 
+#include "analyzer/text/characters.h"
+
 namespace owlint {
 namespace {
 
 // Measured: the rest after this many bytes counts as a line of its own, and there are this many places besides the spindle.
-constexpr size_t kLongestLine = 255;
+constexpr size_t kLongestRow = 255;
 constexpr size_t kMostPlaces = 1000;
 
 constexpr size_t kSpindle = 0;
 
 constexpr std::string_view kAxes = "xyzabcuvw";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_hex_digit(char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
 /// What follows a word's letter.
@@ -67,14 +68,14 @@ std::optional<double> real_in(std::string_view text) {
   return number.negative ? -value : value;
 }
 
-class Reader {
+class TableReader {
  public:
-  Reader(std::string_view bytes, ToolChanger changer) : bytes_(bytes), changer_(changer), places_(1) {}
+  TableReader(std::string_view bytes, ToolChanger changer) : bytes_(bytes), changer_(changer), places_(1) {}
 
   void run() {
     uint32_t number = 1;
     for (size_t at = 0; at < bytes_.size();) {
-      const std::string_view text = bytes_.substr(at, kLongestLine);
+      const std::string_view text = bytes_.substr(at, kLongestRow);
       const size_t feed = text.find('\n');
       const bool ended = feed != std::string_view::npos;
       const size_t size = ended ? feed + 1 : text.size();
@@ -181,7 +182,7 @@ const ToolRow* ToolTable::find(int32_t number) const {
 }
 
 ToolTable read_tool_table(std::string_view bytes, ToolChanger changer) {
-  Reader reader(bytes, changer);
+  TableReader reader(bytes, changer);
   reader.run();
   return reader.table();
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "analyzer/text/characters.h"
+
 namespace owlint {
 namespace {
 
@@ -13,8 +15,6 @@ struct Token {
   size_t from = 0;
   size_t to = 0;
 };
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 std::vector<Token> tokens_of(std::string_view line) {
   std::vector<Token> out;

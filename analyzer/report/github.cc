@@ -7,7 +7,7 @@
 namespace owlint {
 namespace {
 
-std::string escaped(std::string_view text, bool property) {
+std::string command_text(std::string_view text, bool property) {
   std::string out;
   for (const char c : text) {
     if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) {
@@ -31,12 +31,13 @@ void write_github(std::ostream& out, const Reports& files, const ReportStyle& st
       const Source& source = source_of(file, f);
       const Position begin = source.position(f.span.begin);
       const Position end = source.position(f.span.end);
-      std::string place =
-          fmt::format("file={},line={},endLine={}", escaped(shown_path(source, style), true), begin.line, end.line);
+      std::string place = fmt::format("file={},line={},endLine={}", command_text(shown_path(source, style), true),
+                                      begin.line, end.line);
       // Columns only mean something within one line.
       if (begin.line == end.line) place += fmt::format(",col={},endColumn={}", begin.column, end.column);
       out << fmt::format("::{} {},title={}::{}\n", command(f.severity), place,
-                         escaped(fmt::format("{} {}", f.code, f.rule), true), escaped(whole_message(f), false));
+                         command_text(fmt::format("{} {}", f.code, f.rule), true),
+                         command_text(whole_message(f), false));
     }
   }
 }

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Text for a label; Mermaid has its own way of hiding characters.
-std::string escaped(std::string_view text, bool mermaid) {
+std::string label_text(std::string_view text, bool mermaid) {
   std::string out;
   for (const char c : printable(text)) {
     if (mermaid && (c == '"' || c == '<' || c == '>' || c == '&' || c == '#')) {
@@ -163,13 +163,13 @@ std::string dot_attributes(const Node& node, size_t file, std::string_view shape
   const auto level = static_cast<size_t>(node.worst);
   std::string classes = fmt::format("line-{}", node.line);
   if (file > 0) classes += fmt::format(" file-{}", file);
-  std::string out = fmt::format("label=\"{}{}\"{}", kSigns[level], escaped(node.title, false), shape);
+  std::string out = fmt::format("label=\"{}{}\"{}", kSigns[level], label_text(node.title, false), shape);
   if (node.worst != Severity::kOff) {
     classes += fmt::format(" {}", severity_text(node.worst));
     std::string words;
     for (size_t at = 0; at <= node.findings.size();) {
       const size_t feed = std::min(node.findings.find('\n', at), node.findings.size());
-      words += (at == 0 ? "" : "\\n") + escaped(std::string_view(node.findings).substr(at, feed - at), false);
+      words += (at == 0 ? "" : "\\n") + label_text(std::string_view(node.findings).substr(at, feed - at), false);
       at = feed + 1;
     }
     out += fmt::format(", color=\"{}\", penwidth=2, tooltip=\"{}\"", kColors[level], words);
@@ -182,7 +182,7 @@ std::string dot_attributes(const Node& node, size_t file, std::string_view shape
 void write_graph_dot(std::ostream& out, const Linked& linked, const std::vector<Finding>& findings) {
   Drawing drawing = draw(linked);
   mark(drawing, *linked.files()[0].program, findings);
-  const auto text = [](std::string_view words) { return escaped(words, false); };
+  const auto text = [](std::string_view words) { return label_text(words, false); };
   out << fmt::format(
       "digraph \"{}\" {{\n  rankdir=TB;\n  fontname=\"Courier\";\n  node [shape=box, fontname=\"Courier\"];\n  edge "
       "[fontname=\"Courier\", fontsize=10];\n",
@@ -216,7 +216,7 @@ void write_graph_dot(std::ostream& out, const Linked& linked, const std::vector<
 
 void write_graph_mermaid(std::ostream& out, const Linked& linked) {
   const Drawing drawing = draw(linked);
-  const auto text = [](std::string_view words) { return escaped(words, true); };
+  const auto text = [](std::string_view words) { return label_text(words, true); };
   out << "flowchart TB\n";
   for (size_t f = 0; f < drawing.files.size(); ++f) {
     const std::string indent(f == 0 ? 2 : 4, ' ');

@@ -16,10 +16,10 @@ namespace {
 struct Style {
   std::string_view heading, strong, emphasis, code, dim, reset;
 };
-constexpr Style kPlain{"", "", "", "`", "", ""};
-constexpr Style kAnsi{"\x1b[1;4m", "\x1b[1m", "\x1b[3m", "\x1b[36m", "\x1b[2m", "\x1b[0m"};
+constexpr Style kPlainStyle{"", "", "", "`", "", ""};
+constexpr Style kAnsiStyle{"\x1b[1;4m", "\x1b[1m", "\x1b[3m", "\x1b[36m", "\x1b[2m", "\x1b[0m"};
 
-constexpr size_t kNarrowest = 24;  // of text beside an indent
+constexpr size_t kNarrowestText = 24;  // of text beside an indent
 
 std::vector<cmark_node*> children(cmark_node* node) {
   std::vector<cmark_node*> out;
@@ -35,7 +35,7 @@ std::string_view literal(cmark_node* node) {
 
 class Renderer {
  public:
-  Renderer(bool color, size_t width) : s_(color ? kAnsi : kPlain), color_(color), width_(width) {}
+  Renderer(bool color, size_t width) : s_(color ? kAnsiStyle : kPlainStyle), color_(color), width_(width) {}
 
   /// Blocks one below the other; each line begins with `indent`.
   std::string blocks(cmark_node* parent, const std::string& indent) const {
@@ -72,7 +72,7 @@ class Renderer {
 
   /// For wrapped(): where lines end. An indent that leaves no room is taken as it is.
   size_t room(const std::string& indent) const {
-    return width_ == 0 ? 0 : std::max(width_, columns(indent) + kNarrowest);
+    return width_ == 0 ? 0 : std::max(width_, columns(indent) + kNarrowestText);
   }
 
   static std::string code_block(std::string_view code, const std::string& indent) {

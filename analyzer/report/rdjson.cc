@@ -8,13 +8,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json position(const Source& source, uint64_t offset) {
+Json byte_position(const Source& source, uint64_t offset) {
   const Position at = source.position(offset);
   return {{"line", at.line}, {"column", offset - source.line(at.line).begin + 1}};
 }
 
 Json range(const Source& source, Span span) {
-  return {{"start", position(source, span.begin)}, {"end", position(source, span.end)}};
+  return {{"start", byte_position(source, span.begin)}, {"end", byte_position(source, span.end)}};
 }
 
 Json diagnostic(const FileReport& file, const Finding& f, const ReportStyle& style) {

@@ -20,9 +20,9 @@ const char* level(Severity severity) {
 
 constexpr std::string_view kMark = "\xEF\xBB\xBF";  // byte order mark
 
-class Writer {
+class SarifWriter {
  public:
-  explicit Writer(const ReportStyle& style) : style_(style) {
+  explicit SarifWriter(const ReportStyle& style) : style_(style) {
     for (const Rule* rule : catalogue()) index_.emplace(rule->code, index_.size());
   }
 
@@ -161,7 +161,7 @@ class Writer {
 void write_sarif(std::ostream& out, const Reports& files, const ReportStyle& style) {
   const Json report{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                     {"version", "2.1.0"},
-                    {"runs", Json::array({Writer(style).run(files)})}};
+                    {"runs", Json::array({SarifWriter(style).run(files)})}};
   out << report.dump(2) << '\n';
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "analyzer/syntax/line_text.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint {
 namespace {
@@ -31,9 +32,6 @@ constexpr std::array<uint32_t, 256> make_letters() {
   return bits;
 }
 constexpr auto kLetterBits = make_letters();
-
-bool is_digit(char c) { return static_cast<unsigned char>(c - '0') <= 9; }
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 /// One line: its words as letters, and its motion. The bytes end in a line feed, so that no end has to be asked for.
 class PlainLine {
@@ -141,7 +139,7 @@ class PlainLine {
   }
 
   void skip_blanks() {
-    while (is_blank(*at_)) ++at_;
+    while (is_space_or_tab(*at_)) ++at_;
   }
   void skip_digits() {
     while (is_digit(*at_)) ++at_;
@@ -179,7 +177,7 @@ class PlainLine {
 
   /// Blanks behind a word; not inside it, where they would vanish.
   bool word_ends() {
-    if (!is_blank(*at_)) return true;
+    if (!is_space_or_tab(*at_)) return true;
     skip_blanks();
     return !is_digit(*at_) && *at_ != '.';
   }

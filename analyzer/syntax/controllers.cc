@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "analyzer/text/characters.h"
+
 namespace owlint {
 namespace {
 
@@ -126,9 +128,6 @@ constexpr Mark kMarks[] = {
     {kHeidenhain, "parameter", Proof::kTwo, "FN@:*", "FN 0: Q1 = +5"},
 };
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::string_view without_blanks(std::string_view text) {
@@ -163,7 +162,7 @@ bool has_owords(std::string_view controller) {
 }
 
 /// The letters of a text, one bit each.
-uint32_t letters_of(std::string_view text) {
+uint32_t all_letters(std::string_view text) {
   uint32_t bits = 0;
   for (const char c : text) {
     if (is_letter(c)) bits |= 1U << (capital(c) - 'A');
@@ -182,7 +181,7 @@ const std::array<std::vector<Wanted>, 128>& by_first() {
   static const auto lists = [] {
     std::array<std::vector<Wanted>, 128> out;
     for (const Mark& mark : kMarks)
-      out[static_cast<unsigned char>(mark.pattern[0])].push_back({&mark, letters_of(mark.pattern)});
+      out[static_cast<unsigned char>(mark.pattern[0])].push_back({&mark, all_letters(mark.pattern)});
     return out;
   }();
   return lists;
@@ -275,7 +274,7 @@ void find_controller(std::string_view head, Nature* nature) {
     const auto first = line.empty() ? 0U : static_cast<unsigned char>(capital(line[0]));
     if (first < 128) {
       const std::vector<Wanted>& marks = by_first()[first];
-      const uint32_t letters = marks.empty() ? 0 : letters_of(line);
+      const uint32_t letters = marks.empty() ? 0 : all_letters(line);
       for (const auto& [mark, wanted] : marks) {
         if ((wanted & ~letters) == 0 && fits(line, mark->pattern) &&
             std::ranges::find(seen, mark, &Seen::mark) == seen.end()) {

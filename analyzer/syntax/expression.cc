@@ -5,6 +5,7 @@
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint {
 namespace {
@@ -72,7 +73,6 @@ int strength(Operator op) {
   }
 }
 
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 bool is_number_char(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
 }  // namespace
@@ -184,7 +184,7 @@ ExprId ExpressionParser::function() {
   }
   if (function == nullptr) {
     size_t to = from;
-    while (is_letter(line_[to])) ++to;
+    while (is_small_letter(line_[to])) ++to;
     const char c = line_[from];
     // The interpreter chooses between its two messages by the first letter.
     if (std::string_view("acefrlst").find(c) != std::string_view::npos) {
@@ -222,7 +222,7 @@ ExprId ExpressionParser::value() {
   } else if (c == '#') {
     ++cursor;
     result = parameter();
-  } else if (is_letter(c)) {
+  } else if (is_small_letter(c)) {
     result = function();
   } else if (cursor >= line_.size()) {
     if (cursor > from) {
@@ -253,7 +253,7 @@ bool ExpressionParser::read_operator(Operator* op, bool* closed) {
   }
   if (rest.empty()) return false;  // the caller knows where the bracket was opened
   size_t to = cursor;
-  while (is_letter(line_[to])) ++to;
+  while (is_small_letter(line_[to])) ++to;
   if (std::string_view("aegmlnox").find(rest[0]) != std::string_view::npos) {
     fail(cursor, to, std::string("Unknown operation name starting with ") + rest[0]);
   } else {

@@ -17,7 +17,7 @@ struct Code {
 };
 
 // Measured, each: these run whatever the machine's modes are. G1 with F, G10 with L2 or L20.
-constexpr Code kCodes[] =
+constexpr Code kSurelyRun[] =
     {
         {'g', 0, 1},     {'g', 10, 1},    {'g', 800, 1},                  // motion
         {'g', 40, 0},    {'g', 100, 0},   {'g', 280, 0},  {'g', 300, 0},  // G4 G10 G28 G30
@@ -100,8 +100,8 @@ class Words {
     const double tenths = number * 10;
     if (tenths != std::floor(tenths) || tenths > 1000) return false;
     const Code* known = std::ranges::find_if(
-        kCodes, [&](const Code& c) { return c.letter == letter && c.tenths == static_cast<int>(tenths); });
-    if (known == std::end(kCodes) || !groups_.insert(known->group).second) return false;
+        kSurelyRun, [&](const Code& c) { return c.letter == letter && c.tenths == static_cast<int>(tenths); });
+    if (known == std::end(kSurelyRun) || !groups_.insert(known->group).second) return false;
     if (letter == 'm') return ++m_codes_ <= 4;
     codes_.insert(known->tenths);
     return true;

@@ -3,14 +3,12 @@
 #include <algorithm>
 
 #include "analyzer/syntax/arithmetic.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint {
 namespace {
 
 constexpr size_t kMaxArguments = 30;
-
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
@@ -154,10 +152,10 @@ void LineParser::label(ExpressionParser& in, Statement& s, bool has_letter) {
   if (expr == kNoExpr) {
     const ReadError& e = in.error();
     const bool digits = is_digit(first) || first == '.' || first == '-' || first == '+';
-    const StopKind kind = is_letter(first) ? StopKind::kLabelWord
-        : first == '[' || first == '#'     ? StopKind::kLabelExpression
-        : digits                           ? StopKind::kLabelNotInteger
-                                           : StopKind::kLabelMissing;
+    const StopKind kind = is_small_letter(first) ? StopKind::kLabelWord
+        : first == '[' || first == '#'           ? StopKind::kLabelExpression
+        : digits                                 ? StopKind::kLabelNotInteger
+                                                 : StopKind::kLabelMissing;
     fail(s, kind, kind == StopKind::kLabelExpression ? e.from : from, std::max(e.to, from + 1), e.message);
     return;
   }
@@ -213,7 +211,7 @@ void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
     s.keyword = keyword_of(rest);
     if (s.keyword == Keyword::kUnknown) {
       size_t to = in.cursor;
-      while (is_letter(line_[to]) || is_foreign(line_[to])) ++to;
+      while (is_small_letter(line_[to]) || is_foreign(line_[to])) ++to;
       if (to == in.cursor) ++to;
       s.keyword_to = static_cast<LineByte>(line_.span(in.cursor, to).end - s.offset);
       fail(s, StopKind::kKeywordUnknown, in.cursor, to, "Unknown control command in o word");

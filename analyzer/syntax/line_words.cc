@@ -3,12 +3,11 @@
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint {
 namespace {
 
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// Of an axis that the stand-alone interpreter does not have: refused before its value is read.
 bool foreign_letter(char c) { return c == 'u' || c == 'v' || c == 'w'; }
 
@@ -115,7 +114,7 @@ void LineParser::misplaced_character(size_t at, Statement& s) {
 void LineParser::unreadable(const ReadError& error, size_t from, Statement& s) {
   if (is_foreign(line_[error.from])) return fail(s, StopKind::kWordUnreadable, error.from, error.to, error.message);
   size_t to = from + 1;
-  while (is_letter(line_[to])) ++to;
+  while (is_small_letter(line_[to])) ++to;
   // `X`, and the first letter of `XY5`; three letters and more are text.
   const bool word = to == from + 1 || (to == from + 2 && begins_value(line_[to]));
   fail(s, word ? StopKind::kNumberMissing : StopKind::kWordUnreadable, from, std::max(to, error.to),
@@ -230,7 +229,7 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
     contour_from_ = from;
     contour_to_ = in.cursor;
   }
-  if (is_letter(letter)) letters_ |= 1U << (letter - 'a');
+  if (is_small_letter(letter)) letters_ |= 1U << (letter - 'a');
   if (letter == 'm' && !m_code(value, from, in.cursor, s)) return false;
   const auto end = static_cast<LineByte>(line_.span(from, in.cursor).end - s.offset);
   if (const auto fault = words_.add({letter, known, number, relative(from), end});
@@ -317,7 +316,7 @@ bool LineParser::all_words(ExpressionParser& in, Statement& s) {
 }
 
 bool LineParser::starts_word(char c) {
-  return (is_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$';
+  return (is_small_letter(c) && c != 'o' && c != 'n') || c == '@' || c == '^' || c == '$';
 }
 
 bool LineParser::words(size_t at, Statement& s) {

@@ -8,14 +8,14 @@
 namespace owlint {
 namespace {
 
-struct Row {
+struct KnownCharacter {
   char32_t code;
   std::string_view name;
   std::string_view plain;
 };
 
 // By code. Of full-width characters only the names are put together.
-constexpr Row kRows[] = {
+constexpr KnownCharacter kCharacters[] = {
     {0x000B, "VERTICAL TAB", " "},
     {0x000C, "FORM FEED", " "},
     {0x00A0, "NO-BREAK SPACE", " "},
@@ -191,8 +191,8 @@ Character character_at(std::string_view text) {
 std::optional<LookAlike> look_alike(char32_t code) {
   if (code >= kFullWidthFirst && code <= kFullWidthLast)
     return LookAlike{full_width_name(code), std::string(1, static_cast<char>(code - kFullWidthFromAscii))};
-  const Row* row = std::ranges::lower_bound(kRows, code, {}, &Row::code);
-  if (row == std::end(kRows) || row->code != code) return std::nullopt;
+  const KnownCharacter* row = std::ranges::lower_bound(kCharacters, code, {}, &KnownCharacter::code);
+  if (row == std::end(kCharacters) || row->code != code) return std::nullopt;
   return LookAlike{std::string(row->name), std::string(row->plain)};
 }
 

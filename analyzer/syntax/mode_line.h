@@ -17,6 +17,9 @@ inline constexpr MotionSet kSplines =
 inline constexpr MotionSet kContours = set_of(Motion::kG70) | set_of(Motion::kG71) | set_of(Motion::kG71_1) |
     set_of(Motion::kG71_2) | set_of(Motion::kG72) | set_of(Motion::kG72_1) | set_of(Motion::kG72_2);
 
+/// How far from a whole number the number of a tool or an orientation may be.
+inline constexpr double kWholeSlack = 0.0001;
+
 class ModeLine : public ModeFaults {
  public:
   ModeLine(const MachineWords& machine, const WordLine& words, ModeState* state, std::vector<ModeFault>* faults)

@@ -139,7 +139,7 @@ void leave(ModeLine& line) {
   line.set_open(Mode::kMotion, after);
 }
 
-bool stops_moving(ModeLine& line, Motion mode) {
+bool stops_moving_by(ModeLine& line, Motion mode) {
   if (move(line, line.words().motion(mode))) return true;
   leave(line);
   return false;
@@ -175,7 +175,7 @@ bool stops_moving(ModeLine& line) {
   const MotionSet motions = line.now()[Mode::kMotion];
   if (!words.depends_on_motion() || std::has_single_bit(motions)) {
     const auto mode = static_cast<Motion>(std::countr_zero(motions));
-    return stops_moving(line, mode);
+    return stops_moving_by(line, mode);
   }
   const bool open = line.now().is_open(Mode::kMotion);
   FaultsByMotion found(true, open, motions, line.faults());
@@ -187,7 +187,7 @@ bool stops_moving(ModeLine& line) {
     state.now[Mode::kMotion] = set_of(mode);
     state.now.open &= ~mask_of(Mode::kMotion);
     ModeLine one(line.machine(), words, &state, &faults);
-    const bool stops = stops_moving(one, mode);
+    const bool stops = stops_moving_by(one, mode);
     for (ModeFault& fault : faults) found.add(mode, std::move(fault));
     if (!stops) joined = joined ? join(*joined, state) : state;
   });

@@ -8,17 +8,19 @@
 namespace owlint {
 namespace {
 
+using Step = bool (*)(ModeLine&);
+
 /// The words in the order in which they act. M72 comes between the two: where it restores something, the rest is lost.
 constexpr auto kFirstSteps =
-    std::to_array({steps::spindle_mode, steps::feed_mode, steps::feed, steps::speed, steps::select_tool,
-                   steps::inputs_outputs, steps::change_tool, steps::spindle, steps::save});
+    std::to_array<Step>({steps::spindle_mode, steps::feed_mode, steps::feed, steps::speed, steps::select_tool,
+                         steps::inputs_outputs, steps::change_tool, steps::spindle, steps::save});
 constexpr auto kRest =
-    std::to_array({steps::coolant, steps::overrides, steps::plane, steps::units, steps::diameter, steps::compensation,
-                   steps::tool_length, steps::system, steps::path_control, steps::distance, steps::retract,
-                   steps::non_modal, steps::axis_offsets, stops_moving, steps::pause});
+    std::to_array<Step>({steps::coolant, steps::overrides, steps::plane, steps::units, steps::diameter,
+                         steps::compensation, steps::tool_length, steps::system, steps::path_control, steps::distance,
+                         steps::retract, steps::non_modal, steps::axis_offsets, stops_moving, steps::pause});
 
-bool stops_at(std::span<bool (*const)(ModeLine&)> steps, ModeLine& line) {
-  return std::ranges::any_of(steps, [&](auto* step) { return step(line); });
+bool stops_at(std::span<const Step> steps, ModeLine& line) {
+  return std::ranges::any_of(steps, [&](Step step) { return step(line); });
 }
 
 /// Faults of one of two courses: which of them a run takes is not known.

@@ -6,7 +6,6 @@
 namespace owlint::steps {
 namespace {
 
-constexpr double kWholeSlack = 0.0001;
 constexpr int kFrontOrientation = 9;  ///< of a lathe tool; 0 is a mill's
 
 bool is_right(int code) { return code == code::kG42 || code == code::kG42_1; }
@@ -47,6 +46,9 @@ bool by_tool(ModeLine& line, int code) {
                      word);
   const int number = nearest_integer(whole);
   if (line.lacks_tool(number, line.at('d'), word)) return true;
+  constexpr double kNothing = 0;
+  if (number == 0 && line.holds({{Mode::kLoaded, value_bit(modes::kNoTool)}}) == Answer::kYes)
+    return switch_on(line, code, &kNothing);
   const Tool* const tool = line.tool(number);
   if (tool == nullptr) return switch_on(line, code, nullptr);
   constexpr BadMode kNotG18{Mode::kPlane, all_but(modes::kG18)};

@@ -8,7 +8,7 @@ namespace {
 
 constexpr ValueSet kPerMinute = value_bit(modes::kG94);
 constexpr ValueSet kPerTurn = value_bit(modes::kG95);
-constexpr ValueSet kInverseTime = value_bit(modes::kG93);
+constexpr ValueSet kOfMove = value_bit(modes::kG93);
 constexpr BadMode kZeroFeed{Mode::kFeed, value_bit(modes::kNoFeed)};
 constexpr BadMode kZeroSpeed{Mode::kSpeed, value_bit(modes::kNoSpeed)};
 constexpr double kLeastKeptFeed = 0.05;  // M72 writes F with one decimal
@@ -37,17 +37,17 @@ constexpr FeedCheck kFeedChecks[] = {
     {kCycles, ~ValueSet{0}, FeedCheck::kFeed, "Cannot feed with zero feed rate"},
     {kArcs | sets(Motion::kG1), kPerTurn, FeedCheck::kSpeed,
      "Cannot feed with zero spindle speed in feed per rev mode"},
-    {sets(Motion::kG1), kInverseTime, FeedCheck::kF, "F word missing with inverse time g1 move"},
-    {kArcs | kSplines, kInverseTime, FeedCheck::kF, "F word missing with inverse time arc move"},
+    {sets(Motion::kG1), kOfMove, FeedCheck::kF, "F word missing with inverse time g1 move"},
+    {kArcs | kSplines, kOfMove, FeedCheck::kF, "F word missing with inverse time arc move"},
     {kProbes, kPerTurn, FeedCheck::kOtherMode, "Cannot probe with feed per rev mode"},
-    {kCycles, kInverseTime, FeedCheck::kOtherMode, "Cannot use inverse time feed with canned cycles"},
+    {kCycles, kOfMove, FeedCheck::kOtherMode, "Cannot use inverse time feed with canned cycles"},
 };
 
 bool fails(ModeLine& line, const FeedCheck& check) {
   BadMode in{Mode::kFeedMode, check.in};
   // In G94 and G95 the F of the line itself is the feed.
   const double* const f = line.value('f');
-  if (check.needs == FeedCheck::kFeed && f != nullptr && *f > 0) in.values &= kInverseTime;
+  if (check.needs == FeedCheck::kFeed && f != nullptr && *f > 0) in.values &= kOfMove;
   const uint8_t word = line.mover();
   switch (check.needs) {
     case FeedCheck::kFeed: return line.stop_in({in, kZeroFeed}, StopKind::kFeedMissing, check.message, word);

@@ -8,7 +8,6 @@ namespace {
 
 constexpr StopKind kConflict = StopKind::kModeConflict;
 constexpr int kMostOrientation = 9;
-constexpr double kWholeSlack = 0.0001;
 
 /// G10 L2 and L20: P is cut to a whole number, and 0 means the active system.
 bool set_system(ModeLine& line, bool l20) {
@@ -37,6 +36,7 @@ bool set_tool(ModeLine& line) {
   const bool changes =
       line.words().has_axis_words() || line.has('r') || line.has('q') || line.has('i') || line.has('j');
   if (!changes) return line.stop(kConflict, "G10 L1 without offsets has no effect", word);
+  line.set_open(Mode::kLoaded);  // it may copy its diameter to the spindle
   const double* const q = line.value('q');
   if (q == nullptr || line.lacks('q')) return false;
   const double orientation = std::trunc(*q + 0.5);

@@ -6,7 +6,7 @@
 namespace owlint::steps {
 namespace {
 
-constexpr StopKind kConflict = StopKind::kModeConflict;
+constexpr StopKind kOutputs = StopKind::kModeConflict;
 
 /// Whether the index that E or P gives is known to be none.
 bool is_no_index(const ModeLine& line, char letter) {
@@ -18,14 +18,13 @@ bool is_no_index(const ModeLine& line, char letter) {
 bool digital_output(ModeLine& line, int code, std::string_view refusal) {
   const uint8_t word = line.at(MGroup::kInputsOutputs);
   if (line.refused_by_compensation(refusal, word)) return true;
-  return !line.has('p') && line.stop(kConflict, "No valid P word with " + m_name(code), word);
+  return !line.has('p') && line.stop(kOutputs, "No valid P word with " + m_name(code), word);
 }
 
 bool analog_output(ModeLine& line, int code, std::string_view refusal) {
   const uint8_t word = line.at(MGroup::kInputsOutputs);
   if (line.refused_by_compensation(refusal, word)) return true;
-  return is_no_index(line, 'e') &&
-      line.stop(kConflict, "Invalid analog index with " + m_name(code), word, line.at('e'));
+  return is_no_index(line, 'e') && line.stop(kOutputs, "Invalid analog index with " + m_name(code), word, line.at('e'));
 }
 
 /// M66 with L above 0 waits, for Q seconds.
@@ -36,21 +35,21 @@ bool waiting(ModeLine& line, uint8_t word) {
   if (how <= 0) return false;
   const double* const q = line.value('q');
   if (line.lacks('q') || (q != nullptr && *q <= 0))
-    return line.stop(kConflict, "Zero timeout with wait type != immediate return", line.has('q') ? line.at('q') : word,
+    return line.stop(kOutputs, "Zero timeout with wait type != immediate return", line.has('q') ? line.at('q') : word,
                      line.at('l'));
   return line.has('e') &&
-      line.stop(kConflict, "Can't select analog input with wait type != immediate return", line.at('l'), line.at('e'));
+      line.stop(kOutputs, "Can't select analog input with wait type != immediate return", line.at('l'), line.at('e'));
 }
 
 bool input(ModeLine& line) {
   const uint8_t word = line.at(MGroup::kInputsOutputs);
   if (line.has('p') && line.has('e'))
-    return line.stop(kConflict, "Invalid to select both a digital and an analog input with M66", line.at('p'),
+    return line.stop(kOutputs, "Invalid to select both a digital and an analog input with M66", line.at('p'),
                      line.at('e'));
   if (waiting(line, word)) return true;
   const char chosen = line.has('e') ? 'e' : 'p';
   if (is_no_index(line, chosen))
-    return line.stop(kConflict, "Need to have either a valid P or a valid E word with M66", word, line.at(chosen));
+    return line.stop(kOutputs, "Need to have either a valid P or a valid E word with M66", word, line.at(chosen));
   return line.refused_by_compensation(chosen == 'e'
                                           ? "Cannot wait for analog input with cutter radius compensation on"
                                           : "Cannot wait for digital input with cutter radius compensation on",

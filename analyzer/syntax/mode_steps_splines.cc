@@ -7,7 +7,7 @@
 namespace owlint::steps {
 namespace {
 
-constexpr StopKind kWords = StopKind::kContourWords;
+constexpr StopKind kSplineWords = StopKind::kContourWords;
 constexpr BadMode kHasPoints{Mode::kNurbs, all_but(modes::kNoPoints)};
 constexpr MotionSet kQuadratic = set_of(Motion::kG5_1) | set_of(Motion::kG6_1);
 
@@ -20,7 +20,8 @@ bool spline_axes(ModeLine& line) {
   for (const char axis : std::string_view(newer ? "abc" : "zabc")) {
     if (!line.has(axis)) continue;
     return line.stop(
-        kWords, newer ? "Splines may not have motion in A, B, or C" : "Splines may not have motion in Z, A, B, or C",
+        kSplineWords,
+        newer ? "Splines may not have motion in A, B, or C" : "Splines may not have motion in Z, A, B, or C",
         line.at(axis), line.mover());
   }
   return false;
@@ -30,13 +31,15 @@ bool spline_words(ModeLine& line, Motion motion) {
   const bool i = line.has('i'), j = line.has('j');
   if (contains(kQuadratic, motion)) {
     return !(i && j) &&
-        line.stop(kWords,
+        line.stop(kSplineWords,
                   line.since(Release::k2_10) ? "Must specify both I and J with G5.1 or G6.1"
                                              : "Must specify both I and J with G5.1",
                   line.mover());
   }
-  if (i != j) return line.stop(kWords, "Must specify both I and J, or neither", line.at(i ? 'i' : 'j'), line.mover());
-  return (!line.has('p') || !line.has('q')) && line.stop(kWords, "Must specify both P and Q with G5", line.mover());
+  if (i != j)
+    return line.stop(kSplineWords, "Must specify both I and J, or neither", line.at(i ? 'i' : 'j'), line.mover());
+  return (!line.has('p') || !line.has('q')) &&
+      line.stop(kSplineWords, "Must specify both P and Q with G5", line.mover());
 }
 
 /// What a G5.2 with one axis of the pair, or neither, stops with in a plane.
@@ -58,10 +61,10 @@ constexpr PointPlane kPointPlanes[] = {
 bool point_axes(ModeLine& line, const PointPlane& pair, BadMode plane) {
   const bool first = line.has(pair.first), second = line.has(pair.second);
   const uint8_t given = line.at(first ? pair.first : pair.second);
-  if (first != second && line.stop_in({plane}, kWords, pair.half, given, line.mover())) return true;
+  if (first != second && line.stop_in({plane}, kSplineWords, pair.half, given, line.mover())) return true;
   const double* const p = line.value('p');
   return !first && !second && p != nullptr && *p > 0 &&
-      line.stop_in({plane, kHasPoints}, kWords, pair.late, line.at('p'), line.mover());
+      line.stop_in({plane, kHasPoints}, kSplineWords, pair.late, line.at('p'), line.mover());
 }
 
 bool point_words(ModeLine& line) {
@@ -75,7 +78,7 @@ bool point_words(ModeLine& line) {
   const double* const p = line.value('p');
   const bool weightless = !line.has('p') || (p != nullptr && *p <= 0);
   return weightless &&
-      line.stop_in({kHasPoints}, kWords, "Must specify positive weight P for every Control Point",
+      line.stop_in({kHasPoints}, kSplineWords, "Must specify positive weight P for every Control Point",
                    line.has('p') ? line.at('p') : line.mover(), line.mover());
 }
 
@@ -119,8 +122,8 @@ bool too_few_points(ModeLine& line, uint8_t word) {
   if (line.holds({too_few}) == Answer::kNo) return false;
   const std::string message =
       "You must specify a number of control points at least equal to the order L = " + std::to_string(least);
-  if (least == most) return line.stop_in({too_few}, kWords, message, word);
-  line.may_stop(kWords, message, word, kNoWord, mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder));
+  if (least == most) return line.stop_in({too_few}, kSplineWords, message, word);
+  line.may_stop(kSplineWords, message, word, kNoWord, mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder));
   return false;
 }
 
@@ -150,7 +153,7 @@ bool pause(ModeLine& line) {
 
 bool end_nurbs(ModeLine& line) {
   const uint8_t word = line.at(GGroup::kNonModal);
-  if (line.stop_in({{Mode::kMotion, ~set_of(Motion::kG5_2)}}, kWords, "Cannot use G5.3 without G5.2 first", word))
+  if (line.stop_in({{Mode::kMotion, ~set_of(Motion::kG5_2)}}, kSplineWords, "Cannot use G5.3 without G5.2 first", word))
     return true;
   if (too_few_points(line, word)) return true;
   line.set(Mode::kNurbs, modes::kNoPoints);

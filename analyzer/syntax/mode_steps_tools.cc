@@ -63,6 +63,7 @@ bool further(ModeLine& line) {
 
 /// M61: its Q is rounded half to even.
 bool set_number(ModeLine& line) {
+  line.set_open(Mode::kLoaded);
   const uint8_t word = line.at(MGroup::kToolChange);
   const double* const q = line.value('q');
   if (line.has('q') && q == nullptr) return false;
@@ -87,6 +88,7 @@ bool change_tool(ModeLine& line) {
   if (line.refused_by_compensation("Cannot change tools with cutter radius compensation on",
                                    line.at(MGroup::kToolChange)))
     return true;
+  line.set_open(Mode::kLoaded);
   if (!line.machine().change_keeps_spindle) line.set(Mode::kTurning, modes::kStopped);
   return false;
 }

@@ -15,16 +15,16 @@ struct ModeRow {
   std::array<std::string_view, kMostNames> values;
 };
 
-constexpr auto kRows = std::to_array<ModeRow>({
+constexpr auto kModeRows = std::to_array<ModeRow>({
 #define MODE(mode, name, ...) {Mode::mode, name, {__VA_ARGS__}},
 #include "analyzer/syntax/modes.def"
 });
 
 constexpr bool in_order() {
-  for (size_t i = 0; i < kRows.size(); ++i) {
-    if (static_cast<size_t>(kRows[i].mode) != i) return false;
+  for (size_t i = 0; i < kModeRows.size(); ++i) {
+    if (static_cast<size_t>(kModeRows[i].mode) != i) return false;
   }
-  return kRows.size() == kModes;
+  return kModeRows.size() == kModes;
 }
 static_assert(in_order());
 
@@ -45,20 +45,20 @@ ValueSet values_of(const ModeRow& row) {
 ValueSet all_values(Mode mode) {
   static const auto sets = [] {
     std::array<ValueSet, kModes> all{};
-    std::ranges::transform(kRows, all.begin(), values_of);
+    std::ranges::transform(kModeRows, all.begin(), values_of);
     return all;
   }();
   return sets[static_cast<size_t>(mode)];
 }
 
-std::string_view mode_name(Mode mode) { return kRows[static_cast<size_t>(mode)].name; }
+std::string_view mode_name(Mode mode) { return kModeRows[static_cast<size_t>(mode)].name; }
 
 std::string value_name(Mode mode, uint8_t value) {
   switch (mode) {
     case Mode::kMotion: return motion_name(static_cast<Motion>(value));
     case Mode::kNurbs: return std::to_string(value);
     case Mode::kNurbsOrder: return std::to_string(value + modes::kLeastOrder);
-    default: return std::string(kRows[static_cast<size_t>(mode)].values[value]);
+    default: return std::string(kModeRows[static_cast<size_t>(mode)].values[value]);
   }
 }
 
@@ -71,13 +71,13 @@ ModeSets ModeSets::started() {
 
 ModeSets ModeSets::unknown() {
   ModeSets sets;
-  for (const ModeRow& row : kRows) sets[row.mode] = all_values(row.mode);
+  for (const ModeRow& row : kModeRows) sets[row.mode] = all_values(row.mode);
   sets.open = kAllModes;
   return sets;
 }
 
 void ModeSets::lose_runs() {
-  for (const ModeRow& row : kRows) {
+  for (const ModeRow& row : kModeRows) {
     if (!std::has_single_bit((*this)[row.mode])) open |= mask_of(row.mode);
   }
 }

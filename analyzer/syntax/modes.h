@@ -27,6 +27,7 @@ enum class Mode : uint8_t {
   kArcDistance,
   kDiameter,
   kSystem,
+  kLoaded,  ///< whether a tool is in the spindle
   kToolOffset,
   kRetract,
   kPathControl,
@@ -59,6 +60,7 @@ enum Distance : uint8_t { kG90, kG91 };
 enum ArcDistance : uint8_t { kG91_1, kG90_1 };
 enum Diameter : uint8_t { kG8, kG7 };
 enum System : uint8_t { kG54, kG55, kG56, kG57, kG58, kG59, kG59_1, kG59_2, kG59_3 };
+enum Loaded : uint8_t { kNoTool, kSomeTool };
 enum ToolOffset : uint8_t { kG49, kOffsetOn };
 enum Retract : uint8_t { kG99, kG98 };
 enum PathControl : uint8_t { kG64, kG61, kG61_1, kG64Within };  ///< the last one with a tolerance

@@ -8,6 +8,7 @@
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/modes_in_effect.h"
 #include "analyzer/syntax/statement.h"
+#include "analyzer/text/characters.h"
 #include "analyzer/text/parallel.h"
 
 namespace owlint {
@@ -23,8 +24,6 @@ bool ends_in_nuls(std::string_view line) {
   const size_t first = line.find('\0');
   return first <= kLineLimit && line.find_first_not_of('\0', first) == std::string_view::npos;
 }
-
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 struct LineView {
   bool too_long = false;  // longer than LinuxCNC reads; then nothing else is known

@@ -44,7 +44,7 @@ constexpr uint32_t kCenterLetters = letter_set("ijk");
 constexpr MotionSet kArcs = set_of(Motion::kG2) | set_of(Motion::kG3);
 constexpr MotionSet kNurbs = set_of(Motion::kG5_2) | set_of(Motion::kG6_2);
 constexpr MotionSet kMotionless = set_of(Motion::kG80) | set_of(Motion::kNone);
-constexpr auto kNonModal = GGroup::kNonModal;
+using enum GGroup;
 
 }  // namespace
 

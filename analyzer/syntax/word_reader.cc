@@ -4,14 +4,13 @@
 
 #include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
-bool begins_value(char c) { return begins_number(c) || c == '[' || c == '#'; }
+bool begins_literal(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+bool begins_word_value(char c) { return begins_literal(c) || c == '[' || c == '#'; }
 
 }  // namespace
 
@@ -72,14 +71,14 @@ void WordReader::unread(const ReadError& error, size_t from, WrittenWord& word) 
   const char first = text_[from + 1];
   message_ = error.message;
   fault_ = StopKind::kExpression;
-  if (begins_number(first)) {
+  if (begins_literal(first)) {
     if (message_.starts_with("bad number")) {
       fault_ = StopKind::kNumberMalformed;
       word.span = text_.span(from, std::max(error.to, from + 1));
     }
   } else if (first != '[' && first != '#' && !is_foreign(first)) {
     // `XY5` are two words, and three letters are text.
-    if (!is_letter(first) || begins_value(text_[from + 2])) fault_ = StopKind::kNumberMissing;
+    if (!is_small_letter(first) || begins_word_value(text_[from + 2])) fault_ = StopKind::kNumberMissing;
   }
   lost_ = fault_ == StopKind::kExpression;
 }

@@ -2,12 +2,12 @@
 #include <algorithm>
 
 #include "analyzer/syntax/look_alike.h"
+#include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_name_char(char c) { return (c >= 'a' && c <= 'z') || is_digit(c) || c == '_'; }
 
 /// Where what begins at `from` ends: at a bracket that it has not opened, or at the line's end.

@@ -3,12 +3,10 @@
 
 #include "rules/driver/idioms.h"
 
+#include "analyzer/text/characters.h"
+
 namespace owlint::rules {
-namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
+namespace {}  // namespace
 
 /// `o100 if [#1 EQ 2] AND [#3 LT 4]`: one bracket must be around it all.
 bool has_two_brackets(const RefusedLine& line, Finding& f) {

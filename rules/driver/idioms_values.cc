@@ -5,18 +5,17 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/look_alike.h"
+#include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-bool is_name_char(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+bool continues_name(char c) { return is_small_letter(c) || is_digit(c) || c == '_'; }
 
 /// Where the name that begins at `from` ends.
 size_t name_end(const RefusedLine& line, size_t from) {
-  while (from < line.end && is_name_char(line.text[from])) ++from;
+  while (from < line.end && continues_name(line.text[from])) ++from;
   return from;
 }
 
@@ -53,10 +52,10 @@ size_t value_start(const RefusedLine& line) {
     const char c = before[i];
     if (c == ']' || c == '>') ++depth;
     if ((c == '[' || c == '<') && depth > 0) --depth;
-    if (depth > 0 || !is_letter(c)) continue;
-    const bool alone = i == 0 || !is_letter(before[i - 1]);  // else it is a function's last one
+    if (depth > 0 || !is_small_letter(c)) continue;
+    const bool alone = i == 0 || !is_small_letter(before[i - 1]);  // else it is a function's last one
     if (alone) return i + 1;
-    while (i > start && is_letter(before[i - 1])) --i;
+    while (i > start && is_small_letter(before[i - 1])) --i;
   }
   return start;
 }
@@ -202,7 +201,7 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   const bool behind_value = is_digit(before) || before == '.' || before == '>' || before == ']';
   const bool sign = rest.size() > 1 && std::string_view("+-*/").find(rest[0]) != std::string_view::npos;
   const bool word = std::ranges::any_of(kWordOperators, [&](std::string_view w) {
-    return rest.starts_with(w) && rest.size() > w.size() && !is_letter(rest[w.size()]);
+    return rest.starts_with(w) && rest.size() > w.size() && !is_small_letter(rest[w.size()]);
   });
   if (!behind_value || (!sign && !word)) return false;
   const size_t start = value_start(line);
@@ -221,7 +220,7 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
 /// `#depth = 5`, and `#depth> = 5`.
 bool names_without_brackets(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression || line.at == 0 || line.text[line.at - 1] != '#' ||
-      !is_letter(line.text[line.at]))
+      !is_small_letter(line.text[line.at]))
     return false;
   const std::string name = name_at(line, line.at);
   const size_t to = name_end(line, line.at);
@@ -338,7 +337,7 @@ bool has_other_function(const RefusedLine& line, Finding& f) {
     f.help = kFunctions[0].instead;
     return true;
   }
-  if (!line.error.message.starts_with("Unknown word") || !is_letter(line.text[line.at])) return false;
+  if (!line.error.message.starts_with("Unknown word") || !is_small_letter(line.text[line.at])) return false;
   std::string_view lowered = line.text.text().substr(line.at, name_end(line, line.at) - line.at);
   const auto* other = std::ranges::find_if(
       kFunctions, [&](const Other& o) { return lowered == o.text || (o.text == "not" && lowered.starts_with("not")); });

@@ -5,14 +5,14 @@
 
 #include "rules/driver/idioms.h"
 
+#include "analyzer/text/characters.h"
+
 namespace owlint::rules {
 namespace {
 
 constexpr std::string_view kInsteadOfJumps =
     "to skip lines, write `o100 if [...]` and `o100 endif` with the opposite condition; to repeat lines, write `o100 "
     "while [...]` and `o100 endwhile`";
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// A keyword of other languages, and what to do in LinuxCNC.
 struct OtherWord {

@@ -7,11 +7,11 @@
 namespace owlint::rules {
 namespace {
 
-constexpr std::string_view kAxes = "xyzabcuvw@^";
+constexpr std::string_view kPlaceWords = "xyzabcuvw@^";
 
 /// Whether a word is the one that a name means.
 bool is_meant(const WrittenWord& word, std::string_view name) {
-  const bool axis = kAxes.find(word.letter) != std::string_view::npos;
+  const bool axis = kPlaceWords.find(word.letter) != std::string_view::npos;
   if (name == "*") return axis;
   if (capital(word.letter)[0] != name[0]) return false;
   if (name.size() == 1) return true;

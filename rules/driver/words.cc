@@ -7,12 +7,10 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/questions.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint::rules {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 
 /// The letter that an interpreter's message is about; 0 if it names none.
 char letter_in(std::string_view message) {
@@ -23,14 +21,14 @@ char letter_in(std::string_view message) {
   return small(message[0]);
 }
 
-constexpr std::string_view kAxes = "xyzabcuvw@^";
+constexpr std::string_view kAxisWords = "xyzabcuvw@^";
 
 /// Whether a text is empty, a comment, or begins with a letter and what may be its value.
 bool begins_word(std::string_view text) {
   const auto skip_blanks = [&] { text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size())); };
   skip_blanks();
   if (text.empty() || text[0] == '(' || text[0] == ';') return true;
-  if (!is_letter(static_cast<char>(std::tolower(static_cast<unsigned char>(text[0]))))) return false;
+  if (!is_small_letter(static_cast<char>(std::tolower(static_cast<unsigned char>(text[0]))))) return false;
   text.remove_prefix(1);
   skip_blanks();
   return !text.empty() && std::string_view("0123456789.+-#[").find(text[0]) != std::string_view::npos;
@@ -101,8 +99,8 @@ WordStop word_stop(const Input& in, const FlowStop& stop) {
     const char letter = letter_in(stop.interpreter);
     auto about = std::ranges::find(out.line, letter, &WrittenWord::letter);
     if (about == out.line.end() && stop.kind == StopKind::kAxisWords)
-      about =
-          std::ranges::find_if(out.line, [](const auto& w) { return kAxes.find(w.letter) != std::string_view::npos; });
+      about = std::ranges::find_if(out.line,
+                                   [](const auto& w) { return kAxisWords.find(w.letter) != std::string_view::npos; });
     out.span = about != out.line.end() ? about->span
         : out.line.empty()             ? s.whole()
                                        : Span{out.line.front().span.begin, out.line.back().span.end};
@@ -240,13 +238,14 @@ bool writes_o_for_zero(const Program& program, const Statement& s, const LineErr
     // `GO X1`: a word's letter and an O.
     const bool kind = error.kind == StopKind::kWordUnreadable || error.kind == StopKind::kNumberMissing ||
         error.kind == StopKind::kNumberMalformed;
-    if (!kind || !is_letter(small(line[from])) || from + 1 >= line.size() || !is_o(line[from + 1])) return false;
+    if (!kind || !is_small_letter(small(line[from])) || from + 1 >= line.size() || !is_o(line[from + 1])) return false;
     ++from;
   }
   // Behind it a digit, a point, nothing, or another word with its number; not text: `MOD 2`, `GO TO 20`.
   const std::string_view behind = line.substr(from + 1);
   const char next = behind.empty() ? ' ' : small(behind[0]);
-  if (is_letter(next) && (behind.size() < 2 || is_letter(small(behind[1])) || behind[1] == ' ')) return false;
+  if (is_small_letter(next) && (behind.size() < 2 || is_small_letter(small(behind[1])) || behind[1] == ' '))
+    return false;
   if (small_letters(line.substr(from - 1)).starts_with("mod")) return false;
   if (!is_digit(next) && next != '.' && !begins_word(behind)) return false;
   *at = s.offset + from;
@@ -258,7 +257,7 @@ bool writes_letter_for_one(const Program& program, const Statement& s, const Lin
   if (!kind || error.span.begin < s.offset) return false;
   const std::string text = small_letters(program.source->slice({error.span.begin, s.end()}));
   return text.size() > 1 && (text[0] == 'g' || text[0] == 'm') && (text[1] == 'l' || text[1] == 'i') &&
-      (text.size() == 2 || !is_letter(text[2]));
+      (text.size() == 2 || !is_small_letter(text[2]));
 }
 
 }  // namespace owlint::rules

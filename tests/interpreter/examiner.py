@@ -15,13 +15,13 @@ import rs274
 from claims import settings
 from confirm import Program, read
 from linter import MACHINE as MACHINE_INI, by_path
-from not_followed import GEOMETRY, MACHINE, MODES, general
+from not_followed import GEOMETRY, MACHINE, general
 from stops import COUNTED, ENDLESS, Checked, Disagreement, judge
 
 AT_ONCE = 25                # programs for one start of owlint
 SHOWN_PER_KEY = 2
 OWLINT_LIMIT_S = 120
-NOT_FOLLOWED = (MODES, GEOMETRY, MACHINE)
+NOT_FOLLOWED = (GEOMETRY, MACHINE)
 TAKEN_OUT = ";"             # what stands in place of a line that stops for a reason that is not followed
 
 

@@ -16,8 +16,8 @@ import sys
 import tempfile
 
 from confirm import Claims, judge
-from linter import MACHINE, Linter
-from not_followed import not_followed
+from linter import MACHINE as MACHINE_INI, Linter
+from not_followed import MACHINE, not_followed, of_a_tool
 from rs274 import AT_FILE_END, Outcome
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -72,10 +72,11 @@ def problems_of(outcome, findings, text):
     if re.match(r"(?i).*\(\s*abort,[^)]*\)[^(]*$|[(;]py,", at) or re.search(r"#<_hal\[|##1", at):
         return [], False
     problems = list(judge(outcome, claims))
-    if problems and outcome.kind == "error" and not_followed(outcome.message, at):
+    kind = outcome.kind == "error" and (not_followed(outcome.message) or of_a_tool(outcome.message, text) and MACHINE)
+    if problems and kind:
         wrong = "%s is claimed for every run on line %d, which stops with: %s"
-        problems = [wrong % (f["code"], outcome.line, outcome.message)
-                    for f in claims.always if outcome.line and f["start"]["line"] <= outcome.line]
+        problems = [wrong % (f["code"], outcome.line, outcome.message) for f in claims.always
+                    if outcome.line and f["start"]["line"] <= outcome.line - (kind == MACHINE)]
         return problems, True
     return problems, False
 
@@ -86,7 +87,7 @@ def linter_with(owlint, ini, folder):
         text = f.read()
     own = os.path.join(folder, os.path.basename(ini))
     with open(own, "w", encoding="latin-1") as f:
-        f.write(text.rstrip("\n") + "\n" + MACHINE)
+        f.write(text.rstrip("\n") + "\n" + MACHINE_INI)
     return Linter(owlint, arguments=("--ini", own))
 
 

@@ -10,7 +10,7 @@ import bundle
 import rs274
 from claims import Claims, said_by
 from messages import EOF, codes_of, same_words
-from not_followed import GEOMETRY, MACHINE, OF_WORDS_AND_MODES, general, in_a_contour, not_followed, of_axes
+from not_followed import GEOMETRY, MACHINE, general, in_a_contour, not_followed, of_a_tool, of_axes
 
 SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other words", "not always", "crash"
 FAILS = "owlint fails"
@@ -92,9 +92,12 @@ def judge(outcome, checked, program, block_delete, axes_known=False):
         wrong = [f for f in claims.always if f not in met]
         before = "%s: it stops before: `%s`"
         return Disagreement(NOT_ALWAYS, before % (quoted(wrong[0]), outcome.message)) if wrong else None
-    kind = not_followed(outcome.message, outcome.text)
-    if in_a_contour(outcome.message, outcome.text, "\n".join(checked.texts.values())):
+    kind = not_followed(outcome.message)
+    everything = "\n".join(checked.texts.values())
+    if in_a_contour(outcome.message, outcome.text, everything):
         kind = GEOMETRY
+    if of_a_tool(outcome.message, everything):
+        kind = MACHINE
     if of_axes(outcome.message) and not axes_known:
         return MACHINE
     other = [(f, claim) for f, claim in there if not kind or f in claims.always and comes_before(f, outcome)]
@@ -113,8 +116,8 @@ def quoted(claim):
 
 def comes_before(finding, outcome):
     """Whether the interpreter would have reported this before a stop that is not followed, at the same line."""
-    # The mode is looked at before other errors of the line's words.
-    if outcome.message in OF_WORDS_AND_MODES:
+    # What the machine lacks is found before most of what modes refuse.
+    if not_followed(outcome.message) == MACHINE and finding["code"].startswith(("OW8", "OW9")):
         return False
     # The label of a contour is sought behind all that; and the file ends after its last line.
     of_contour = finding["code"] in ("OW208", "OW306") and re.search(r"(?i)g\s*7\s*[0-2]", outcome.text)

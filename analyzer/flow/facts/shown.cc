@@ -4,6 +4,7 @@
 #include "analyzer/flow/facts/shown.h"
 #include "analyzer/syntax/last_statement.h"
 #include "analyzer/syntax/next_comment.h"
+#include "analyzer/text/characters.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@ namespace owlint::flow {
 namespace {
 
 char small(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The short word before the first comma, in small letters.
 std::string word_of(std::string_view comment) {
