@@ -9,6 +9,7 @@
 
 using namespace owlint::test;
 
+namespace baseline_test {
 namespace {
 
 const std::string kBad =
@@ -143,3 +144,5 @@ TEST_CASE("from two hundred old findings to a check that fails on the next new o
   CHECK(next.out.starts_with("parts/part7.ngc:1:1: error: "));
   CHECK(std::ranges::count(next.out, '\n') == 1);
 }
+
+}  // namespace baseline_test

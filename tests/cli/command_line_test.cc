@@ -10,6 +10,7 @@
 
 using namespace owlint::test;
 
+namespace command_line_test {
 namespace {
 
 const std::string kGood = "G0 X1\nM2\n";
@@ -293,3 +294,5 @@ TEST_CASE("graphs of all fixtures are well formed", "[cli]") {
     CHECK(run({"graph", "--format", "mermaid", path}).out.starts_with("flowchart "));
   }
 }
+
+}  // namespace command_line_test

@@ -6,6 +6,7 @@
 
 using namespace owlint::test;
 
+namespace configuration_test {
 namespace {
 
 const std::string kWarning = "o1 if [0]\no1 endif done\nM2\n";  // OW304, runs
@@ -118,3 +119,5 @@ TEST_CASE("the folders of an INI that are not here are one finding", "[cli][conf
   CHECK(findings[0]["related"][0]["start"]["column"] == 19);
   CHECK(findings[0]["related"][1]["start"]["column"] == 26);
 }
+
+}  // namespace configuration_test

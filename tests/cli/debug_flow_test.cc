@@ -6,6 +6,7 @@
 
 using namespace owlint::test;
 
+namespace debug_flow_test {
 namespace {
 
 const std::string kProgram =
@@ -52,3 +53,5 @@ TEST_CASE("debug-flow is for those who work on the analysis: no help and no comp
   }
   CHECK(owlint::test::owlint(words("debug-flow missing.ngc"), "", folder.path()).status == 2);
 }
+
+}  // namespace debug_flow_test

@@ -13,6 +13,7 @@
 
 using namespace owlint::test;
 
+namespace fix_command_test {
 namespace {
 
 const std::string kTwice =
@@ -248,3 +249,5 @@ TEST_CASE("a fixed program that cannot be put out is an error", "[cli][fix]") {
 TEST_CASE("standard input that needs no suppression is put out as it is", "[cli][suppression]") {
   CHECK(check({"--add-suppressions", "--reason", "old", "-"}, kFixed).out == kFixed);
 }
+
+}  // namespace fix_command_test

@@ -10,6 +10,7 @@
 
 using namespace owlint::test;
 
+namespace format_command_test {
 namespace {
 
 const std::string kFlat = "o1 if [#1]\nG0 X1\no1 endif\nM2\n";
@@ -66,3 +67,5 @@ TEST_CASE("fmt reads standard input and says what it cannot do", "[cli][format]"
   CHECK(none.err.find("cannot read") != std::string::npos);
   CHECK(owlint::test::owlint({"fmt"}).status == 2);
 }
+
+}  // namespace format_command_test

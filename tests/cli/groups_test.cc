@@ -8,6 +8,7 @@
 
 using namespace owlint::test;
 
+namespace groups_test {
 namespace {
 
 Run check(const Scratch& folder, const std::string& arguments) {
@@ -143,3 +144,5 @@ TEST_CASE("a helper that several sub files define is one finding that names them
   CHECK(left[0]["related"].back()["path"].get<std::string>() == "right.ngc");
   CHECK(report["files"][1]["findings"].empty());
 }
+
+}  // namespace groups_test

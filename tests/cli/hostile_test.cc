@@ -15,6 +15,7 @@
 
 using namespace owlint;
 
+namespace hostile_test {
 namespace {
 
 constexpr double kTooSlow = 10 * OWLINT_PATIENCE;  // seconds
@@ -218,3 +219,5 @@ TEST_CASE("the program itself takes hostile files", "[hostile]") {
   CHECK(nlohmann::json::accept(run.out));
   if (run.seconds >= kTooSlow) WARN("took " << run.seconds << " s");
 }
+
+}  // namespace hostile_test

@@ -13,6 +13,7 @@
 
 using namespace owlint::test;
 
+namespace linked_hostile_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,3 +136,5 @@ TEST_CASE("ten thousand programs parse their shared files once", "[hostile]") {
     CHECK(run.err.find("  10500  files parsed, 500 of them for 20000 calls from other files\n") != std::string::npos);
   }
 }
+
+}  // namespace linked_hostile_test

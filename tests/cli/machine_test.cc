@@ -9,6 +9,7 @@
 
 using namespace owlint::test;
 
+namespace machine_test {
 namespace {
 
 const std::string kIni = "[EMC]\nVERSION = 1.1\n[RS274NGC]\nSUBROUTINE_PATH = subs\n";
@@ -274,3 +275,5 @@ TEST_CASE("subs that the INI calls are looked for in the folders of --sub-path a
   CHECK(contains(check(folder, "--isolated --ini machine.ini p.ngc").out, "OW208"));
   CHECK(check(folder, "--isolated --ini machine.ini --sub-path macros p.ngc").out.empty());
 }
+
+}  // namespace machine_test

@@ -14,6 +14,7 @@
 using namespace owlint;
 using namespace owlint::test;
 
+namespace terminal_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -193,3 +194,5 @@ TEST_CASE("what is written is as wide as the terminal", "[cli][terminal]") {
     CHECK(widest(out) <= 60);
   }
 }
+
+}  // namespace terminal_test

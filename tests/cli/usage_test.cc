@@ -8,6 +8,7 @@
 
 using namespace owlint::test;
 
+namespace usage_test {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -126,3 +127,5 @@ TEST_CASE("help is laid out for people", "[cli][usage]") {
   CHECK(owlint::test::owlint({"help"}).out == owlint::test::owlint({"--help"}).out);
   CHECK(owlint::test::owlint({"help", "check"}).out == help);
 }
+
+}  // namespace usage_test

@@ -9,6 +9,7 @@
 using namespace owlint;
 using namespace owlint::test;
 
+namespace word_line_test {
 namespace {
 
 MotionSet behind(const std::string& text, Motion before = Motion::kG80) {
@@ -297,3 +298,5 @@ TEST_CASE("G5.3 and G6.3 end their blocks", "[words]") {
   CHECK(stops("G6.3 G6.2 X1 P1", kStart, kNewest).empty());
   CHECK(stops("G53 G6.2 X1 P1", kStart, kNewest).empty());
 }
+
+}  // namespace word_line_test

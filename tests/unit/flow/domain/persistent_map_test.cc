@@ -8,6 +8,7 @@
 
 using owlint::flow::PersistentMap;
 
+namespace persistent_map_test {
 namespace {
 
 struct Pair {
@@ -101,3 +102,5 @@ TEST_CASE("merging with an equal map asks nothing", "[map]") {
   CHECK(merged.get(70000) == 1);
   CHECK(merged.get(4) == 0);
 }
+
+}  // namespace persistent_map_test

@@ -6,6 +6,7 @@
 using namespace owlint;
 using namespace owlint::rules;
 
+namespace lines_behind_test {
 namespace {
 
 /// The numbers of the lines behind the first of a program.
@@ -46,3 +47,5 @@ TEST_CASE("no line far away is reached", "[rules]") {
   for (int i = 0; i < 1000; ++i) text += "#1 = 2\n";
   CHECK(behind(text).size() == 200);
 }
+
+}  // namespace lines_behind_test
