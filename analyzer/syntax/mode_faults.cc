@@ -13,6 +13,12 @@ ModeMask masks_of(BadModes modes) {
 
 }  // namespace
 
+std::optional<uint8_t> ModeFaults::only(Mode mode) const {
+  const ValueSet values = now()[mode];
+  if (!std::has_single_bit(values)) return std::nullopt;
+  return static_cast<uint8_t>(std::countr_zero(values));
+}
+
 Answer ModeFaults::holds(BadModes modes) const {
   Answer answer = Answer::kYes;
   for (const BadMode& bad : modes) {

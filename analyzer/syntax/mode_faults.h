@@ -31,6 +31,8 @@ class ModeFaults {
   ModeSets& now() { return state_.now; }
   const ModeSets& now() const { return state_.now; }
   std::vector<ModeFault>* faults() { return &faults_; }
+  /// The value of a mode that has one.
+  std::optional<uint8_t> only(Mode mode) const;
   /// Whether each of the modes has one of its values.
   Answer holds(BadModes modes) const;
   /// The line stops on all runs: true, as it is for stop_in() if no run goes on.

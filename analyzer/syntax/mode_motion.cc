@@ -140,7 +140,10 @@ void leave(ModeLine& line) {
 }
 
 bool stops_moving_by(ModeLine& line, Motion mode) {
-  if (move(line, line.words().motion(mode))) return true;
+  const Motion motion = line.words().motion(mode);
+  if (line.place() != nullptr && motion != Motion::kNone && !contains(kCycles, motion))
+    line.place()->keeps_height = false;
+  if (move(line, motion)) return true;
   leave(line);
   return false;
 }
@@ -180,20 +183,26 @@ bool stops_moving(ModeLine& line) {
   const bool open = line.now().is_open(Mode::kMotion);
   FaultsByMotion found(true, open, motions, line.faults());
   std::optional<ModeState> joined;
+  std::optional<Place> behind;
   std::vector<ModeFault> faults;
   for_motions(motions, [&](Motion mode) {
     ModeState state = line.state();
+    std::optional<Place> place;
+    if (line.place() != nullptr) place = *line.place();
     faults.clear();
     state.now[Mode::kMotion] = set_of(mode);
     state.now.open &= ~mask_of(Mode::kMotion);
-    ModeLine one(line.machine(), words, &state, &faults);
+    ModeLine one(line, &state, &faults, place ? &*place : nullptr);
     const bool stops = stops_moving_by(one, mode);
     for (ModeFault& fault : faults) found.add(mode, std::move(fault));
-    if (!stops) joined = joined ? join(*joined, state) : state;
+    if (stops) return;
+    joined = joined ? join(*joined, state) : state;
+    if (place) behind = behind ? join(*behind, *place) : *place;
   });
   found.finish(joined.has_value());
   if (!joined) return true;
   line.state() = *joined;
+  if (behind) *line.place() = *behind;
   if (open) line.now().open |= mask_of(Mode::kMotion);
   if (found.believed()) line.state().lose_runs();
   return false;

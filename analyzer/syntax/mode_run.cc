@@ -1,6 +1,7 @@
 #include "analyzer/syntax/mode_run.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "analyzer/syntax/mode_line.h"
 #include "analyzer/syntax/mode_restore.h"
@@ -41,6 +42,24 @@ ModeState either(const ModeState& a, const ModeState& b) {
   return joined;
 }
 
+std::optional<Place> place_of(const Place* place) { return place == nullptr ? std::nullopt : std::optional(*place); }
+
+/// What is restored of `before` may give the point other numbers.
+void restore_place(const ModeState& before, Place* place) {
+  if (place == nullptr) return;
+  for (const Mode mode : {Mode::kUnits, Mode::kSystem, Mode::kToolOffset, Mode::kAxisOffsets}) {
+    if (!std::has_single_bit(before.now[mode] | before.saved[mode])) return place->lose_offsets();
+  }
+}
+
+/// Before the next line is read, the interpreter asks the machine where it is.
+bool asks_position(const ModeLine& line) {
+  if (line.at(MGroup::kToolChange) != kNoWord) return true;
+  int32_t what = 0;
+  const double* const l = line.value('l');
+  return line.code(GGroup::kNonModal) == code::kG10 && (l == nullptr || (word_integer(*l, &what) && what == 0));
+}
+
 /// M72, and the rest of its line if there was nothing to restore. False if no run goes on.
 bool run_from_m72(ModeLine& line) {
   const uint8_t word = line.at(MGroup::kSpindle);
@@ -50,12 +69,17 @@ bool run_from_m72(ModeLine& line) {
   ModeState as_before = line.state();
   const Restored restored = restore(line.machine(), as_before.saved, word, line);
   if (restored.something == Answer::kNo) return !stops_at(kRest, line);
-  if (restored.stops || restored.something == Answer::kYes) return !restored.stops;
+  if (restored.stops) return false;
+  std::optional<Place> place = place_of(line.place());
+  restore_place(as_before, line.place());
+  if (restored.something == Answer::kYes) return true;
   std::vector<ModeFault> faults;
-  ModeLine unlost(line.machine(), line.words(), &as_before, &faults);
+  ModeLine unlost(line, &as_before, &faults, place ? &*place : nullptr);
   const bool runs = !stops_at(kRest, unlost);
   add_possible(faults, line.faults());
-  if (runs) line.state() = either(line.state(), as_before);
+  if (!runs) return true;
+  line.state() = either(line.state(), as_before);
+  if (place) *line.place() = join(*line.place(), *place);
   return true;
 }
 
@@ -65,15 +89,18 @@ bool ModeRun::check(ModeState* state, std::vector<ModeFault>* faults) const {
   return !stops_before_it_acts(line_, state, faults);
 }
 
-bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults) const {
+bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place) const {
   if (line_.has_unknown_code() || line_.has_remapped_code()) {
     *state = ModeState::unknown();
+    if (place != nullptr) *place = Place::unknown();
     return true;
   }
-  ModeLine line(machine_, line_, state, faults);
+  ModeLine line(machine_, line_, state, faults, place);
   if (stops_at(kFirstSteps, line)) return false;
-  if (line.code(MGroup::kSpindle) == code::kM72) return run_from_m72(line);
-  return !stops_at(kRest, line);
+  const bool restores = line.code(MGroup::kSpindle) == code::kM72;
+  if (restores ? !run_from_m72(line) : stops_at(kRest, line)) return false;
+  if (place != nullptr && asks_position(line)) place->lose_point();
+  return true;
 }
 
 bool read_position(ModeState* state, std::vector<ModeFault>* faults) {
@@ -82,9 +109,10 @@ bool read_position(ModeState* state, std::vector<ModeFault>* faults) {
                        "Cannot read current position with cutter radius compensation on", kNoWord);
 }
 
-bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults) {
+bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults, Place* place) {
   const ValueSet saved = state->now[Mode::kSaved];
   if ((saved & value_bit(modes::kSavedByM73)) == 0) return true;
+  restore_place(*state, place);
   if (saved == value_bit(modes::kSavedByM73)) {
     ModeFaults line(state, faults);
     return !restore(machine, state->saved, kNoWord, line).stops;

@@ -1,21 +1,41 @@
 // What the interpreter does with a line of words in the modes that may be in effect: the checks of the complete line, then its
 // words one after the other in the order in which they act. The line stops at the first that the modes refuse; what passes
-// changes them. Positions are not followed: what an arc, a cycle or a compensated path stops with for its numbers is not
-// here. Nor is what needs the tool in the spindle (G10 L0), or the program of a user code.
+// changes them. Positions are followed if the caller has a Place: then what an arc or a cycle stops with for its numbers is here,
+// too. What a compensated path or a lathe contour stops with is not, nor what needs the tool in the spindle (G10 L0), or the
+// program of a user code.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "analyzer/geometry/plane.h"
 #include "analyzer/syntax/modes.h"
+#include "analyzer/syntax/place.h"
 #include "analyzer/syntax/word_line.h"
 
 namespace owlint {
+
+/// An arc that does not pass, in the units in effect.
+struct ArcNumbers {
+  char first, second;      ///< the axes of its plane, small
+  bool start_known;        ///< else `start`, `center` and `end` may lie elsewhere, together
+  Flat start, center, end;
+  double start_radius, end_radius;
+  double allowed;          ///< how much the two may differ
+  double radius;           ///< as it is written, if it is: then there is no center
+  double least_radius;     ///< that would reach the end
+};
 
 /// Something a line stops with, on some of the runs that get to it.
 struct ModeFault {
   Fault fault;          ///< certain: on every run that gets here and has not stopped for an earlier fault of the line
   bool believed;        ///< if not certain: some run stops for it, so far as each mode alone decides
   ModeMask decided_by;  ///< the modes that decide whether it stops; 0 if the line alone does
+  /// The place decides: if it is not certain, some places stop.
+  bool by_place = false;
+  /// Certain on a machine that was just started, and stands where it began, without offsets.
+  bool from_start = false;
+  std::optional<ArcNumbers> arc = std::nullopt;
 };
 
 class ModeRun {
@@ -23,13 +43,14 @@ class ModeRun {
   ModeRun(const MachineWords& machine, const WordLine& line) : machine_(machine), line_(line) {}
 
   /// Carries out the line. `*state` becomes that of the runs that go on behind it; the faults are appended in the order in which
-  /// the interpreter would find them. False if no run goes on: then the last fault is certain.
-  bool run(ModeState* state, std::vector<ModeFault>* faults) const {
-    return check(state, faults) && act(state, faults);
+  /// the interpreter would find them. False if no run goes on: then the last fault is certain. `*place`, if there is one, becomes
+  /// that behind the line, too.
+  bool run(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr) const {
+    return check(state, faults) && act(state, faults, place);
   }
   /// Its two parts: the checks before the line does anything, even set parameters, and what it does.
   bool check(ModeState* state, std::vector<ModeFault>* faults) const;
-  bool act(ModeState* state, std::vector<ModeFault>* faults) const;
+  bool act(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr) const;
 
  private:
   const MachineWords& machine_;
@@ -40,6 +61,7 @@ class ModeRun {
 bool read_position(ModeState* state, std::vector<ModeFault>* faults);
 
 /// A sub with M73 is left: restores what it has saved. As ModeRun::run.
-bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults);
+bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults,
+                   Place* place = nullptr);
 
 }  // namespace owlint

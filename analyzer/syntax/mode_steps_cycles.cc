@@ -1,7 +1,7 @@
 // Canned cycles: G73, G74, G81 to G89. Heights are not followed, nor what the holes of one line do to each other.
 #include <algorithm>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint::steps {
 namespace {
@@ -16,20 +16,21 @@ struct CyclePlane {
   const char* name;          ///< as messages about those call it
   const char* unspecified;
   const char* below;
+  places::Hole hole;
 };
 constexpr CyclePlane kPlanes[] = {
     {modes::kG17, "G17", 'z', "uvw", "XY", "Z value unspecified in xy plane canned cycle",
-     "R less than z in cycle in xy plane"},
+     "R less than z in cycle in xy plane", {Axis::kZ, Axis::kX, Axis::kY}},
     {modes::kG18, "G18", 'y', "uvw", "XZ", "Y value unspecified in xz plane canned cycle",
-     "R less than y in cycle in xz plane"},
+     "R less than y in cycle in xz plane", {Axis::kY, Axis::kZ, Axis::kX}},
     {modes::kG19, "G19", 'x', "uvw", "YZ", "X value unspecified in yz plane canned cycle",
-     "R less than x in cycle in yz plane"},
+     "R less than x in cycle in yz plane", {Axis::kX, Axis::kY, Axis::kZ}},
     {modes::kG17_1, "G17.1", 'w', "xyz", "UV", "W value unspecified in UV plane canned cycle",
-     "R less than w in cycle in uv plane"},
+     "R less than w in cycle in uv plane", {Axis::kW, Axis::kU, Axis::kV}},
     {modes::kG18_1, "G18.1", 'v', "xyz", "UW", "V value unspecified in UW plane canned cycle",
-     "R less than v in cycle in uw plane"},
+     "R less than v in cycle in uw plane", {Axis::kV, Axis::kW, Axis::kU}},
     {modes::kG19_1, "G19.1", 'u', "xyz", "VW", "U value unspecified in VW plane canned cycle",
-     "R less than u in cycle in vw plane"},
+     "R less than u in cycle in vw plane", {Axis::kU, Axis::kV, Axis::kW}},
 };
 
 /// Words that a cycle needs on the line that begins it; further holes have those of the hole before.
@@ -76,6 +77,12 @@ bool lacks_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
   return line.stop_in({plane}, StopKind::kPlaneWrong, message, line.mover(), line.at(GGroup::kPlane));
 }
 
+/// Whether R lies below the bottom, where the place is followed.
+bool is_below(ModeLine& line, const CyclePlane& in, Verdict verdict) {
+  const uint8_t written = line.at(line.has('r') ? 'r' : in.axis);
+  return stop_by(line, verdict, kWords, in.below, line.has(in.axis) ? line.at(in.axis) : written, line.at('r'));
+}
+
 /// Whether the first hole would lie above R. In G90 both are on the line, or one of them is not known here; in G91 the depth
 /// counts from R on.
 bool is_above(ModeLine& line, const CyclePlane& in, BadMode plane) {
@@ -96,7 +103,17 @@ bool axes(ModeLine& line, Motion motion, const CyclePlane& in) {
   if (line.holds({plane}) == Answer::kNo) return false;
   if (foreign_axis(line, in, plane) || lacks_axis(line, in, plane)) return true;
   if (!line.has(in.axis) && line.stop_in({plane, begins(motion)}, kWords, in.unspecified, line.mover())) return true;
+  if (line.place() != nullptr && line.holds({plane}) == Answer::kYes) {
+    if (const std::optional<Verdict> below = places::heights(line, in.hole)) return is_below(line, in, *below);
+  }
   return is_above(line, in, plane);
+}
+
+/// The plane in effect; null if the place is not followed, or the plane is not known.
+const CyclePlane* plane_of(const ModeLine& line) {
+  const std::optional<uint8_t> plane = line.only(Mode::kPlane);
+  if (line.place() == nullptr || !plane) return nullptr;
+  return std::ranges::find(kPlanes, *plane, &CyclePlane::plane);
 }
 
 bool repeats_none(ModeLine& line) {
@@ -134,7 +151,17 @@ bool cycle(ModeLine& line, Motion motion) {
     if (contains(word.cycle, motion) && lacks_word(line, motion, word.letter, word.message)) return true;
   }
   if (contains(kTapping, motion) && taps(line)) return true;
-  return (contains(kPecking, motion) && pecks_nothing(line)) || turning(line, motion);
+  const CyclePlane* const in = plane_of(line);
+  Point at;
+  if (in != nullptr && places::first_hole(line, in->hole, &at)) return true;
+  if ((contains(kPecking, motion) && pecks_nothing(line)) || turning(line, motion)) return true;
+  if (in == nullptr) {
+    places::lose_cycle(line);
+    return false;
+  }
+  if (places::further_holes(line, in->hole, &at)) return true;
+  places::leave_cycle(line, in->hole, at);
+  return false;
 }
 
 }  // namespace owlint::steps

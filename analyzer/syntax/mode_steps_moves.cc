@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint::steps {
 namespace {
@@ -116,13 +116,14 @@ bool thread_depths(ModeLine& line) {
       stop_thread(line, kWords, "In G76, K must be greater than J", line.at('k'), line.at('j'));
 }
 
-bool g76(ModeLine& line) {
+bool g76(ModeLine& line, const Point& end) {
   const double* const chosen = line.value('$');
   const int spindle = chosen == nullptr ? 0 : nearest_integer(std::trunc(*chosen));
   std::string not_turning;
   if (line.holds({{Mode::kTurning, value_bit(modes::kStopped)}}) != Answer::kNo || chosen != nullptr)
     not_turning = "Chosen spindle (" + std::to_string(spindle) + ") not turning in G76";
   if (thread_spindle(line, "Invalid D-number in G76 cycle", not_turning)) return true;
+  if (line.holds({kNoRadius}) == Answer::kYes && places::moves_rotary_axes(line, end)) return true;
   if (line.stop_in({kCompensationOn, kNoRadius}, StopKind::kCompensation,
                    "Cannot use G76 threading cycle with cutter radius compensation on", line.mover()))
     return true;
@@ -137,10 +138,13 @@ std::string name_of_contour(int tenths) {
 }  // namespace
 
 bool straight(ModeLine& line, Motion motion) {
+  Point end;
   owe_nothing(line);
-  if (feed_of(line, motion) || machine_coordinates(line) || compensates_uvw(line)) return true;
+  if (feed_of(line, motion) || places::end_point(line, &end) || machine_coordinates(line) || compensates_uvw(line))
+    return true;
   if (motion == Motion::kG1) keep_feed(line);
   enter(line);
+  places::arrive(line, end);
   return false;
 }
 
@@ -159,25 +163,39 @@ bool arc(ModeLine& line, Motion motion) {
   for (const ArcPlane& plane : kArcPlanes) {
     if (no_center ? radius(line, plane) : center(line, plane)) return true;
   }
+  Point end;
+  if (places::end_point(line, &end) || places::arc(line, end)) return true;
   keep_feed(line);
   enter(line);
+  places::arrive(line, end);
   return false;
 }
 
 bool thread(ModeLine& line, Motion motion) {
+  Point end;
   owe_nothing(line);
-  if (compensates_uvw(line)) return true;
-  switch (motion) {
-    case Motion::kG33:
-      return thread_spindle(line, "Invalid spindle ($) number in G33 move", "Spindle not turning in G33");
-    case Motion::kG33_1:
-      return thread_spindle(line, "Invalid spindle ($) number in G33.1 move", "Spindle not turning in G33.1");
-    default: return g76(line);
-  }
+  if (places::end_point(line, &end) || compensates_uvw(line)) return true;
+  if (motion == Motion::kG33 &&
+      thread_spindle(line, "Invalid spindle ($) number in G33 move", "Spindle not turning in G33"))
+    return true;
+  if (motion == Motion::kG33_1 &&
+      thread_spindle(line, "Invalid spindle ($) number in G33.1 move", "Spindle not turning in G33.1"))
+    return true;
+  if (motion == Motion::kG76 && g76(line, end)) return true;
+  if (motion == Motion::kG33_1) places::return_to_start(line, &end);
+  places::arrive(line, end);
+  return false;
 }
 
 bool probe(ModeLine& line, Motion motion) {
-  return line.refused_by_compensation("Cannot probe with cutter radius comp on", line.mover()) || feed_of(line, motion);
+  if (line.refused_by_compensation("Cannot probe with cutter radius comp on", line.mover()) || feed_of(line, motion))
+    return true;
+  Point end;
+  if (places::end_point(line, &end)) return true;
+  const bool has_to_move = motion == Motion::kG38_2 || motion == Motion::kG38_4;
+  if (has_to_move && places::starts_at_end(line, end)) return true;
+  places::lose_point(line);
+  return false;
 }
 
 bool contour(ModeLine& line, Motion motion) {
@@ -193,6 +211,7 @@ bool contour(ModeLine& line, Motion motion) {
                    line.mover()))
     return true;
   // What it cuts is not followed.
+  places::lose_point(line);
   line.set_open(Mode::kStraightOwed);
   if (line.holds({kCompensationMoves}) != Answer::kNo) line.set_open(Mode::kEntry);
   if (line.holds({kInverseTime}) != Answer::kNo) line.set_open(Mode::kFeed);

@@ -1,7 +1,7 @@
 // Codes of group 0 that set offsets or go to stored positions: G10, G28, G30, G52, G92, and G92.1 to G92.3.
 #include <cmath>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint::steps {
 namespace {
@@ -25,11 +25,14 @@ bool set_system(ModeLine& line, bool l20) {
   } else if (line.holds({kCompensationOn}) != Answer::kNo) {
     line.may_stop(StopKind::kCompensation, kRefusal, word, line.at('p'), mask_of(Mode::kCompensation));
   }
-  return l20 && line.has('r') && line.stop(kConflict, "R not allowed in G10 L20", line.at('r'), word);
+  if (l20 && line.has('r')) return line.stop(kConflict, "R not allowed in G10 L20", line.at('r'), word);
+  places::set_system(line, l20);
+  return false;
 }
 
 /// G10 L1, L10 and L11: P is rounded.
 bool set_tool(ModeLine& line) {
+  if (line.place() != nullptr) line.place()->tools_changed = true;
   const uint8_t word = line.at(GGroup::kNonModal);
   const double* const p = line.value('p');
   if (p != nullptr && line.lacks_tool(nearest_integer(*p), line.at('p'), word)) return true;
@@ -48,7 +51,10 @@ bool set_tool(ModeLine& line) {
 bool g10(ModeLine& line) {
   const double* const l = line.value('l');
   int32_t what = 0;
-  if (l == nullptr || !word_integer(*l, &what)) return false;
+  if (l == nullptr || !word_integer(*l, &what)) {
+    places::lose_offsets(line);
+    return false;
+  }
   switch (what) {
     case 2: return set_system(line, false);
     case 20: return set_system(line, true);
@@ -66,14 +72,20 @@ bool non_modal(ModeLine& line) {
   switch (line.code(GGroup::kNonModal)) {
     case code::kG10: return g10(line);
     case code::kG28:
-    case code::kG30: return line.refused_by_compensation("Cannot use g28 or g30 with cutter radius comp", word);
+    case code::kG30:
+      return line.refused_by_compensation("Cannot use g28 or g30 with cutter radius comp", word) ||
+          places::go_home(line);
     case code::kG28_1:
     case code::kG30_1:
-      return line.refused_by_compensation("Cannot set reference point with cutter compensation in effect", word);
+      if (line.refused_by_compensation("Cannot set reference point with cutter compensation in effect", word))
+        return true;
+      places::store_home(line);
+      return false;
     case code::kG52:
     case code::kG92:
       if (line.refused_by_compensation("Cannot change axis offsets with cutter radius comp", word)) return true;
       line.set(Mode::kAxisOffsets, modes::kApplied);
+      places::set_axis_offsets(line, line.code(GGroup::kNonModal) == code::kG52);
       return false;
     case code::kG5_3: return end_nurbs(line);
     default: return false;
@@ -86,8 +98,14 @@ bool axis_offsets(ModeLine& line) {
   if (code < 0) return false;
   const modes::AxisOffsets after = code == code::kG92_3 ? modes::kApplied : modes::kNotApplied;
   switch (line.holds({kCompensationOn})) {
-    case Answer::kNo: line.set(Mode::kAxisOffsets, after); break;
-    case Answer::kMaybe: line.set_open(Mode::kAxisOffsets, line.now()[Mode::kAxisOffsets] | value_bit(after)); break;
+    case Answer::kNo:
+      line.set(Mode::kAxisOffsets, after);
+      places::clear_axis_offsets(line, code);
+      break;
+    case Answer::kMaybe:
+      line.set_open(Mode::kAxisOffsets, line.now()[Mode::kAxisOffsets] | value_bit(after));
+      places::lose_offsets(line);
+      break;
     case Answer::kYes: break;
   }
   return false;

@@ -1,7 +1,7 @@
 // Codes that set a mode, and hardly more: plane, units, distances, coordinate system, path, retract, coolant, overrides.
 #include <algorithm>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint::steps {
 namespace {
@@ -107,7 +107,9 @@ bool units(ModeLine& line) {
   const BadMode waits{Mode::kEntry, value_bit(modes::kMade)};
   if (line.holds({kCompensationMoves, waits, {Mode::kUnits, all_but(units->value)}}) != Answer::kNo)
     line.set_open(Mode::kFeed);
+  const Answer changes = line.holds({{Mode::kUnits, all_but(units->value)}});
   line.set(Mode::kUnits, units->value);
+  places::change_units(line, changes);
   return false;
 }
 
@@ -115,8 +117,14 @@ bool diameter(ModeLine& line) { return set(line, GGroup::kDiameter); }
 bool distance(ModeLine& line) { return set(line, GGroup::kDistance) || set(line, GGroup::kArcDistance); }
 
 bool system(ModeLine& line) {
-  return set_without_compensation(line, GGroup::kCoordinateSystem,
-                                  "Cannot change coordinate systems with cutter radius compensation on");
+  const Setting* const system = setting(line, GGroup::kCoordinateSystem);
+  if (system == nullptr) return false;
+  if (line.refused_by_compensation("Cannot change coordinate systems with cutter radius compensation on",
+                                   line.at(GGroup::kCoordinateSystem)))
+    return true;
+  places::select_system(line, system->value);
+  line.set(Mode::kSystem, system->value);
+  return false;
 }
 
 bool retract(ModeLine& line) {

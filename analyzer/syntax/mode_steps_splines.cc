@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint::steps {
 namespace {
@@ -27,17 +27,18 @@ bool spline_axes(ModeLine& line) {
   return false;
 }
 
-bool spline_words(ModeLine& line, Motion motion) {
+bool spline_words(ModeLine& line, Motion motion, Point* end) {
   const bool i = line.has('i'), j = line.has('j');
   if (contains(kQuadratic, motion)) {
-    return !(i && j) &&
-        line.stop(kSplineWords,
-                  line.since(Release::k2_10) ? "Must specify both I and J with G5.1 or G6.1"
-                                             : "Must specify both I and J with G5.1",
-                  line.mover());
+    if (i && j) return places::end_point(line, end);
+    return line.stop(kSplineWords,
+                     line.since(Release::k2_10) ? "Must specify both I and J with G5.1 or G6.1"
+                                                : "Must specify both I and J with G5.1",
+                     line.mover());
   }
   if (i != j)
     return line.stop(kSplineWords, "Must specify both I and J, or neither", line.at(i ? 'i' : 'j'), line.mover());
+  if (places::end_point(line, end)) return true;
   return (!line.has('p') || !line.has('q')) &&
       line.stop(kSplineWords, "Must specify both P and Q with G5", line.mover());
 }
@@ -101,6 +102,11 @@ void add_point(ModeLine& line) {
     points |= first;
   }
   const bool moves = line.has('x') && line.has('y');
+  places::add_point(line,
+                    points == 0 || goes_on == Answer::kNo ? Answer::kYes
+                        : begins                          ? Answer::kMaybe
+                                                          : Answer::kNo,
+                    moves);
   line.now()[Mode::kNurbs] = moves ? one_more(points) : points;
   line.now().assigned |= mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder);
 }
@@ -131,9 +137,12 @@ bool too_few_points(ModeLine& line, uint8_t word) {
 
 bool spline(ModeLine& line, Motion motion) {
   if (line.refused_by_compensation("Cannot convert spline with cutter radius compensation", line.mover()) ||
-      feed_of(line, motion) || spline_axes(line) || spline_words(line, motion))
+      feed_of(line, motion) || spline_axes(line))
     return true;
+  Point end;
+  if (spline_words(line, motion, &end)) return true;
   line.set(Mode::kNurbs, modes::kNoPoints);
+  places::arrive(line, end);
   return false;
 }
 
@@ -156,6 +165,7 @@ bool end_nurbs(ModeLine& line) {
   if (line.stop_in({{Mode::kMotion, ~set_of(Motion::kG5_2)}}, kSplineWords, "Cannot use G5.3 without G5.2 first", word))
     return true;
   if (too_few_points(line, word)) return true;
+  places::end_curve(line);
   line.set(Mode::kNurbs, modes::kNoPoints);
   return false;
 }

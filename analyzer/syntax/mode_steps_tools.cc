@@ -1,7 +1,7 @@
 // Tools: T, M6, M61, and the length offset G43 to G49.
 #include <cmath>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint::steps {
 namespace {
@@ -17,6 +17,12 @@ bool number_of(const ModeLine& line, char letter, int* number) {
 /// The tool of H gives an offset, which may be 0.
 void take_offset_of(ModeLine& line, int number) {
   const Tool* const tool = line.tool(number);
+  const bool changed = line.place() != nullptr && line.place()->tools_changed;
+  if (tool != nullptr && !tool->has_offset && !changed) {
+    places::set_tool_offset(line, {});
+  } else {
+    places::set_unknown_tool_offset(line);
+  }
   if (tool == nullptr) return line.set_open(Mode::kToolOffset, kAnyOffset);
   line.set(Mode::kToolOffset, tool->has_offset ? modes::kOffsetOn : modes::kG49);
 }
@@ -36,6 +42,7 @@ bool from_words(ModeLine& line) {
     const double* const value = line.value(axis);
     sets = sets || (value != nullptr && *value != 0);
   }
+  places::set_written_tool_offset(line);
   if (sets) {
     line.set(Mode::kToolOffset, modes::kOffsetOn);
   } else if (line.words().has_axis_words()) {
@@ -57,6 +64,7 @@ bool further(ModeLine& line) {
   if (axes && !line.since(Release::k2_10)) number = kNoTool;
   if (line.has('h')) number_of(line, 'h', &number);
   if (line.lacks_tool(number, line.has('h') ? line.at('h') : word)) return true;
+  places::set_unknown_tool_offset(line);
   line.set_open(Mode::kToolOffset, kAnyOffset);
   return false;
 }
@@ -103,7 +111,10 @@ bool tool_length(ModeLine& line) {
     case code::kG43: return from_table(line);
     case code::kG43_1: return from_words(line);
     case code::kG43_2: return further(line);
-    default: line.set(Mode::kToolOffset, modes::kG49); return false;
+    default:
+      line.set(Mode::kToolOffset, modes::kG49);
+      places::set_tool_offset(line, {});
+      return false;
   }
 }
 

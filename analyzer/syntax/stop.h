@@ -57,6 +57,8 @@ enum class StopKind : uint8_t {
   kSavedModes,       // M72 without M70, or one that cannot restore
   kModeConflict,     // anything else that the modes in effect refuse
   kArcWords,         // words of an arc that do not make one
+  kArcRadiiDiffer,   // an arc whose ends are not as far from its center
+  kArcRadiusTooSmall,  // an arc whose radius does not reach its end
   kCycleWords,       // the same of a cycle
   kContourWords,     // the same of a contour, a spline or a thread
   kUserCodeMissing,  // `M110`: no file of that name, as far as is known

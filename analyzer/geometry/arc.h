@@ -1,0 +1,39 @@
+// Whether the numbers of an arc make one: by its center, both ends have to be as far from it; by its radius, the radius has to reach
+// both ends. Source: measured with rs274, to the last bit.
+#pragma once
+
+#include <cstdint>
+
+#include "analyzer/geometry/plane.h"
+
+namespace owlint {
+
+enum class ArcFault : uint8_t {
+  kNone,
+  kZeroRadius,      ///< the center is one of the ends
+  kRadiiDiffer,     ///< the ends are not as far from the center
+  kSamePoint,       ///< by radius, and the ends are one point
+  kRadiusTooSmall,  ///< the radius does not reach the end
+};
+
+struct ArcTolerance {
+  double least_radius;  ///< also what a radius may lack to reach the ends
+  double difference;    ///< of the radii; a hundredfold one if it is within a thousandth of them
+};
+
+struct CenterArc {
+  ArcFault fault;
+  double start_radius, end_radius;
+  double difference;  ///< of the two
+  double share;       ///< the same as a part of the greater one
+  double allowed;     ///< the difference that would pass
+};
+CenterArc arc_by_center(Flat start, Flat center, Flat end, const ArcTolerance& tolerance);
+
+struct RadiusArc {
+  ArcFault fault;
+  double least_radius;  ///< that reaches both ends: half the distance between them
+};
+RadiusArc arc_by_radius(Flat start, Flat end, double radius, const ArcTolerance& tolerance);
+
+}  // namespace owlint

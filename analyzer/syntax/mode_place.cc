@@ -1,0 +1,98 @@
+#include "analyzer/syntax/mode_place.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace owlint {
+namespace {
+
+constexpr double kInch = 25.4;
+
+/// What the numbers of the axes are multiplied with; nothing if the units are not known.
+std::optional<double> units(const ModeLine& line) {
+  const std::optional<uint8_t> units = line.only(Mode::kUnits);
+  if (!units) return std::nullopt;
+  return *units == modes::kG20 ? kInch : 1;
+}
+
+}  // namespace
+
+Verdict verdict_of(bool stops, bool other_stops, bool agree, bool unknown) {
+  if (agree && stops && other_stops) return Verdict::kStops;
+  if (unknown && (!agree || stops != other_stops)) return Verdict::kUnsure;
+  return stops ? Verdict::kFromStart : Verdict::kPasses;
+}
+
+bool agree(double a, double b) {
+  constexpr double kRounding = 1e-7;
+  return std::abs(a - b) <= kRounding * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+double here(Coordinate coordinate) { return coordinate.is_unknown() ? coordinate.other : coordinate.value; }
+
+double elsewhere(Coordinate coordinate, size_t axis) {
+  constexpr double kFar = 1234.5678;
+  constexpr double kFurther = 217.3951;
+  if (!coordinate.is_unknown()) return coordinate.other;
+  return coordinate.other + kFar + kFurther * static_cast<double>(axis * axis);
+}
+
+bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other,
+             std::optional<ArcNumbers> arc) {
+  if (verdict == Verdict::kPasses) return false;
+  const bool stops = verdict != Verdict::kUnsure;
+  if (stops) {
+    line.stop(kind, std::move(message), word, other);
+  } else {
+    line.may_stop(kind, std::move(message), word, other);
+  }
+  ModeFault& fault = line.faults()->back();
+  fault.by_place = true;
+  fault.from_start = verdict == Verdict::kFromStart;
+  fault.arc = arc;
+  return stops;
+}
+
+/// Whether the point is the origin, from where a polar word alone leads nowhere.
+Verdict at_origin(Coordinate x, Coordinate y) {
+  Verdict verdict = Verdict::kStops;
+  for (const Coordinate c : {x, y}) {
+    if (c.is_unknown()) {
+      verdict = std::min(verdict, Verdict::kUnsure);
+    } else if (c.value != 0) {
+      return Verdict::kPasses;
+    } else if (!c.is_known()) {
+      verdict = std::min(verdict, Verdict::kFromStart);
+    }
+  }
+  return verdict;
+}
+
+std::optional<Coordinate> axis_word(const ModeLine& line, size_t axis) {
+  const char letter = kAxisOrder[axis];
+  if (!line.has(letter)) return std::nullopt;
+  const double* const value = line.value(letter);
+  if (value == nullptr) return Coordinate::unknown();
+  if (letter != 'x' || line.halves_x() == Answer::kNo) return Coordinate::of(*value);
+  return line.halves_x() == Answer::kYes ? Coordinate::of(*value / 2) : Coordinate::unknown();
+}
+
+Coordinate from_machine(const ModeLine& line, Coordinate value, size_t axis) {
+  if (!is_length(axis)) return value;
+  const std::optional<double> unit = units(line);
+  return unit ? value / line.machine().units_per_mm / *unit : Coordinate::unknown();
+}
+
+Coordinate to_machine(const ModeLine& line, Coordinate value, size_t axis) {
+  if (!is_length(axis)) return value;
+  const std::optional<double> unit = units(line);
+  return unit ? value * *unit * line.machine().units_per_mm : Coordinate::unknown();
+}
+
+Point from_machine(const ModeLine& line, const Point& point) {
+  Point converted;
+  for (size_t i = 0; i < kAxes; ++i) converted[i] = from_machine(line, point[i], i);
+  return converted;
+}
+
+}  // namespace owlint

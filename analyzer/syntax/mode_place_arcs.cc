@@ -1,0 +1,162 @@
+// Whether the numbers of an arc make one, from where the machine stands.
+#include <fmt/format.h>
+
+#include "analyzer/geometry/arc.h"
+#include "analyzer/syntax/mode_place.h"
+
+namespace owlint::places {
+namespace {
+
+struct ArcAxes {
+  Axis first, second;
+  char first_center, second_center;
+};
+/// In the order of modes::Plane.
+constexpr ArcAxes kArcAxes[] = {
+    {Axis::kX, Axis::kY, 'i', 'j'}, {Axis::kZ, Axis::kX, 'k', 'i'}, {Axis::kY, Axis::kZ, 'j', 'k'}};
+
+/// In inches; the same in either unit.
+constexpr double kLeastRadius = 0.00005;
+constexpr double kInch = 25.4;
+
+/// The points of an arc in its plane, in one of the two places.
+struct Ends {
+  Flat start, end;
+};
+
+class Arc {
+ public:
+  Arc(ModeLine& line, const ArcAxes& axes, const Point& end)
+      : line_(line), axes_(axes), from_(line.place()->at), to_(end) {
+    const size_t first = index(axes.first), second = index(axes.second);
+    here_ = {{owlint::here(from_[first]), owlint::here(from_[second])}, {owlint::here(to_[first]), owlint::here(to_[second])}};
+    elsewhere_ = {{owlint::elsewhere(from_[first], first), owlint::elsewhere(from_[second], second)},
+                  {owlint::elsewhere(to_[first], first), owlint::elsewhere(to_[second], second)}};
+    start_unknown_ = from_[first].is_unknown() || from_[second].is_unknown();
+    unknown_ = start_unknown_ || to_[first].is_unknown() || to_[second].is_unknown();
+    if (line.only(Mode::kUnits) == modes::kG20) {
+      tolerance_ = {kLeastRadius, line.machine().arc_tolerance_inch};
+    } else {
+      tolerance_ = {kLeastRadius * kInch, line.machine().arc_tolerance_mm};
+    }
+  }
+
+  bool stops_by_center(bool absolute);
+  bool stops_by_radius(double radius);
+
+ private:
+  static size_t index(Axis axis) { return static_cast<size_t>(axis); }
+  static char letter(Axis axis) { return kAxisOrder[index(axis)]; }
+  static std::string capital(Axis axis) { return std::string(1, static_cast<char>(letter(axis) - 'a' + 'A')); }
+  std::string point(Flat at, bool unknown) const;
+  Flat center(Flat start, bool absolute) const;
+  std::string said(const CenterArc& arc, Flat center, bool known, bool absolute) const;
+  ArcNumbers numbers() const;
+
+  ModeLine& line_;
+  const ArcAxes& axes_;
+  const Point& from_;
+  const Point& to_;
+  Ends here_{}, elsewhere_{};
+  bool start_unknown_ = false, unknown_ = false;
+  ArcTolerance tolerance_{};
+};
+
+/// `(X1.0000,Y2.0000)`; dots stand for what is not known.
+std::string Arc::point(Flat at, bool unknown) const {
+  if (unknown) return fmt::format("({}...,{}...)", capital(axes_.first), capital(axes_.second));
+  return fmt::format("({}{:.4f},{}{:.4f})", capital(axes_.first), at.first, capital(axes_.second), at.second);
+}
+
+Flat Arc::center(Flat start, bool absolute) const {
+  const auto offset = [this](char letter) { return line_.has(letter) ? *line_.value(letter) : 0; };
+  const Flat written{offset(axes_.first_center), offset(axes_.second_center)};
+  return absolute ? written : Flat{start.first + written.first, start.second + written.second};
+}
+
+std::string Arc::said(const CenterArc& arc, Flat center, bool known, bool absolute) const {
+  const auto length = [known](double value) { return known ? fmt::format("{:.4f}", value) : "..."; };
+  std::string text = arc.fault == ArcFault::kZeroRadius ? "Zero-radius arc: "
+                                                        : "Radius to end of arc differs from radius to start: ";
+  text += fmt::format("start={} center={} end={} r1={} r2={}", point(here_.start, start_unknown_),
+                      point(center, start_unknown_ && !absolute), point(here_.end, unknown_),
+                      length(arc.start_radius), length(arc.end_radius));
+  if (arc.fault == ArcFault::kZeroRadius) return text;
+  if (!known) return text + " abs_err=... rel_err=...";
+  return text + fmt::format(" abs_err={:.4g} rel_err={:.4f}%", arc.difference, arc.share * 100);
+}
+
+ArcNumbers Arc::numbers() const {
+  ArcNumbers numbers{};
+  numbers.first = letter(axes_.first);
+  numbers.second = letter(axes_.second);
+  numbers.start_known = !unknown_;
+  numbers.start = here_.start;
+  numbers.end = here_.end;
+  return numbers;
+}
+
+bool Arc::stops_by_center(bool absolute) {
+  const Flat center = this->center(here_.start, absolute);
+  const CenterArc arc = arc_by_center(here_.start, center, here_.end, tolerance_);
+  const CenterArc other = arc_by_center(elsewhere_.start, this->center(elsewhere_.start, absolute), elsewhere_.end,
+                                        tolerance_);
+  const bool agrees = agree(arc.start_radius, other.start_radius) && agree(arc.end_radius, other.end_radius);
+  const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
+  if (verdict == Verdict::kPasses) return false;
+  ArcNumbers numbers = this->numbers();
+  numbers.center = center;
+  numbers.start_radius = arc.start_radius;
+  numbers.end_radius = arc.end_radius;
+  numbers.allowed = arc.allowed;
+  const StopKind kind = arc.fault == ArcFault::kZeroRadius ? StopKind::kArcWords : StopKind::kArcRadiiDiffer;
+  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure, absolute), line_.mover(),
+                 kNoWord, numbers);
+}
+
+bool Arc::stops_by_radius(double radius) {
+  const RadiusArc arc = arc_by_radius(here_.start, here_.end, radius, tolerance_);
+  const RadiusArc other = arc_by_radius(elsewhere_.start, elsewhere_.end, radius, tolerance_);
+  const bool agrees = agree(arc.least_radius, other.least_radius);
+  const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
+  if (verdict == Verdict::kPasses) return false;
+  ArcNumbers numbers = this->numbers();
+  numbers.radius = radius;
+  numbers.least_radius = arc.least_radius;
+  const bool same = arc.fault == ArcFault::kSamePoint;
+  return stop_by(line_, verdict, same ? StopKind::kArcWords : StopKind::kArcRadiusTooSmall,
+                 same ? "Current point same as end point of arc" : "Arc radius too small to reach end point",
+                 line_.at('r'), line_.mover(), numbers);
+}
+
+/// Whether all words of the center are known.
+bool knows_center(const ModeLine& line) {
+  for (const char letter : {'i', 'j', 'k'}) {
+    if (line.has(letter) && line.value(letter) == nullptr) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool arc(ModeLine& line, const Point& end) {
+  if (line.place() == nullptr) return false;
+  // On a compensated path the tool stands elsewhere.
+  if (line.holds({kCompensationMoves}) != Answer::kNo) return false;
+  const std::optional<uint8_t> plane = line.only(Mode::kPlane);
+  const bool by_radius = line.has('r');
+  const std::optional<uint8_t> arc_distance = by_radius ? modes::kG91_1 : line.only(Mode::kArcDistance);
+  const double* const radius = line.value('r');
+  const bool known =
+      plane && arc_distance && line.only(Mode::kUnits) && (by_radius ? radius != nullptr : knows_center(line));
+  if (!known) {
+    return stop_by(line, Verdict::kUnsure, by_radius ? StopKind::kArcRadiusTooSmall : StopKind::kArcRadiiDiffer,
+                   by_radius ? "Arc radius too small to reach end point"
+                             : "Radius to end of arc differs from radius to start: ...",
+                   line.mover());
+  }
+  Arc arc(line, kArcAxes[*plane], end);
+  return by_radius ? arc.stops_by_radius(*radius) : arc.stops_by_center(*arc_distance == modes::kG90_1);
+}
+
+}  // namespace owlint::places

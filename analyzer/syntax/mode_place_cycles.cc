@@ -1,0 +1,141 @@
+// Canned cycles: their heights, and the holes of one line.
+#include <algorithm>
+#include <cmath>
+
+#include "analyzer/geometry/plane.h"
+#include "analyzer/syntax/mode_place.h"
+
+namespace owlint::places {
+namespace {
+
+constexpr const char* kAtOrigin = "Incremental motion with polar coordinates is indeterminate when at the origin";
+/// Holes that are followed; behind more of them the place is not known.
+constexpr int32_t kMostHoles = 1000;
+
+size_t index(Axis axis) { return static_cast<size_t>(axis); }
+
+/// Whether R lies below the bottom.
+Verdict is_below(Coordinate r, Coordinate bottom, size_t axis) {
+  const double depth = here(bottom) - here(r);
+  const double other = elsewhere(bottom, axis) - elsewhere(r, axis);
+  return verdict_of(depth > 0, other > 0, agree(depth, other), r.is_unknown() || bottom.is_unknown());
+}
+
+/// The higher one of two, as it is on each machine.
+Coordinate higher(Coordinate a, Coordinate b) {
+  if (a.is_unknown() || b.is_unknown()) return Coordinate::unknown();
+  return {std::max(a.value, b.value), std::max(a.other, b.other)};
+}
+
+/// A polar word that is 0 moves nothing here.
+bool turns_at_origin(ModeLine& line, char letter, const Point& at) {
+  const double* const word = line.value(letter);
+  if (word == nullptr || *word == 0) return false;
+  return stop_by(line, at_origin(at[Axis::kX], at[Axis::kY]), StopKind::kModeConflict, kAtOrigin, line.at(letter),
+                 line.mover());
+}
+
+void lose_plane(const Hole& hole, Point* at) {
+  (*at)[hole.first] = (*at)[hole.second] = Coordinate::unknown();
+}
+
+/// From one hole to the next in G91.
+bool advance(ModeLine& line, const Hole& hole, Point* at) {
+  for (const Axis axis : {hole.first, hole.second}) {
+    if (const auto word = axis_word(line, index(axis))) (*at)[axis] = (*at)[axis] + *word;
+  }
+  for (const char letter : {'@', '^'}) {
+    if (!line.has(letter)) continue;
+    if (turns_at_origin(line, letter, *at)) return true;
+    const double* const by = line.value(letter);
+    if (by == nullptr) {
+      lose_plane(hole, at);
+    } else if (*by != 0) {
+      change_plane(at, [&](Flat from) { return letter == '@' ? further_out(from, *by) : further_around(from, *by); });
+    }
+  }
+  return false;
+}
+
+/// To the hole, or the first one of several, in G90.
+void go(const ModeLine& line, const Hole& hole, Point* at) {
+  for (const Axis axis : {hole.first, hole.second}) {
+    if (const auto word = axis_word(line, index(axis))) (*at)[axis] = *word;
+  }
+  if (!line.words().has_polar_words()) return;
+  const double* const radius = line.value('@');
+  const double* const angle = line.value('^');
+  if ((radius == nullptr && line.has('@')) || (angle == nullptr && line.has('^'))) return lose_plane(hole, at);
+  change_plane(at, [&](Flat from) { return polar(from, radius, angle); });
+}
+
+int32_t holes(const ModeLine& line) {
+  const double* const l = line.value('l');
+  int32_t number = 1;
+  if (l != nullptr) word_integer(*l, &number);
+  return l == nullptr && line.has('l') ? kMostHoles + 1 : number;
+}
+
+}  // namespace
+
+std::optional<Verdict> heights(ModeLine& line, const Hole& hole) {
+  Place& place = *line.place();
+  if (!place.keeps_height) place.height = place.at[hole.along];
+  place.keeps_height = true;
+  if (const double* const r = line.value('r')) place.clearance = Coordinate::of(*r);
+  if (line.has('r') && line.value('r') == nullptr) place.clearance = Coordinate::unknown();
+  if (const auto bottom = axis_word(line, index(hole.along))) place.bottom = *bottom;
+  const std::optional<uint8_t> distance = line.only(Mode::kDistance);
+  if (!distance) return std::nullopt;
+  const bool incremental = *distance == modes::kG91;
+  const Coordinate r = incremental ? place.clearance + place.height : place.clearance;
+  const Coordinate bottom = incremental ? r + place.bottom : place.bottom;
+  return is_below(r, bottom, index(hole.along));
+}
+
+bool first_hole(ModeLine& line, const Hole& hole, Point* at) {
+  *at = line.place()->at;
+  const std::optional<uint8_t> distance = line.only(Mode::kDistance);
+  if (!distance) {
+    lose_plane(hole, at);
+    return false;
+  }
+  if (*distance == modes::kG91) return advance(line, hole, at);
+  go(line, hole, at);
+  return false;
+}
+
+bool further_holes(ModeLine& line, const Hole& hole, Point* at) {
+  if (line.only(Mode::kDistance) != modes::kG91) return false;
+  const int32_t number = holes(line);
+  if (number > kMostHoles) lose_plane(hole, at);
+  for (int32_t i = 1; i < std::min(number, kMostHoles); ++i) {
+    if (advance(line, hole, at)) return true;
+  }
+  return false;
+}
+
+void lose_cycle(ModeLine& line) {
+  Place* const place = line.place();
+  if (place == nullptr) return;
+  place->clearance = place->bottom = place->height = Coordinate::unknown();
+  place->keeps_height = true;
+  place->lose_point();
+}
+
+void leave_cycle(ModeLine& line, const Hole& hole, const Point& at) {
+  const Place& place = *line.place();
+  const std::optional<uint8_t> distance = line.only(Mode::kDistance);
+  const std::optional<uint8_t> retract = line.only(Mode::kRetract);
+  Point end = at;
+  Coordinate& along = end[hole.along];
+  along = Coordinate::unknown();
+  if (distance) {
+    const Coordinate r = *distance == modes::kG91 ? place.clearance + place.height : place.clearance;
+    if (retract == modes::kG99) along = r;
+    if (retract == modes::kG98) along = higher(place.height, r);
+  }
+  arrive(line, end);
+}
+
+}  // namespace owlint::places

@@ -1,0 +1,150 @@
+#include "analyzer/syntax/place.h"
+
+#include "analyzer/geometry/plane.h"
+
+namespace owlint {
+namespace {
+
+/// Numbers of the other machine: none has a relation to another.
+class Odd {
+ public:
+  Coordinate next() {
+    constexpr double kStep = 37.4142135623;
+    constexpr double kTurn = 971.0344;
+    last_ += kStep;
+    if (last_ > kTurn) last_ -= kTurn;
+    return {0, last_};
+  }
+  Point point() {
+    Point odd;
+    for (Coordinate& axis : odd.axes) axis = next();
+    return odd;
+  }
+
+ private:
+  double last_ = 11.7320508;
+};
+
+Coordinate join(Coordinate a, Coordinate b) { return a == b ? a : Coordinate::unknown(); }
+
+Point join(const Point& a, const Point& b) {
+  Point both;
+  for (size_t i = 0; i < kAxes; ++i) both[i] = join(a[i], b[i]);
+  return both;
+}
+
+System join(const System& a, const System& b) { return {join(a.origin, b.origin), join(a.rotation, b.rotation)}; }
+
+Flat turned_by(double x, double y, double degrees) {
+  // What does not turn stays what it is, though one of the two may be unknown.
+  if (degrees == 0 || (x == 0 && y == 0)) return {x, y};
+  return turned({x, y}, degrees);
+}
+
+Point in_millimetres(Point point, double units_per_mm) {
+  for (size_t i = 0; i < kAxes; ++i) {
+    if (is_length(i)) point[i] = point[i] / units_per_mm;
+  }
+  return point;
+}
+
+void settle_one(Coordinate& coordinate) {
+  if (coordinate.is_unknown() && std::isnan(coordinate.other)) coordinate.other = 0;
+}
+
+}  // namespace
+
+Point Point::turned(Coordinate degrees) const {
+  const Coordinate x = (*this)[Axis::kX], y = (*this)[Axis::kY];
+  const Flat here = turned_by(x.value, y.value, degrees.value);
+  const Flat there = turned_by(x.other, y.other, degrees.other);
+  Point point = *this;
+  point[Axis::kX] = {here.first, there.first};
+  point[Axis::kY] = {here.second, there.second};
+  return point;
+}
+
+Point Point::unknown() {
+  Point point;
+  point.axes.fill(Coordinate::unknown());
+  return point;
+}
+
+Point operator+(const Point& a, const Point& b) {
+  Point sum;
+  for (size_t i = 0; i < kAxes; ++i) sum[i] = a[i] + b[i];
+  return sum;
+}
+
+Point operator-(const Point& a, const Point& b) {
+  Point difference;
+  for (size_t i = 0; i < kAxes; ++i) difference[i] = a[i] - b[i];
+  return difference;
+}
+
+void Place::lose_point() {
+  at = Point::unknown();
+  settle();
+}
+
+void Place::lose_offsets() {
+  system = {Point::unknown(), Coordinate::unknown()};
+  offset = tool = Point::unknown();
+  lose_point();
+}
+
+void Place::settle() {
+  for (Coordinate& axis : at.axes) settle_one(axis);
+  settle_one(height);
+}
+
+Place Place::started(double units_per_mm) {
+  Odd odd;
+  Place place;
+  place.at = odd.point();
+  place.stored_offset = odd.point();
+  place.offset = in_millimetres(place.stored_offset, units_per_mm);
+  place.tool = odd.point();
+  for (System& system : place.systems) system = {odd.point(), odd.next()};
+  place.system = {in_millimetres(place.systems.front().origin, units_per_mm), place.systems.front().rotation};
+  place.has_offset.other = 1;
+  place.home = odd.point();
+  place.home30 = odd.point();
+  return place;
+}
+
+Place Place::unknown() {
+  Place place;
+  place.lose_offsets();
+  place.systems.fill(place.system);
+  place.stored_offset = place.home = place.home30 = Point::unknown();
+  place.has_offset = place.clearance = place.bottom = place.height = Coordinate::unknown();
+  place.curve_x = place.curve_y = Coordinate::unknown();
+  place.keeps_height = place.tools_changed = true;
+  place.settle();
+  return place;
+}
+
+Place join(const Place& a, const Place& b) {
+  Place both;
+  both.at = join(a.at, b.at);
+  both.system = join(a.system, b.system);
+  both.offset = join(a.offset, b.offset);
+  both.tool = join(a.tool, b.tool);
+  for (size_t i = 0; i < kSystems; ++i) both.systems[i] = join(a.systems[i], b.systems[i]);
+  both.stored_offset = join(a.stored_offset, b.stored_offset);
+  both.has_offset = join(a.has_offset, b.has_offset);
+  both.home = join(a.home, b.home);
+  both.home30 = join(a.home30, b.home30);
+  both.clearance = join(a.clearance, b.clearance);
+  both.bottom = join(a.bottom, b.bottom);
+  both.keeps_height = a.keeps_height || b.keeps_height;
+  both.height = a.keeps_height == b.keeps_height ? join(a.height, b.height) : Coordinate::unknown();
+  both.tools_changed = a.tools_changed || b.tools_changed;
+  both.curve_x = join(a.curve_x, b.curve_x);
+  both.curve_y = join(a.curve_y, b.curve_y);
+  both.settle();
+  return both;
+}
+
+}  // namespace owlint
