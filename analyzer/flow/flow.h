@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analyzer/program/program.h"
+#include "analyzer/syntax/mode_run.h"
 #include "analyzer/syntax/word_line.h"
 #include "analyzer/text/reach.h"
 
@@ -32,6 +33,7 @@ struct FaultyWords {
   uint8_t word = kNoWord;   ///< index of the one that it is about; kNoWord: a motion that an earlier line has set
   uint8_t other = kNoWord;  ///< another one concerned, or kNoWord
   ModeMask decided_by = 0;  ///< the modes that decide it
+  std::shared_ptr<const ArcNumbers> arc;  ///< if it is an arc that does not fit
 };
 
 /// The interpreter stops at `statement` on some run.

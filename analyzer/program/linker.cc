@@ -83,6 +83,11 @@ class Joiner {
       need.after += statement0_;
       out.mode_needs.push_back(need);
     }
+    out.asks_place = out.asks_place || in.asks_place;
+    for (PlaceChange change : in.place_changes) {
+      change.after += statement0_;
+      out.place_changes.push_back(change);
+    }
     for (ModeChange change : in.mode_changes) {
       change.after += statement0_;
       out.mode_changes.push_back(change);
@@ -216,6 +221,8 @@ void Linked::join() {
   joined->syntax.blank = main.syntax.blank;
   joined->syntax.first_changes = main.syntax.first_changes;
   joined->syntax.first_needs = main.syntax.first_needs;
+  joined->syntax.left_at = main.syntax.left_at;
+  joined->syntax.place_at_start = main.syntax.place_at_start;
   joined->sub_file = main.sub_file;
   joined->entry = main.entry == kNoName ? kNoName : joined->syntax.names.find(main.name(main.entry));
   index_labels(*joined);

@@ -149,10 +149,13 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
   auto& statements = out->syntax.statements;
   auto& changes = out->syntax.mode_changes;
   auto& needs = out->syntax.mode_needs;
+  auto& places = out->syntax.place_changes;
   statements.clear();
   changes.clear();
   needs.clear();
+  places.clear();
   for (StatementId id = 0; id < program->size(); ++id) {
+    if (id == program->syntax.left_at) out->syntax.left_at = static_cast<StatementId>(statements.size());
     const Statement& s = program->at(id);
     const LineError* error = program->syntax.error(s);
     const bool read = error != nullptr && error->kind <= StopKind::kCommentUnclosed;
@@ -161,6 +164,10 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
       for (ModeChange change : program->syntax.changes_after(id)) {
         change.after = static_cast<StatementId>(statements.size() - 1);
         changes.push_back(change);
+      }
+      for (PlaceChange place : program->syntax.places_after(id)) {
+        place.after = static_cast<StatementId>(statements.size() - 1);
+        places.push_back(place);
       }
       for (ModeNeed need : program->syntax.needs_after(id)) {
         need.after = static_cast<StatementId>(statements.size() - 1);

@@ -126,6 +126,7 @@ class PlainLine {
       proven->code = static_cast<int8_t>(code_);
       effect->motion = static_cast<Motion>(code_);
     }
+    effect->axes |= words_ & kAxisWords;
     effect->feed |= has_feed();
     effect->speed |= (words_ & kSpeed) != 0;
     if ((words_ & kAxisWords) != 0) {

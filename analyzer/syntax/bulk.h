@@ -29,6 +29,7 @@ struct Proven {
 /// What plain lines set, and need of the modes.
 struct PlainEffect {
   Motion motion = Motion::kNone;  ///< that of the last G0, G1, G2 or G3
+  uint32_t axes = 0;              ///< letters of axis words
   bool feed = false;              ///< a feed that is not 0
   bool speed = false;
   bool moves = false;

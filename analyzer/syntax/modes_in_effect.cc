@@ -48,6 +48,12 @@ std::span<const ModeChange> Syntax::changes_after(StatementId id) const {
   return {first, last};
 }
 
+std::span<const PlaceChange> Syntax::places_after(StatementId id) const {
+  const auto first = std::ranges::lower_bound(place_changes, id, {}, &PlaceChange::after);
+  const auto last = std::ranges::upper_bound(place_changes, id, {}, &PlaceChange::after);
+  return {first, last};
+}
+
 std::span<const ModeNeed> Syntax::needs_after(StatementId id) const {
   const auto first = std::ranges::lower_bound(mode_needs, id, {}, &ModeNeed::after);
   const auto last = std::ranges::upper_bound(mode_needs, id, {}, &ModeNeed::after);
@@ -148,7 +154,7 @@ void ModesInEffect::moved(bool alone, uint32_t line) {
 
 /// Writes down what the lines since the last statement have set.
 void ModesInEffect::flush() {
-  if (changed_ == 0) return;
+  if (changed_ == 0 && !places_.has_moved()) return;
   const bool first = out_.statements.empty();
   // What a line with block delete does itself is kept apart from what comes after it.
   if (!first && out_.statements.back().block_delete) {
@@ -158,6 +164,8 @@ void ModesInEffect::flush() {
     after.line = deleted.line;
     out_.statements.push_back(after);
   }
+  places_.flush();
+  if (changed_ == 0) return;
   for (; changed_ != 0; changed_ &= changed_ - 1) {
     ModeChange change = pending_[static_cast<size_t>(std::countr_zero(changed_))];
     change.after = first ? kNoStatement : static_cast<StatementId>(out_.statements.size() - 1);
@@ -221,7 +229,7 @@ void ModesInEffect::forget() {
 
 bool ModesInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
-  asks_ = false;
+  asks_ = asks_place_ = false;
   const WordLine* words = parser_.words();
   if (words == nullptr || statement.has_error()) {
     if (const WordLine* of_call = parser_.words_of_call(); of_call != nullptr && !statement.has_error()) {
@@ -234,6 +242,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     if (keep && (!stops || statement.block_delete)) {
       flush();
       forget();
+      if (!stops && statement.kind != LineKind::kPercent) places_.leave();
     }
     return keep;
   }
@@ -249,6 +258,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     if (statement.block_delete) forget();
     return true;
   }
+  const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement.block_delete);
   asks_ = asks(*words, after, alone);
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
@@ -261,10 +271,12 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     after = ModeState::unknown();
   }
   if (!asks_) {
+    if (asks_place) flush();  // what the line itself sets comes behind it
+    asks_ = asks_place_ = asks_place;
     take(after, alone, statement.line);
     need_of(*words, statement.line);
     if (words->has_axis_words()) moved(alone, statement.line);
-    return keep;
+    return keep || asks_place;
   }
   flush();
   settled_ |= after.now.assigned;
@@ -282,6 +294,7 @@ void ModesInEffect::ask(const Statement& statement) {
   const WordLine& words = parser_.words() != nullptr ? *parser_.words() : *parser_.words_of_call();
   Statement asks = question_about(statement, LineKind::kModeLine, static_cast<uint32_t>(out_.mode_words.size()));
   asks.item_count = static_cast<uint8_t>(words.size());
+  asks.for_place = asks_place_;
   // Words that are computed have an item each, in the order of the line.
   const auto items = out_.items_of(statement);
   auto item = items.begin();
@@ -298,7 +311,7 @@ void ModesInEffect::ask(const Statement& statement) {
 }
 
 void ModesInEffect::push(const Statement& statement) {
-  flush();
+  if (!asks_place_) flush();
   if (asks_ && statement.kind != LineKind::kAbort) ask(statement);
   const bool own = statement.kind != LineKind::kWords || statement.item_count > 0 || statement.has_error();
   if (own || !asks_) out_.statements.push_back(statement);

@@ -9,6 +9,7 @@
 #include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/mode_run.h"
+#include "analyzer/syntax/places_in_effect.h"
 #include "analyzer/syntax/statement.h"
 
 namespace owlint {
@@ -19,10 +20,14 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first);
 class ModesInEffect {
  public:
   ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine)
-      : out_(out), parser_(parser), machine_(machine) {}
+      : out_(out), parser_(parser), machine_(machine), places_(out, machine_) {}
 
   /// Takes in plain lines, whose numbers count from `before` on; `last`: the number of the last of them.
   void pass(const PlainEffect& effect, uint32_t before, uint32_t last);
+  /// Follows where plain lines go; see PlacesInEffect::pass. To be called before pass().
+  size_t follow(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect) {
+    return stopped_ ? to : places_.pass(bytes, from, to, effect.axes, effect.first_arc != 0, state_.now);
+  }
   /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
   /// Returns whether the line is to be kept: `keep`, or because of its words.
   bool judge(Statement& statement, bool keep);
@@ -50,6 +55,7 @@ class ModesInEffect {
   Syntax& out_;
   LineParser& parser_;
   MachineWords machine_;
+  PlacesInEffect places_;
   ModeState state_ = ModeState::unknown();
   std::array<ModeChange, kModes> pending_{};   // by mode, where changed_ has it
   ModeMask changed_ = 0;                       // since the last statement
@@ -58,6 +64,7 @@ class ModesInEffect {
   ModeMask unused_ = 0;                        // set, and not needed since
   bool stopped_ = false;                       // no run goes on behind a line since the last O-word
   bool asks_ = false;                          // of the line that was judged
+  bool asks_place_ = false;                    // the same, and for its numbers alone
   std::vector<ModeFault> faults_;
   std::vector<ModeFault> asked_;  // of lines since the last O-word, in modes that none has set since
 };

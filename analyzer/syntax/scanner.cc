@@ -136,12 +136,22 @@ struct Found {
   uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
   uint32_t plain_last = 0;
   PlainEffect plain_effect;
-  uint32_t line = 0;  ///< the line after them; at the end of the stretch the number of all lines
-  bool over = false;  ///< no line comes after them: the end of the stretch
+  size_t plain_begin = 0;     ///< their bytes go on to `begin`
+  uint32_t plain_before = 0;  ///< the line before them
+  Proven proven;              ///< at their beginning
+  uint32_t line = 0;          ///< the line after them; at the end of the stretch the number of all lines
+  bool over = false;          ///< no line comes after them: the end of the stretch
   LineView view;
   size_t begin = 0;
   size_t end = 0;  ///< without its line feed
 };
+
+/// The lines of an effect, which come behind so many others.
+PlainEffect behind(PlainEffect effect, uint32_t lines) {
+  if (effect.first_move != 0) effect.first_move += lines;
+  if (effect.first_arc != 0) effect.first_arc += lines;
+  return effect;
+}
 
 /// Reads a stretch and passes what it finds to `take`; plain lines are not stored.
 template <typename Take>
@@ -153,9 +163,10 @@ void look_through(std::string_view bytes, const Stretch& stretch, const Take& ta
   for (size_t at = stretch.begin;;) {
     const Passed passed = pass_plain_lines(until_end, at, proven);
     Found found;
-    found.plain_effect = passed.effect;
-    if (passed.effect.first_move != 0) found.plain_effect.first_move += line;
-    if (passed.effect.first_arc != 0) found.plain_effect.first_arc += line;
+    found.plain_effect = behind(passed.effect, line);
+    found.plain_begin = at;
+    found.plain_before = line;
+    found.proven = proven;
     if (passed.first_code != 0) {
       found.plain_first = line + passed.first_code;
       found.plain_last = line + passed.last_code;
@@ -194,46 +205,81 @@ class Reader {
       seen_first_ = true;
       note_plain(before_ + found.plain_first);
       out_.last_code = before_ + found.plain_last;
-      modes_.pass(found.plain_effect, before_, out_.last_code);
+      pass(found);
     }
     if (found.over) {
       before_ += found.line;
       return;
     }
-    std::string_view line = bytes_.substr(found.begin, found.end - found.begin);
-    const uint32_t number = before_ + found.line;
+    take_line(found.begin, found.end, before_ + found.line, found.view);
+  }
+
+  void finish() {
+    modes_.finish();
+    out_.lines = before_;
+    out_.blank = !seen_first_;
+  }
+
+ private:
+  /// Plain lines: what they set, where they go, and of arcs whether they fit. One that has to be looked at is read like any line.
+  void pass(const Found& found) {
+    size_t from = found.plain_begin;
+    size_t next = modes_.follow(bytes_, from, found.begin, found.plain_effect);
+    if (next == found.begin) return modes_.pass(found.plain_effect, before_, out_.last_code);
+    const std::string_view plain = bytes_.substr(0, found.begin);
+    uint32_t line = before_ + found.plain_before;
+    Proven proven = found.proven;
+    const auto pass_until = [&](size_t end) {
+      const Passed passed = pass_plain_lines(plain.substr(0, end), from, proven);
+      modes_.pass(behind(passed.effect, line), 0, line + passed.lines);
+      line += passed.lines;
+      proven = passed.proven;
+    };
+    while (next < found.begin) {
+      pass_until(next);
+      const size_t end = plain.find('\n', next);
+      take_line(next, end, ++line, look(plain.substr(next, end - next)));
+      // The line's own codes count for those behind it.
+      from = next;
+      proven = pass_plain_lines(plain.substr(0, end + 1), from, proven).proven;
+      from = end + 1;
+      next = modes_.follow(bytes_, from, found.begin, found.plain_effect);
+    }
+    pass_until(found.begin);
+  }
+
+  void take_line(size_t begin, size_t end, uint32_t number, const LineView& view) {
+    std::string_view line = bytes_.substr(begin, end - begin);
     if (!seen_first_) note_first_line(line);
     Statement statement;
     statement.line = number;
-    const bool too_long = found.view.too_long && !ends_in_nuls(line);
-    if (found.view.too_long && !too_long) line = line.substr(0, line.find('\0') + 1);
+    const bool too_long = view.too_long && !ends_in_nuls(line);
+    if (view.too_long && !too_long) line = line.substr(0, line.find('\0') + 1);
     bool keep = too_long;
     bool asked = false;  // kept only for a question about it
     if (too_long) {
-      statement.offset = found.begin;
+      statement.offset = begin;
       statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
       statement.error = static_cast<uint32_t>(out_.errors.size());
-      out_.errors.push_back(
-          {StopKind::kLineTooLong, {found.begin + kLineLimit, found.end}, "Command too long", {}, kNoExpr, 0, 0});
+      out_.errors.push_back({StopKind::kLineTooLong, {begin + kLineLimit, end}, "Command too long", {}, kNoExpr, 0, 0});
       out_.last_code = number;
     } else {
-      const LineView& view = found.view;
       const bool code =
           view.code && line.find_first_not_of(std::string_view("\0 \t\r\v\f", 6)) != std::string_view::npos;
       if (code) out_.last_code = number;
       if (view.matters || view.too_long) {
-        keep = parser_.parse(line, found.begin, &statement);
+        keep = parser_.parse(line, begin, &statement);
         asked = !keep;
         keep = modes_.judge(statement, keep);
         asked = asked && keep && !statement.has_error();
       }
       if (view.speaks || (view.matters && parser_.has_comment())) {
-        note_directive(line, found.begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
+        note_directive(line, begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
         const bool plain = !keep || (!statement.has_error() && statement.has_items());
         const std::string_view comment = plain ? acting_comment(line) : "";
         out_.runs_python = out_.runs_python || (plain && runs_python(line, comment));
         if (plain && begins(comment, "abort,")) {
-          statement.offset = found.begin;
+          statement.offset = begin;
           statement.length = static_cast<uint32_t>(line.size());
           statement.kind = LineKind::kAbort;
           statement.item_count = 0;
@@ -242,14 +288,14 @@ class Reader {
       }
       if ((!keep || asked) && code) note_plain(number);
     }
-    const WordLine* const words = found.view.matters && !too_long ? parser_.words() : nullptr;
-    const bool unsure = found.view.matters && !too_long && parser_.unsure() != kNoError;
+    const WordLine* const words = view.matters && !too_long ? parser_.words() : nullptr;
+    const bool unsure = view.matters && !too_long && parser_.unsure() != kNoError;
     const bool asks_machine = unsure || (words != nullptr && words->is_user_m());
     if (!keep && !asks_machine) return;
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;
-    make_room(out_.statements, found.begin);
-    make_room(out_.exprs, found.begin);
-    make_room(out_.values, found.begin);
+    make_room(out_.statements, begin);
+    make_room(out_.exprs, begin);
+    make_room(out_.values, begin);
     if (unsure) ask(statement, LineKind::kMachineCheck, parser_.unsure());
     if (keep) modes_.push(statement);
     if (words != nullptr && words->is_user_m()) {
@@ -260,13 +306,6 @@ class Reader {
     }
   }
 
-  void finish() {
-    modes_.finish();
-    out_.lines = before_;
-    out_.blank = !seen_first_;
-  }
-
- private:
   Statement& ask(const Statement& line, LineKind kind, uint32_t first) {
     return out_.statements.emplace_back(question_about(line, kind, first));
   }

@@ -13,6 +13,7 @@
 #include "analyzer/syntax/keyword.h"
 #include "analyzer/syntax/modes.h"
 #include "analyzer/syntax/names.h"
+#include "analyzer/syntax/place.h"
 #include "analyzer/syntax/stop.h"
 #include "analyzer/text/source.h"
 
@@ -85,6 +86,17 @@ struct ModeChange {
   uint8_t value = kAny;
 };
 
+/// How far lines behind a statement, before the next one, go: straight lines and arcs with nothing but their ends.
+struct PlaceChange {
+  StatementId after = 0;                ///< the statement
+  bool lost = false;                    ///< the machine is somewhere
+  uint8_t distance = ModeChange::kAny;  ///< what the distance mode is, if the lines say it
+  uint8_t diameter = ModeChange::kAny;  ///< the same of the diameter mode
+  uint16_t axes = 0;                    ///< that move, by Axis
+  std::array<double, kAxes> last{};     ///< of each the last word: where it is in G90
+  std::array<double, kAxes> sum{};      ///< of all words: how far it has gone in G91
+};
+
 /// A mode that is set, and set again before any line depends on it.
 struct UnusedChange {
   ModeChange first;
@@ -128,6 +140,8 @@ struct Statement {
   bool plain_code_follows : 1 = false;  ///< lines of code without a statement come before the next statement
   bool changes_modes : 1 = false;       ///< lines without a statement, before the next one, change modes
   bool needs_modes : 1 = false;         ///< or depend on them
+  bool changes_place : 1 = false;       ///< or go somewhere
+  bool for_place : 1 = false;           ///< a kModeLine that only its numbers ask for
 
   // Equal if there is no such part.
   LineByte label_from = 0, label_to = 0;      ///< with the `o`
@@ -174,6 +188,11 @@ struct Syntax {
   std::vector<ModeChange> mode_changes;  ///< in the order of statements
   std::vector<ModeNeed> mode_needs;      ///< the same
   std::vector<UnusedChange> unused_changes;
+  std::vector<PlaceChange> place_changes;  ///< in the order of statements
+  /// The first statement from where runs may go elsewhere than to the next line, and where the machine is there.
+  StatementId left_at = kNoStatement;
+  Place place_at_start;
+  bool asks_place = false;                ///< some kModeLine may stop for where the machine is
   std::vector<ModeNeed> first_needs;      ///< of plain lines before the first statement
   std::vector<ModeChange> first_changes;  ///< by plain lines before the first statement
   std::vector<uint32_t> input_lines;      ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
@@ -204,6 +223,7 @@ struct Syntax {
   /// What the lines behind a statement do to the modes, and need of them.
   std::span<const ModeChange> changes_after(StatementId id) const;
   std::span<const ModeNeed> needs_after(StatementId id) const;
+  std::span<const PlaceChange> places_after(StatementId id) const;
 };
 
 /// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.

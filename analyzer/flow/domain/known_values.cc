@@ -1,11 +1,28 @@
 // Constants and ranges by number, and what is known where two paths meet.
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "analyzer/flow/domain/known_values.h"
 #include "analyzer/flow/domain/persistent_map.h"
 
 namespace owlint::flow {
+
+namespace {
+
+/// Of the numbers that mostly tell places apart.
+uint64_t hash(const Place& place) {
+  uint64_t sum = place.keeps_height ? 1 : 0;
+  const auto add = [&sum](Coordinate number) {
+    for (const double of : {number.value, number.other})
+      sum = mix(sum, std::isnan(of) ? 1 : std::bit_cast<uint64_t>(of));
+  };
+  for (const Coordinate& axis : place.at.axes) add(axis);
+  for (const Coordinate& number : {place.clearance, place.bottom, place.height, place.tool[Axis::kZ]}) add(number);
+  return sum;
+}
+
+}  // namespace
 
 ValueId KnownValues::intern(double value) {
   constexpr size_t kFew = 16;  // as many as most programs have: to look through them is faster than to hash
@@ -44,8 +61,18 @@ ValueId KnownValues::intern(const KnownSet& set) {
   return entry->second;
 }
 
+ValueId KnownValues::intern(const Place& place) {
+  std::vector<ValueId>& alike = place_ids_[hash(place)];
+  for (const ValueId id : alike) {
+    if (this->place(id) == place) return id;
+  }
+  alike.push_back(kFirstPlace + static_cast<ValueId>(places_.size()));
+  places_.push_back(place);
+  return alike.back();
+}
+
 Range KnownValues::range(ValueId id) const {
-  if (is_set(id)) return {};
+  if (id >= kFirstSet) return {};
   if (id >= kFirstRange) return ranges_[id - kFirstRange];
   return is_constant(id) ? Range::of(value(id)) : Range();
 }
@@ -57,7 +84,8 @@ ValueId KnownValues::join(ValueId a, ValueId b) {
   const auto assigned = [](ValueId v) { return v != kUnassigned && v != kMaybeUnassigned; };
   if (!assigned(a) || !assigned(b)) return kMaybeUnassigned;
   if (is_set(a) && is_set(b)) return intern(KnownSet{set(a).members | set(b).members, set(a).open || set(b).open});
-  if (is_set(a) || is_set(b)) return kUnknown;
+  if (is_place(a) && is_place(b)) return intern(owlint::join(place(a), place(b)));
+  if (a >= kFirstSet || b >= kFirstSet) return kUnknown;
   return a >= kFirstConstant && b >= kFirstConstant ? intern(hull(range(a), range(b))) : kUnknown;
 }
 

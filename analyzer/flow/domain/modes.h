@@ -10,8 +10,12 @@ namespace owlint::flow {
 
 /// Keys beside the numbered parameters.
 inline constexpr uint32_t kModeKeys = kLastNumber + 1;
-static_assert(kModeKeys + kModes <= kGlobalNames);
 constexpr uint32_t mode_key(Mode mode) { return kModeKeys + static_cast<uint32_t>(mode); }
+
+/// The place follows the modes.
+inline constexpr ModeMask kPlaceBit = ModeMask{1} << 31;
+inline constexpr uint32_t kPlaceKey = kModeKeys + 31;
+static_assert(kModes < 31 && kPlaceKey < kGlobalNames);
 
 /// The values of one mode.
 struct ModeValues {

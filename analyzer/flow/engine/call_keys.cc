@@ -18,7 +18,7 @@ bool CallKeys::note_line(StatementId id, Dependence& out) const {
   const Statement& s = program_.at(id);
   if (s.has_error() || s.is(Keyword::kCall)) return false;
   if (machine_.mode_uses().changed_at(id) != 0) return false;
-  if (s.kind == LineKind::kModeLine) return !machine_.mode_uses().refuses();
+  if (s.kind == LineKind::kModeLine) return !machine_.mode_uses().refuses() && !machine_.mode_uses().follows_place();
   if (s.kind == LineKind::kWords) return machine_.dependences().note_assignments(s, out);
   if (s.kind != LineKind::kOWord) return false;
   const BlockId block = program_.block_of[id];

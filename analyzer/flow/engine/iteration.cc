@@ -37,6 +37,9 @@ void Iteration::start() {
     calls_.begin({}, false);
     machine_.modes().set(state.parameters, machine_.start());
     machine_.modes().apply(state.parameters, program_.syntax.first_changes);
+    // Lines before that one are not carried out again, for its numbers are known.
+    if (machine_.mode_uses().follows_place())
+      machine_.modes().set_place(state.parameters, program_.syntax.place_at_start);
     if (program_.syntax.runs_python) machine_.evaluator().expect_from_python(state.parameters);
   }
   successor(std::move(state));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "analyzer/flow/domain/modes.h"
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/questions.h"
@@ -103,6 +104,12 @@ void ModeUses::find_followed() {
       if (is_assumed(need.mode) || !std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
     }
   }
+  if (follows_place()) {
+    for (const Mode mode : {Mode::kMotion, Mode::kPlane, Mode::kUnits, Mode::kDistance, Mode::kArcDistance,
+                            Mode::kDiameter, Mode::kSystem, Mode::kRetract, Mode::kCompensation, Mode::kRadius}) {
+      if (!std::has_single_bit(reachable_[mode])) followed_ |= mask_of(mode);
+    }
+  }
   // What these depend on.
   const auto needs = [this](Mode mode, std::initializer_list<Mode> others) {
     if (!follows(mode)) return;
@@ -116,22 +123,27 @@ void ModeUses::find_followed() {
 }
 
 ModeMask ModeUses::changed_at(StatementId id) const {
-  if (followed_ == 0) return 0;
+  if (followed_ == 0 && !follows_place()) return 0;
   const Statement& s = program_.at(id);
+  const bool goes = follows_place(id) && (s.changes_place || s.kind == LineKind::kModeLine);
+  return (modes_changed_at(s, id) & followed_) | (goes ? kPlaceBit : 0);
+}
+
+ModeMask ModeUses::modes_changed_at(const Statement& s, StatementId id) const {
   ModeMask changed = 0;
   if (s.changes_modes) {
     for (const ModeChange& change : program_.syntax.changes_after(id)) changed |= mask_of(change.mode);
   }
   if (s.kind == LineKind::kModeLine) {
     WordLine words(machine_);
-    if (!read_words(program_.syntax, s, words)) return changed & followed_;
+    if (!read_words(program_.syntax, s, words)) return changed;
     if (words.has_unknown_code() || words.has_remapped_code() || has_store(words)) return followed_;
     ModeState after{reachable_, reachable_};
     std::vector<ModeFault> faults;
     ModeRun(machine_, words).run(&after, &faults);
     changed |= after.now.assigned;
   }
-  return changed & followed_;
+  return changed;
 }
 
 }  // namespace owlint::flow

@@ -24,9 +24,12 @@ class ModeUses {
   /// The values that the other modes may have, as far as the program's lines say.
   const ModeSets& others() const { return others_; }
   bool follows(Mode mode) const { return (followed_ & mask_of(mode)) != 0; }
+  /// Whether it is followed where the machine stands, from the line on where runs may go elsewhere.
+  bool follows_place() const { return program_.syntax.asks_place; }
+  bool follows_place(StatementId at) const { return follows_place() && at >= program_.syntax.left_at; }
   /// Whether some line stops in some of the modes that may be in effect.
   bool refuses() const { return refuses_; }
-  /// Of these, the ones that a statement, or the lines behind it, may change.
+  /// Of these, the ones that a statement, or the lines behind it, may change; kPlaceBit if they may go somewhere.
   ModeMask changed_at(StatementId id) const;
 
  private:
@@ -34,6 +37,7 @@ class ModeUses {
   void find_followed();
   /// Carries out a kModeLine in all modes that are reachable; true if more are behind it.
   bool run(const Statement& s, std::vector<ModeFault>* faults);
+  ModeMask modes_changed_at(const Statement& s, StatementId id) const;
 
   const Program& program_;
   const MachineWords& machine_;

@@ -105,7 +105,10 @@ const CalmStretch* AbstractMachine::pass_over(State& state, const Context& conte
   for (const StatementId opener : defined) state.table.set(pool_, label_of_sub(opener), Definers::one(opener));
   if (stretch->tests) state.flags.executed = kYes;
   if (!called && (stretch->calls || stretch->ends_defining)) state.flags.returned = stretch->ends_defining ? kNo : kYes;
-  modes_.apply(state.parameters, calm_->changes(*stretch));
+  for (const StatementId id : calm_->changing(*stretch)) {
+    modes_.go(state.parameters, program_.syntax.places_after(id));
+    modes_.apply(state.parameters, program_.syntax.changes_after(id));
+  }
   state.position = stretch->last;
   state.branch = Branch::kNone;
   return stretch;
@@ -113,6 +116,7 @@ const CalmStretch* AbstractMachine::pass_over(State& state, const Context& conte
 
 void AbstractMachine::leave_modes(State& state, StatementId line) {
   if (watch_ != nullptr) watch_->left(state, line);
+  if (program_.at(line).changes_place) modes_.go(state.parameters, program_.syntax.places_after(line));
   if (program_.at(line).changes_modes) modes_.apply(state.parameters, program_.syntax.changes_after(line));
 }
 

@@ -190,7 +190,7 @@ class CalmBuilder {
     stretch.writes = static_cast<uint32_t>(out_.writes_.size());
     stretch.called = static_cast<uint32_t>(out_.called_.size());
     stretch.defined = static_cast<uint32_t>(out_.defined_.size());
-    stretch.changes = static_cast<uint32_t>(out_.changes_.size());
+    stretch.changing = static_cast<uint32_t>(out_.changing_.size());
   }
 
   void add(StatementId first, StatementId last) {
@@ -231,8 +231,7 @@ class CalmBuilder {
   }
 
   void note_modes(StatementId id) {
-    if (modes_.changed_at(id) == 0) return;
-    for (const ModeChange& change : program_.syntax.changes_after(id)) out_.changes_.push_back(change);
+    if (modes_.changed_at(id) != 0) out_.changing_.push_back(id);
   }
 
   void note_words(const Statement& s) {

@@ -28,7 +28,7 @@ struct CalmStretch {
   uint32_t writes = 0;
   uint32_t called = 0;
   uint32_t defined = 0;
-  uint32_t changes = 0;
+  uint32_t changing = 0;
 };
 
 class CalmStretches {
@@ -54,9 +54,9 @@ class CalmStretches {
   std::span<const StatementId> defined(const CalmStretch& s) const {
     return {defined_.data() + s.defined, defined_.data() + (&s + 1)->defined};
   }
-  /// How it changes the modes that are followed.
-  std::span<const ModeChange> changes(const CalmStretch& s) const {
-    return {changes_.data() + s.changes, changes_.data() + (&s + 1)->changes};
+  /// Its lines behind which the modes that are followed change, or the place.
+  std::span<const StatementId> changing(const CalmStretch& s) const {
+    return {changing_.data() + s.changing, changing_.data() + (&s + 1)->changing};
   }
 
  private:
@@ -68,7 +68,7 @@ class CalmStretches {
   std::vector<ParameterId> reads_;
   std::vector<CalmWrite> writes_;
   std::vector<StatementId> called_, defined_;
-  std::vector<ModeChange> changes_;
+  std::vector<StatementId> changing_;
 };
 
 }  // namespace owlint::flow

@@ -59,6 +59,48 @@ void ModeAccess::apply(Parameters& p, std::span<const ModeChange> changes) {
   }
 }
 
+Place ModeAccess::place(const Parameters& p) const {
+  const ValueId id = p.outside ? kUnknown : p.globals.get(kPlaceKey);
+  return KnownValues::is_place(id) ? values_.place(id) : Place::unknown();
+}
+
+void ModeAccess::set_place(Parameters& p, const Place& place) {
+  p.globals.set(pool_, kPlaceKey, values_.intern(place));
+}
+
+void ModeAccess::go(Parameters& p, std::span<const PlaceChange> changes) {
+  if (!uses_.follows_place() || changes.empty()) return;
+  Place place = this->place(p);
+  const ModeSets modes = state(p).now;
+  const auto mode = [&](Mode of, uint8_t said) {
+    if (said != ModeChange::kAny) return said;
+    return std::has_single_bit(modes[of]) ? static_cast<uint8_t>(std::countr_zero(modes[of])) : ModeChange::kAny;
+  };
+  for (const PlaceChange& change : changes) {
+    if (change.lost || modes[Mode::kCompensation] != value_bit(modes::kG40)) {
+      place.lose_offsets();
+      continue;
+    }
+    const uint8_t distance = mode(Mode::kDistance, change.distance);
+    const uint8_t diameter = mode(Mode::kDiameter, change.diameter);
+    for (size_t axis = 0; axis < kAxes; ++axis) {
+      if ((change.axes >> axis & 1) == 0) continue;
+      const double share = axis == 0 && diameter == modes::kG7 ? 0.5 : 1;
+      Coordinate& at = place.at[axis];
+      if (distance == ModeChange::kAny || (axis == 0 && diameter == ModeChange::kAny)) {
+        at = Coordinate::unknown();
+      } else if (distance == modes::kG91) {
+        at = at + Coordinate::of(change.sum[axis] * share);
+      } else {
+        at = Coordinate::of(change.last[axis] * share);
+      }
+    }
+    place.keeps_height = false;
+  }
+  place.settle();
+  set_place(p, place);
+}
+
 void ModeAccess::begin_level(Parameters& p) {
   if (!uses_.follows(Mode::kSaved)) return;
   p.locals.set(pool_, saved_key(Mode::kSaved), mode_value(values_, Mode::kSaved, {value_bit(modes::kNotSaved), false}));

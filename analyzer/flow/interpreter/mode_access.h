@@ -19,6 +19,11 @@ class ModeAccess {
   void set(Parameters& p, const ModeState& state);
   /// The same of some lines that are not carried out one by one.
   void apply(Parameters& p, std::span<const ModeChange> changes);
+  /// Where the machine stands.
+  Place place(const Parameters& p) const;
+  void set_place(Parameters& p, const Place& place);
+  /// The machine goes as far as some lines that are not carried out one by one.
+  void go(Parameters& p, std::span<const PlaceChange> changes);
   /// A call begins: on its level nothing is saved.
   void begin_level(Parameters& p);
   /// Whether cutter compensation is surely on.

@@ -58,8 +58,9 @@ bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
     const Fault& fault = found.fault;
     if (!fault.certain && !found.believed) continue;
     const bool mixed = state.mixed;
-    state.mixed = mixed || !fault.certain;
-    out.stop(state, {fault.kind, kNoStatement, fault.message, {}, {fault.word, fault.other, found.decided_by}});
+    state.mixed = mixed || !fault.certain || found.from_start;
+    const auto arc = found.arc ? std::make_shared<const ArcNumbers>(*found.arc) : nullptr;
+    out.stop(state, {fault.kind, kNoStatement, fault.message, {}, {fault.word, fault.other, found.decided_by, arc}});
     state.mixed = mixed;
     if (fault.certain) return false;
   }
@@ -69,19 +70,27 @@ bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
 /// A line of words. Of one with M98 this is asked when its values are known: see refuses_words().
 void AbstractMachine::Step::modes() {
   if (context.contour || asks_about_call(m.program_.syntax, here)) return next_line();
+  const bool goes = m.mode_uses_.follows_place(here);
+  if (s.for_place && !goes) return next_line();
   WordLine words(m.machine_words_.words);
   if (!read_words(s, words)) return;
   const ModeRun run(m.machine_words_.words, words);
   ModeState after = m.modes_.state(state.parameters);
   std::vector<ModeFault> faults;
   run.check(&after, &faults);
+  // Of a line whose modes are known these are none of its faults.
+  if (s.for_place) faults.clear();
   if (!take_faults(faults)) return;
   // Then the line sets its parameters: a name that it may not set comes first.
   if (line_computes().read_only != kNoName) return next_line();
   faults.clear();
-  run.act(&after, &faults);
+  std::optional<Place> place;
+  if (goes) place = m.modes_.place(state.parameters);
+  run.act(&after, &faults, place ? &*place : nullptr);
+  if (s.for_place) std::erase_if(faults, [](const ModeFault& fault) { return !fault.by_place; });
   if (!take_faults(faults)) return;
-  m.modes_.set(state.parameters, after);
+  if (!s.for_place) m.modes_.set(state.parameters, after);
+  if (place) m.modes_.set_place(state.parameters, *place);
   next_line();
 }
 

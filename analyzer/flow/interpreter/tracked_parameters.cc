@@ -111,7 +111,8 @@ void TrackedParameters::find_what_matters(const Limits& limits) {
   for (const ExprId value : syntax_.values) mark(value);
   for (const Item& item : syntax_.items) mark_what_can_fail(item.value);
   for (const ModeWord& word : syntax_.mode_words) {
-    if (word.computed != kNoExpr && (letter_set({&word.letter, 1}) & kPlaceLetters) == 0) mark(word.computed);
+    if (word.computed != kNoExpr && (syntax_.asks_place || (letter_set({&word.letter, 1}) & kPlaceLetters) == 0))
+      mark(word.computed);
   }
   for (const LineError& error : syntax_.errors) {
     if (error.first_value != kNoExpr) mark(error.first_value);

@@ -1,0 +1,253 @@
+#include "analyzer/syntax/places_in_effect.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "analyzer/geometry/arc.h"
+#include "analyzer/syntax/mode_line.h"
+
+namespace owlint {
+namespace {
+
+constexpr uint32_t kAxesOfPlainLines = letter_set("xyzabc");
+constexpr MotionSet kPlainMoves = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
+constexpr MotionSet kStraightMoves = set_of(Motion::kG0) | set_of(Motion::kG1);
+
+/// The only value of a mode.
+uint8_t only_value(const ModeSets& sets, Mode mode) { return static_cast<uint8_t>(std::countr_zero(sets[mode])); }
+
+bool is_known(const ModeSets& sets, Mode mode) { return std::has_single_bit(sets[mode]) && !sets.is_open(mode); }
+
+/// Groups of codes that may change where the machine stands, or what its numbers mean.
+constexpr GGroup kGroups[] = {GGroup::kMotion,      GGroup::kNonModal,
+                              GGroup::kPlane,       GGroup::kDistance,
+                              GGroup::kArcDistance, GGroup::kUnits,
+                              GGroup::kDiameter,    GGroup::kCutterCompensation,
+                              GGroup::kToolLength,  GGroup::kCoordinateSystem,
+                              GGroup::kRetract,     GGroup::kOffsets,
+                              GGroup::kFeedMode};
+/// Of these, those that change no number but where other lines go.
+bool has_code_of_place(const WordLine& words) {
+  return std::ranges::any_of(kGroups, [&](GGroup group) { return words.code(group) != nullptr; }) ||
+      words.code(MGroup::kToolChange) != nullptr || words.code(MGroup::kStop) != nullptr ||
+      words.code(MGroup::kSpindle) != nullptr;
+}
+
+/// Codes with which a line is no plain move: what they do to the place is left to the flow.
+bool has_code_for_the_flow(const WordLine& words) {
+  for (const GGroup group : {GGroup::kUnits, GGroup::kDiameter, GGroup::kCutterCompensation, GGroup::kToolLength,
+                             GGroup::kCoordinateSystem, GGroup::kOffsets}) {
+    if (words.code(group) != nullptr) return true;
+  }
+  const GCode* const non_modal = words.code(GGroup::kNonModal);
+  const MCode* const store = words.code(MGroup::kSpindle);
+  return (non_modal != nullptr && non_modal->tenths != code::kG4) || words.code(MGroup::kToolChange) != nullptr ||
+      (store != nullptr && store->number >= code::kM70 && store->number <= code::kM73) || words.has_polar_words();
+}
+
+template <typename Do>
+void for_letters(uint32_t letters, const Do& apply) {
+  for (; letters != 0; letters &= letters - 1) apply(static_cast<size_t>(std::countr_zero(letters)));
+}
+
+size_t axis_of(size_t letter) { return std::string_view(kAxisOrder).find(static_cast<char>('a' + letter)); }
+
+bool has_computed_place(const WordLine& words) {
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].known && (letter_set({&words[i].letter, 1}) & (kPlaceLetters | letter_set("ijkr"))) != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void PlacesInEffect::assume(const ModeSets& before) {
+  ModeSets& now = assumed_.now;
+  for (size_t i = 0; i < kModes; ++i) {
+    const auto mode = static_cast<Mode>(i);
+    if (is_known(before, mode)) now[mode] = before[mode];
+    if (!std::has_single_bit(now[mode])) now[mode] = now[mode] & (~now[mode] + 1);
+  }
+  now.open = 0;
+  // What refuses a move is not for its numbers.
+  now[Mode::kFeed] = value_bit(modes::kFeedSet);
+  now[Mode::kSpeed] = value_bit(modes::kSpeedSet);
+}
+
+void PlacesInEffect::leave(const Place& place) {
+  if (left_) return;
+  left_ = true;
+  out_.left_at = static_cast<StatementId>(out_.statements.size());
+  out_.place_at_start = place;
+}
+
+bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
+  return contains(kPlainMoves, motion) && !has_code_for_the_flow(words) &&
+      assumed_.now[Mode::kCompensation] == value_bit(modes::kG40);
+}
+
+bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool block_delete) {
+  const bool unknown = words.has_unknown_code() || words.has_remapped_code();
+  if (!words.has_axis_words() && !words.has_polar_words() && !has_code_of_place(words) && !unknown) return false;
+  assume(before);
+  const Motion motion = words.motion(static_cast<Motion>(only_value(assumed_.now, Mode::kMotion)));
+  const Place start = place_;
+  const bool computed = has_computed_place(words);
+  faults_.clear();
+  ModeRun(machine_, words).run(&assumed_, &faults_, &place_);
+  const bool stops = std::ranges::any_of(
+      faults_, [](const ModeFault& fault) { return fault.by_place && (fault.fault.certain || fault.believed); });
+  if (!left_ && (stops || computed || block_delete || unknown)) leave(start);
+  if (!left_) return false;
+  const bool moves = words.has_axis_words() || words.has_polar_words();
+  const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
+  const bool needs_no_question = contains(kStraightMoves, motion) || (!stops && questions_ == kMostQuestions);
+  if (plain && needs_no_question) {
+    PlainWords written;
+    for (size_t i = 0; i < words.size(); ++i) {
+      const uint32_t bit = letter_set({&words[i].letter, 1});
+      if ((bit & kAxisLetters) == 0) continue;
+      written.letters |= bit;
+      written.values[static_cast<size_t>(letter_index(words[i].letter))] = words[i].value;
+    }
+    ModeSets in = before;
+    if (words.code(GGroup::kDistance) != nullptr) {
+      in[Mode::kDistance] = assumed_.now[Mode::kDistance];
+      in.open &= ~mask_of(Mode::kDistance);
+    }
+    note(written, in);
+    return false;
+  }
+  if (!moves && !has_code_for_the_flow(words) && !unknown && !block_delete && !stops) return false;
+  if (questions_ == kMostQuestions) {
+    note_lost();
+    return false;
+  }
+  ++questions_;
+  // Only these can stop for their numbers; where a file has none, nothing is followed.
+  if (stops || (moves && !contains(kStraightMoves, motion))) out_.asks_place = true;
+  return true;
+}
+
+bool PlacesInEffect::arc_passes(const PlainWords& words) const {
+  const ModeSets& now = assumed_.now;
+  const uint8_t plane = only_value(now, Mode::kPlane);
+  if (plane > modes::kG19 || now[Mode::kCompensation] != value_bit(modes::kG40)) return false;
+  constexpr char kFirst[] = {'x', 'z', 'y'}, kSecond[] = {'y', 'x', 'z'};
+  constexpr char kFirstCenter[] = {'i', 'k', 'j'}, kSecondCenter[] = {'j', 'i', 'k'};
+  const bool incremental = now[Mode::kDistance] == value_bit(modes::kG91);
+  const auto end_of = [&](char letter, double start) {
+    if (!words.has(letter)) return start;
+    const double word =
+        letter == 'x' && now[Mode::kDiameter] == value_bit(modes::kG7) ? words[letter] / 2 : words[letter];
+    return incremental ? start + word : word;
+  };
+  const auto at = [this](char letter) { return place_.at[static_cast<size_t>(letter - 'x')]; };
+  const Coordinate first = at(kFirst[plane]), second = at(kSecond[plane]);
+  constexpr double kInchesInMillimetre = 25.4;
+  constexpr double kLeastRadius = 0.00005;
+  const bool inch = now[Mode::kUnits] == value_bit(modes::kG20);
+  const ArcTolerance tolerance{inch ? kLeastRadius : kLeastRadius * kInchesInMillimetre,
+                               inch ? machine_.arc_tolerance_inch : machine_.arc_tolerance_mm};
+  const auto passes = [&](double first_start, double second_start) {
+    const Flat start{first_start, second_start};
+    const Flat end{end_of(kFirst[plane], first_start), end_of(kSecond[plane], second_start)};
+    if (words.has('r')) return arc_by_radius(start, end, words['r'], tolerance).fault == ArcFault::kNone;
+    Flat center{words.has(kFirstCenter[plane]) ? words[kFirstCenter[plane]] : 0,
+                words.has(kSecondCenter[plane]) ? words[kSecondCenter[plane]] : 0};
+    if (now[Mode::kArcDistance] == value_bit(modes::kG91_1))
+      center = {start.first + center.first, start.second + center.second};
+    return arc_by_center(start, center, end, tolerance).fault == ArcFault::kNone;
+  };
+  return (first.is_unknown() || second.is_unknown() || passes(first.value, second.value)) &&
+      (first.is_known() && second.is_known() ? true : !left_ || passes(first.other, second.other));
+}
+
+size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint32_t axes, bool arcs,
+                            const ModeSets& before) {
+  if (axes == 0) return to;
+  assume(before);
+  const bool sums = !is_known(before, Mode::kDistance) || before[Mode::kDistance] != value_bit(modes::kG90);
+  if (!arcs) {
+    const PlainMoves moves = plain_moves(bytes, from, to, axes, sums);
+    for_letters(moves.letters, [&](size_t letter) { go(letter, moves.last[letter], moves.sum[letter]); });
+    if (left_) note(moves, before);
+    place_.keeps_height = false;
+    return to;
+  }
+  constexpr MotionSet kArcs = set_of(Motion::kG2) | set_of(Motion::kG3);
+  auto motion = static_cast<Motion>(only_value(assumed_.now, Mode::kMotion));
+  PlainWords words;
+  PlainMoves passed;
+  while (from < to) {
+    const size_t next = read_plain_words(bytes, from, &words);
+    if (words.code >= 0) motion = static_cast<Motion>(words.code);
+    if (contains(kArcs, motion) && words.letters != 0) {
+      const bool asks = left_ ? questions_ < kMostQuestions : !arc_passes(words);
+      if (asks) break;
+    }
+    for_letters(words.letters & kAxesOfPlainLines,
+                [&](size_t letter) { go(letter, words.values[letter], words.values[letter]); });
+    if (left_) passed.add(words);
+    from = next;
+  }
+  place_.keeps_height = false;
+  if (left_) note(passed, before);
+  return from;
+}
+
+/// A plain line has this word for the axis; or several have, with this sum.
+void PlacesInEffect::go(size_t letter, double last, double sum) {
+  const size_t axis = axis_of(letter);
+  const bool halved = axis == 0 && assumed_.now[Mode::kDiameter] == value_bit(modes::kG7);
+  const bool incremental = assumed_.now[Mode::kDistance] == value_bit(modes::kG91);
+  const double way = incremental ? sum : last;
+  Coordinate& at = place_.at[axis];
+  at = (incremental ? at : Coordinate::of(0)) + Coordinate::of(halved ? way / 2 : way);
+}
+
+PlaceChange& PlacesInEffect::pending(const ModeSets& before) {
+  const auto known = [&](Mode mode) { return is_known(before, mode) ? only_value(before, mode) : ModeChange::kAny; };
+  const uint8_t distance = known(Mode::kDistance), diameter = known(Mode::kDiameter);
+  if (pending_.empty() || pending_.back().lost || pending_.back().distance != distance ||
+      pending_.back().diameter != diameter)
+    pending_.push_back({0, false, distance, diameter, 0, {}, {}});
+  return pending_.back();
+}
+
+void PlacesInEffect::note(const PlainMoves& moves, const ModeSets& before) {
+  if (moves.letters == 0) return;
+  PlaceChange& change = pending(before);
+  for_letters(moves.letters, [&](size_t letter) {
+    const size_t axis = axis_of(letter);
+    change.axes |= static_cast<uint16_t>(1U << axis);
+    change.last[axis] = moves.last[letter];
+    change.sum[axis] += moves.sum[letter];
+  });
+}
+
+void PlacesInEffect::note(const PlainWords& words, const ModeSets& before) {
+  PlainMoves line;
+  line.add(words);
+  note(line, before);
+}
+
+void PlacesInEffect::note_lost() {
+  pending_.clear();
+  pending_.push_back({0, true, ModeChange::kAny, ModeChange::kAny, 0, {}, {}});
+}
+
+void PlacesInEffect::flush() {
+  if (pending_.empty()) return;
+  if (!out_.statements.empty()) {
+    const auto last = static_cast<StatementId>(out_.statements.size() - 1);
+    for (PlaceChange& change : pending_) {
+      change.after = last;
+      out_.place_changes.push_back(change);
+    }
+    out_.statements.back().changes_place = true;
+  }
+  pending_.clear();
+}
+
+}  // namespace owlint
