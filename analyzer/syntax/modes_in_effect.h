@@ -26,7 +26,7 @@ class ModesInEffect {
   void pass(const PlainEffect& effect, uint32_t before, uint32_t last);
   /// Follows where plain lines go; see PlacesInEffect::pass. To be called before pass().
   size_t follow(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect) {
-    return stopped_ ? to : places_.pass(bytes, from, to, effect.axes, effect.first_arc != 0, state_.now);
+    return stopped_ ? to : places_.pass(bytes, from, to, effect, state_.now);
   }
   /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
   /// Returns whether the line is to be kept: `keep`, or because of its words.

@@ -82,7 +82,7 @@ void PlacesInEffect::leave(const Place& place) {
 }
 
 bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
-  return contains(kPlainMoves, motion) && !has_code_for_the_flow(words) &&
+  return contains(kPlainMoves | set_of(Motion::kNone), motion) && !has_code_for_the_flow(words) &&
       assumed_.now[Mode::kCompensation] == value_bit(modes::kG40);
 }
 
@@ -101,7 +101,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
   if (!left_) return false;
   const bool moves = words.has_axis_words() || words.has_polar_words();
   const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
-  const bool needs_no_question = contains(kStraightMoves, motion) || (!stops && questions_ == kMostQuestions);
+  const bool needs_no_question =
+      contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
   if (plain && needs_no_question) {
     PlainWords written;
     for (size_t i = 0; i < words.size(); ++i) {
@@ -115,7 +116,9 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
       in[Mode::kDistance] = assumed_.now[Mode::kDistance];
       in.open &= ~mask_of(Mode::kDistance);
     }
-    note(written, in);
+    PlainMoves line;
+    line.add(written);
+    note(line, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
     return false;
   }
   if (!moves && !has_code_for_the_flow(words) && !unknown && !block_delete && !stops) return false;
@@ -163,15 +166,16 @@ bool PlacesInEffect::arc_passes(const PlainWords& words) const {
       (first.is_known() && second.is_known() ? true : !left_ || passes(first.other, second.other));
 }
 
-size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint32_t axes, bool arcs,
+size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect,
                             const ModeSets& before) {
-  if (axes == 0) return to;
+  if (effect.axes == 0) return to;
+  const bool alone = effect.alone && !std::has_single_bit(before[Mode::kMotion]);
   assume(before);
   const bool sums = !is_known(before, Mode::kDistance) || before[Mode::kDistance] != value_bit(modes::kG90);
-  if (!arcs) {
-    const PlainMoves moves = plain_moves(bytes, from, to, axes, sums);
+  if (effect.first_arc == 0) {
+    const PlainMoves moves = plain_moves(bytes, from, to, effect.axes, sums);
     for_letters(moves.letters, [&](size_t letter) { go(letter, moves.last[letter], moves.sum[letter]); });
-    if (left_) note(moves, before);
+    if (left_) note(moves, before, alone);
     place_.keeps_height = false;
     return to;
   }
@@ -192,7 +196,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     from = next;
   }
   place_.keeps_height = false;
-  if (left_) note(passed, before);
+  if (left_) note(passed, before, alone);
   return from;
 }
 
@@ -206,18 +210,18 @@ void PlacesInEffect::go(size_t letter, double last, double sum) {
   at = (incremental ? at : Coordinate::of(0)) + Coordinate::of(halved ? way / 2 : way);
 }
 
-PlaceChange& PlacesInEffect::pending(const ModeSets& before) {
+PlaceChange& PlacesInEffect::pending(const ModeSets& before, bool alone) {
   const auto known = [&](Mode mode) { return is_known(before, mode) ? only_value(before, mode) : ModeChange::kAny; };
   const uint8_t distance = known(Mode::kDistance), diameter = known(Mode::kDiameter);
   if (pending_.empty() || pending_.back().lost || pending_.back().distance != distance ||
-      pending_.back().diameter != diameter)
-    pending_.push_back({0, false, distance, diameter, 0, {}, {}});
+      pending_.back().diameter != diameter || pending_.back().alone != alone)
+    pending_.push_back({0, alone, false, distance, diameter, 0, {}, {}});
   return pending_.back();
 }
 
-void PlacesInEffect::note(const PlainMoves& moves, const ModeSets& before) {
+void PlacesInEffect::note(const PlainMoves& moves, const ModeSets& before, bool alone) {
   if (moves.letters == 0) return;
-  PlaceChange& change = pending(before);
+  PlaceChange& change = pending(before, alone);
   for_letters(moves.letters, [&](size_t letter) {
     const size_t axis = axis_of(letter);
     change.axes |= static_cast<uint16_t>(1U << axis);
@@ -226,15 +230,9 @@ void PlacesInEffect::note(const PlainMoves& moves, const ModeSets& before) {
   });
 }
 
-void PlacesInEffect::note(const PlainWords& words, const ModeSets& before) {
-  PlainMoves line;
-  line.add(words);
-  note(line, before);
-}
-
 void PlacesInEffect::note_lost() {
   pending_.clear();
-  pending_.push_back({0, true, ModeChange::kAny, ModeChange::kAny, 0, {}, {}});
+  pending_.push_back({0, false, true, ModeChange::kAny, ModeChange::kAny, 0, {}, {}});
 }
 
 void PlacesInEffect::flush() {

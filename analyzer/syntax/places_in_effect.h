@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/mode_run.h"
 #include "analyzer/syntax/place.h"
 #include "analyzer/syntax/plain_words.h"
@@ -19,9 +20,9 @@ class PlacesInEffect {
   PlacesInEffect(Syntax& out, const MachineWords& machine)
       : out_(out), machine_(machine), place_(Place::started(machine.units_per_mm)) {}
 
-  /// Takes in the plain lines in [from, to), which move these axes, by `motion` at first. Where there are arcs (`arcs`) it ends at
-  /// the first that has to be looked at by itself, and returns its offset; else `to`.
-  size_t pass(std::string_view bytes, size_t from, size_t to, uint32_t axes, bool arcs, const ModeSets& before);
+  /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to be looked
+  /// at by itself, and returns its offset; else `to`.
+  size_t pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect, const ModeSets& before);
   /// Carries out another line; `before`: what is known of the modes. Whether it is a question for the flow, for its numbers.
   bool judge(const WordLine& words, const ModeSets& before, bool block_delete);
   /// The statement that is kept next is one from where runs may go elsewhere.
@@ -37,10 +38,9 @@ class PlacesInEffect {
   bool is_plain_move(const WordLine& words, Motion motion) const;
   bool arc_passes(const PlainWords& words) const;
   void go(size_t letter, double last, double sum);
-  void note(const PlainMoves& moves, const ModeSets& before);
-  void note(const PlainWords& words, const ModeSets& before);
+  void note(const PlainMoves& moves, const ModeSets& before, bool alone);
   void note_lost();
-  PlaceChange& pending(const ModeSets& before);
+  PlaceChange& pending(const ModeSets& before, bool alone);
 
   /// Lines that the flow is asked about: as many as people write by hand.
   static constexpr uint32_t kMostQuestions = 2000;

@@ -89,6 +89,7 @@ struct ModeChange {
 /// How far lines behind a statement, before the next one, go: straight lines and arcs with nothing but their ends.
 struct PlaceChange {
   StatementId after = 0;                ///< the statement
+  bool alone = false;                   ///< by a motion that the lines do not say, if it is one of G0 to G3
   bool lost = false;                    ///< the machine is somewhere
   uint8_t distance = ModeChange::kAny;  ///< what the distance mode is, if the lines say it
   uint8_t diameter = ModeChange::kAny;  ///< the same of the diameter mode

@@ -77,7 +77,9 @@ void ModeAccess::go(Parameters& p, std::span<const PlaceChange> changes) {
     return std::has_single_bit(modes[of]) ? static_cast<uint8_t>(std::countr_zero(modes[of])) : ModeChange::kAny;
   };
   for (const PlaceChange& change : changes) {
-    if (change.lost || modes[Mode::kCompensation] != value_bit(modes::kG40)) {
+    constexpr MotionSet kPlain = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
+    const bool other = change.alone && (modes[Mode::kMotion] & ~kPlain) != 0;
+    if (change.lost || other || modes[Mode::kCompensation] != value_bit(modes::kG40)) {
       place.lose_offsets();
       continue;
     }
