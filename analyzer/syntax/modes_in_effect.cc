@@ -72,7 +72,7 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
 }
 
 void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
-  pending_[static_cast<size_t>(mode)] = {0, line, mode, value};
+  pending_[static_cast<size_t>(mode)] = {0, line, mode, value, false};
   changed_ |= mask_of(mode);
   settled_ |= mask_of(mode);
   note_set(mode, value, line);
@@ -85,7 +85,7 @@ void ModesInEffect::note_set(Mode mode, uint8_t value, uint32_t line) {
   if ((unused_ & mask_of(mode)) != 0 && known && before.value != value && before.line != line)
     out_.unused_changes.push_back({before, line, value});
   const auto last = static_cast<StatementId>(out_.statements.empty() ? 0 : out_.statements.size() - 1);
-  before = {last, line, mode, value};
+  before = {last, line, mode, value, false};
   unused_ |= mask_of(mode);
 }
 
@@ -124,6 +124,7 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
 
 void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t last) {
   if (stopped_) return;
+  feeds_ = feeds_ || effect.feeds || effect.alone;
   if (effect.moves) {
     for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, before + effect.first_move);
     if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
@@ -168,9 +169,11 @@ void ModesInEffect::flush() {
   if (changed_ == 0) return;
   for (; changed_ != 0; changed_ &= changed_ - 1) {
     ModeChange change = pending_[static_cast<size_t>(std::countr_zero(changed_))];
+    change.moves = feeds_;
     change.after = first ? kNoStatement : static_cast<StatementId>(out_.statements.size() - 1);
     (first ? out_.first_changes : out_.mode_changes).push_back(change);
   }
+  feeds_ = false;
   if (!first) out_.statements.back().changes_modes = true;
 }
 
@@ -227,6 +230,11 @@ void ModesInEffect::forget() {
   stopped_ = false;
 }
 
+/// Whether the line moves at the rapid rate, if it moves.
+bool ModesInEffect::stays_rapid(const WordLine& words) const {
+  return words.motion(static_cast<Motion>(std::countr_zero(state_.now[Mode::kMotion]))) == Motion::kG0;
+}
+
 bool ModesInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
   asks_ = asks_place_ = false;
@@ -275,6 +283,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     asks_ = asks_place_ = asks_place;
     take(after, alone, statement.line);
     need_of(*words, statement.line);
+    feeds_ = feeds_ || ((words->has_axis_words() || words->has_polar_words()) && (alone || !stays_rapid(*words)));
     if (words->has_axis_words()) moved(alone, statement.line);
     return keep || asks_place;
   }

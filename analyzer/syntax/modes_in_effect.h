@@ -41,6 +41,7 @@ class ModesInEffect {
   void leave_out_asked();
   static void set_feed(const WordLine& words, ModeSets* after);
   bool asks(const WordLine& words, const ModeState& after, bool alone) const;
+  bool stays_rapid(const WordLine& words) const;
   void take(const ModeState& after, bool alone, uint32_t line);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
@@ -62,6 +63,7 @@ class ModesInEffect {
   ModeMask settled_ = 0;                       // set or needed since the last O-word
   std::array<ModeChange, kModes> last_set_{};  // by mode, where unused_ has it
   ModeMask unused_ = 0;                        // set, and not needed since
+  bool feeds_ = false;                         // lines since the last statement move, not at the rapid rate alone
   bool stopped_ = false;                       // no run goes on behind a line since the last O-word
   bool asks_ = false;                          // of the line that was judged
   bool asks_place_ = false;                    // the same, and for its numbers alone

@@ -53,7 +53,13 @@ void ModeAccess::apply(Parameters& p, std::span<const ModeChange> changes) {
     // In inverse time mode F only counts for its line, and a move leaves a feed that is worked out.
     if (mode == Mode::kFeed && uses_.follows(Mode::kFeedMode)) {
       const ModeValues feed_mode = mode_values(values_, Mode::kFeedMode, p.globals.get(mode_key(Mode::kFeedMode)));
-      if ((feed_mode.may & value_bit(modes::kG93)) != 0) values = {all_values(mode), true};
+      const ValueSet g93 = value_bit(modes::kG93);
+      if ((feed_mode.may & g93) != 0 && change.moves) values = {all_values(mode), true};
+      if (feed_mode.may == g93 && !change.moves) continue;
+      if ((feed_mode.may & g93) != 0 && !change.moves) {
+        const ModeValues before = mode_values(values_, mode, p.globals.get(mode_key(mode)));
+        values = {before.may | values.may, true};
+      }
     }
     p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, values));
   }
