@@ -62,11 +62,51 @@ size_t hash_of(const std::vector<Tool>& tools) {
   return std::hash<std::string>()(text);
 }
 
+/// The line of code that LinuxCNC runs before the first program.
+const Ini::Entry* startup_code(const Ini& ini) {
+  const Ini::Entry* const code = ini.find("RS274NGC", "RS274NGC_STARTUP_CODE");
+  return code != nullptr ? code : ini.find("EMC", "RS274NGC_STARTUP_CODE");
+}
+
+ModeState modes_behind(const std::string& code, const MachineWords& machine) {
+  ModeState state = ModeState::started();
+  Syntax syntax;
+  LineParser parser(syntax, machine);
+  Statement line;
+  parser.parse(code, 0, &line);
+  // A call may set anything.
+  if (parser.words() == nullptr) return line.has_error() ? state : ModeState::unknown();
+  std::vector<ModeFault> faults;
+  ModeState after = state;
+  return ModeRun(machine, *parser.words()).run(&after, &faults) ? after : state;
+}
+
+/// `[TRAJ]LINEAR_UNITS`, as units in a millimetre. With others LinuxCNC does not start; `rs274` takes inches.
+double units_per_mm(const Ini& ini) {
+  constexpr double kInch = 1 / 25.4;
+  const Ini::Entry* const entry = ini.find("TRAJ", "LINEAR_UNITS");
+  const std::string text = entry == nullptr ? std::string() : small_letters(entry->value);
+  if (text == "mm" || text == "metric") return 1;
+  double number = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return problem == std::errc{} && number > 0 ? number : kInch;
+}
+
+/// How much the radii of an arc by its center may differ; what is out of its bounds changes nothing (measured).
+void set_tolerance(const Ini& ini, const char* key, double least, double* tolerance) {
+  const Ini::Entry* const entry = ini.find("RS274NGC", key);
+  if (entry == nullptr) return;
+  double number = 0;
+  const auto [end, problem] = std::from_chars(entry->value.data(), entry->value.data() + entry->value.size(), number);
+  if (problem == std::errc{} && number >= least && number <= *tolerance) *tolerance = number;
+}
+
 }  // namespace
 
 Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
 
-WordsOfMachine::WordsOfMachine(const Profile& profile) {
+WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::started()) {
+  words.start = &start;
   words.release = release_of(profile);
   words.unsure = profile.setup == nullptr;
   if (words.unsure) return;
@@ -75,29 +115,18 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) {
     if (const auto code = remapped_code(remap->value)) remapped.push_back(*code);
   }
   words.remapped = remapped;
+  const Ini& ini = profile.setup->ini;
+  words.units_per_mm = units_per_mm(ini);
+  set_tolerance(ini, "CENTER_ARC_RADIUS_TOLERANCE_MM", 0.001, &words.arc_tolerance_mm);
+  set_tolerance(ini, "CENTER_ARC_RADIUS_TOLERANCE_INCH", 0.00004, &words.arc_tolerance_inch);
   words.spindles = profile.setup->spindles;
   words.change_keeps_spindle = profile.setup->change_keeps_spindle;
-  if (!profile.setup->tools) return;
-  for (const ToolRow& row : profile.setup->tools->rows)
-    tools.push_back({row.number, row.diameter, row.orientation, row.has_offset});
-  words.tools = tools;
-}
-
-ModeState modes_at_start(const Profile& profile, const MachineWords& machine) {
-  ModeState state = ModeState::started();
-  if (profile.setup == nullptr) return state;
-  const Ini::Entry* code = profile.setup->ini.find("RS274NGC", "RS274NGC_STARTUP_CODE");
-  if (code == nullptr) code = profile.setup->ini.find("EMC", "RS274NGC_STARTUP_CODE");
-  if (code == nullptr) return state;
-  Syntax syntax;
-  LineParser parser(syntax, machine);
-  Statement line;
-  parser.parse(code->value, 0, &line);
-  // A call may set anything.
-  if (parser.words() == nullptr) return line.has_error() ? state : ModeState::unknown();
-  std::vector<ModeFault> faults;
-  ModeState after = state;
-  return ModeRun(machine, *parser.words()).run(&after, &faults) ? after : state;
+  if (profile.setup->tools) {
+    for (const ToolRow& row : profile.setup->tools->rows)
+      tools.push_back({row.number, row.diameter, row.orientation, row.has_offset});
+    words.tools = tools;
+  }
+  if (const Ini::Entry* const code = startup_code(ini)) start = modes_behind(code->value, words);
 }
 
 std::string WordsOfMachine::key() const {
@@ -109,6 +138,9 @@ std::string WordsOfMachine::key() const {
     key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group));
   }
   key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "");
+  key += " =" + std::to_string(words.units_per_mm) + ',' + std::to_string(words.arc_tolerance_mm) + ',' +
+      std::to_string(words.arc_tolerance_inch);
+  for (const ValueSet values : start.now.may) key += ',' + std::to_string(values);
   if (words.tools) key += " T" + std::to_string(tools.size()) + ':' + std::to_string(hash_of(tools));
   return key;
 }

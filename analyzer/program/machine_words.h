@@ -30,10 +30,8 @@ struct WordsOfMachine {
 
   std::vector<RemappedCode> remapped;
   std::vector<Tool> tools;
-  MachineWords words;  ///< refers to `remapped` and `tools`
+  ModeState start;     ///< the modes in which a program begins: start-up code has run
+  MachineWords words;  ///< refers to these
 };
-
-/// The modes in which a program begins on a machine that was just started: its start-up code has run.
-ModeState modes_at_start(const Profile& profile, const MachineWords& machine);
 
 }  // namespace owlint

@@ -18,7 +18,9 @@ namespace owlint {
 class PlacesInEffect {
  public:
   PlacesInEffect(Syntax& out, const MachineWords& machine)
-      : out_(out), machine_(machine), place_(Place::started(machine.units_per_mm)) {}
+      : out_(out), machine_(machine), place_(Place::started(machine.units_per_mm)) {
+    if (machine.start != nullptr) assumed_ = *machine.start;
+  }
 
   /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to be looked
   /// at by itself, and returns its offset; else `to`.

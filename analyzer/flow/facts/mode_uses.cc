@@ -119,7 +119,12 @@ void ModeUses::find_followed() {
   needs(Mode::kStraightOwed, {Mode::kEntry});
   needs(Mode::kEntry, {Mode::kRadius, Mode::kMotion, Mode::kPlane});
   for (const Mode mode : {Mode::kRadius, Mode::kEntry, Mode::kStraightOwed}) needs(mode, {Mode::kCompensation});
-  if (followed_ != 0 && stores) followed_ |= mask_of(Mode::kSaved);
+  if (!stores) return;
+  // Whether M72 has anything to restore, and so what becomes of its line, depends on every mode.
+  for (size_t i = 0; i < kModes; ++i) {
+    if (!std::has_single_bit(reachable_.may[i])) followed_ |= ModeMask{1} << i;
+  }
+  if (followed_ != 0) followed_ |= mask_of(Mode::kSaved);
 }
 
 ModeMask ModeUses::changed_at(StatementId id) const {

@@ -20,7 +20,7 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       evaluator_(program_.syntax, profile_, tracked_, remembered_, values_, pool),
       refinement_(program_.syntax, tracked_, limits, evaluator_, pool),
       machine_words_(profile),
-      start_(program_.sub_file ? ModeState::unknown() : modes_at_start(profile, machine_words_.words)),
+      start_(program_.sub_file ? ModeState::unknown() : machine_words_.start),
       mode_uses_(program_, machine_words_.words, start_.now, modes),
       modes_(mode_uses_, program_.syntax.names.size(), values_, pool),
       states_(values_, definers_, pool),
