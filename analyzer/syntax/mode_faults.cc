@@ -76,11 +76,15 @@ void ModeFaults::may_stop(StopKind kind, std::string message, uint8_t word, uint
 
 void ModeFaults::set_known(Mode mode, ValueSet values) {
   now()[mode] = values;
+  // No feed and no speed are 0.
+  if (double* const number = now().number(mode))
+    *number = values == value_bit(modes::kNoFeed) ? 0 : ModeSets::kAnyNumber;
   now().open &= ~mask_of(mode);
   now().assigned |= mask_of(mode);
 }
 
 void ModeFaults::set_open(Mode mode, ValueSet values) {
+  if (double* const number = now().number(mode)) *number = ModeSets::kAnyNumber;
   now()[mode] = values;
   now().open |= mask_of(mode);
   now().assigned |= mask_of(mode);

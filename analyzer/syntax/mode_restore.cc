@@ -102,6 +102,7 @@ class Restoration {
   Answer writes(Mode mode) const { return writes_[static_cast<size_t>(mode)]; }
   Answer find_written(Mode mode) const;
   Answer is_written(Mode mode, uint8_t saved, uint8_t now) const;
+  Answer other_number(Mode mode) const;
   std::string text_of(const Written& row) const;
   std::string codes_text() const;
   std::string line_text() const;
@@ -137,7 +138,7 @@ Answer Restoration::is_written(Mode mode, uint8_t saved, uint8_t now) const {
     case Mode::kFeed:
     case Mode::kSpeed:
       if (always) return Answer::kYes;
-      return saved == now && saved != modes::kNoFeed ? Answer::kMaybe : answer(saved != now);
+      return saved != now ? Answer::kYes : saved == modes::kNoFeed ? Answer::kNo : other_number(mode);
     case Mode::kPathControl:
       if (always && (saved == modes::kG64 || saved == modes::kG64Within)) return Answer::kYes;
       return saved == now && saved == modes::kG64Within ? Answer::kMaybe : answer(saved != now);
@@ -147,6 +148,14 @@ Answer Restoration::is_written(Mode mode, uint8_t saved, uint8_t now) const {
     case Mode::kCoolant: return answer(saved == modes::kNoCoolant ? now != saved : (saved & ~now) != 0);
     default: return answer(saved != now);
   }
+}
+
+/// Whether two feeds or speeds, neither of which is 0 or both are, are different numbers.
+Answer Restoration::other_number(Mode mode) const {
+  const double saved = mode == Mode::kFeed ? saved_.feed_number : saved_.speed_number;
+  const double now = mode == Mode::kFeed ? before_.feed_number : before_.speed_number;
+  if (saved != ModeSets::kAnyNumber && saved == now) return Answer::kNo;
+  return saved >= 0 && now >= 0 ? Answer::kYes : Answer::kMaybe;
 }
 
 Answer Restoration::find_written(Mode mode) const {
@@ -265,6 +274,8 @@ void Restoration::take_back_feed() {
     line_.set_open(Mode::kFeed);
   } else if (std::has_single_bit(after)) {
     line_.set_known(Mode::kFeed, after);
+    if (after == value_bit(modes::kFeedSet) && writes(Mode::kFeed) == Answer::kNo)
+      line_.now().feed_number = before_.feed_number;
   } else {
     line_.set_open(Mode::kFeed, after);
   }
@@ -290,6 +301,7 @@ void Restoration::take_back_speed() {
   constexpr ValueSet kSmall = value_bit(modes::kSmallSpeed);
   take_back(Mode::kSpeed);
   const ValueSet speed = line_.now()[Mode::kSpeed];
+  if (writes(Mode::kSpeed) == Answer::kNo) line_.now().speed_number = before_.speed_number;
   if ((speed & kSmall) == 0) return;
   const ValueSet rounded = (speed & ~kSmall) | value_bit(modes::kNoSpeed);
   if (writes(Mode::kSpeed) == Answer::kYes) line_.set_known(Mode::kSpeed, rounded);

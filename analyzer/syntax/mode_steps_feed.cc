@@ -115,6 +115,7 @@ bool feed(ModeLine& line) {
   const double* const value = line.value('f');
   if (taken == Answer::kYes && value != nullptr) {
     line.set(Mode::kFeed, size_of_feed(*value));
+    line.now().feed_number = *value;
   } else {
     line.set_open(Mode::kFeed);
   }
@@ -128,6 +129,7 @@ bool speed(ModeLine& line) {
     line.set_open(Mode::kSpeed);
   } else {
     line.set_spindle(Mode::kSpeed, size_of_speed(*value));
+    line.now().speed_number = line.has_several_spindles() ? ModeSets::kAnyNumber : *value;
   }
   return line.choose_spindle(-1, "Invalid spindle ($) number in Spindle speed command", line.at('s'));
 }

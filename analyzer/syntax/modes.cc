@@ -73,6 +73,7 @@ ModeSets ModeSets::unknown() {
   ModeSets sets;
   for (const ModeRow& row : kModeRows) sets[row.mode] = all_values(row.mode);
   sets.open = kAllModes;
+  sets.feed_number = sets.speed_number = ModeSets::kAnyNumber;
   return sets;
 }
 
@@ -87,6 +88,8 @@ ModeSets join(const ModeSets& a, const ModeSets& b) {
   std::ranges::transform(a.may, b.may, joined.may.begin(), std::bit_or<>());
   joined.open = a.open | b.open;
   joined.assigned = a.assigned | b.assigned;
+  joined.feed_number = a.feed_number == b.feed_number ? a.feed_number : ModeSets::kAnyNumber;
+  joined.speed_number = a.speed_number == b.speed_number ? a.speed_number : ModeSets::kAnyNumber;
   return joined;
 }
 

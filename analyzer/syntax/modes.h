@@ -105,6 +105,8 @@ std::string value_name(Mode mode, uint8_t value);
 struct ModeSets {
   std::array<ValueSet, kModes> may{};
   ModeMask open = 0;
+  /// Which feed and speed they are: the number, if it is known; below -1 that of a certain line; -1 if nothing is known.
+  double feed_number = 0, speed_number = 0;
   ModeMask assigned = 0;  ///< modes that lines have set since this was 0, on some run
 
   ValueSet& operator[](Mode mode) { return may[static_cast<size_t>(mode)]; }
@@ -114,6 +116,11 @@ struct ModeSets {
 
   /// Some runs have ended: of a mode that still has several values it is not known which are left.
   void lose_runs();
+
+  static constexpr double kAnyNumber = -1;
+  double* number(Mode mode) {
+    return mode == Mode::kFeed ? &feed_number : mode == Mode::kSpeed ? &speed_number : nullptr;
+  }
 
   static ModeSets started();  ///< those of an interpreter that was just started
   static ModeSets unknown();  ///< any, and all open

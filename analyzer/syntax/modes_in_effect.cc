@@ -71,8 +71,13 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
   return asks;
 }
 
+double ModesInEffect::number_of(Mode mode) {
+  const double* const number = state_.now.number(mode);
+  return number == nullptr ? ModeSets::kAnyNumber : *number;
+}
+
 void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
-  pending_[static_cast<size_t>(mode)] = {0, line, mode, value, false};
+  pending_[static_cast<size_t>(mode)] = {0, line, mode, value, number_of(mode), false};
   changed_ |= mask_of(mode);
   settled_ |= mask_of(mode);
   note_set(mode, value, line);
@@ -85,13 +90,19 @@ void ModesInEffect::note_set(Mode mode, uint8_t value, uint32_t line) {
   if ((unused_ & mask_of(mode)) != 0 && known && before.value != value && before.line != line)
     out_.unused_changes.push_back({before, line, value});
   const auto last = static_cast<StatementId>(out_.statements.empty() ? 0 : out_.statements.size() - 1);
-  before = {last, line, mode, value, false};
+  before = {last, line, mode, value, ModeSets::kAnyNumber, false};
   unused_ |= mask_of(mode);
 }
 
 void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
   ModeSets& now = state_.now;
-  if (now[mode] == value_bit(value) && !now.is_open(mode)) return;
+  const bool same = now[mode] == value_bit(value) && !now.is_open(mode);
+  // Of feeds and speeds there are many.
+  if (double* const number = now.number(mode)) {
+    *number = ModeSets::kAnyNumber;
+  } else if (same) {
+    return;
+  }
   now[mode] = value_bit(value);
   now.open &= ~mask_of(mode);
   note(mode, value, line);
@@ -188,14 +199,15 @@ bool ModesInEffect::asks(const WordLine& words, const ModeState& after, bool alo
 
 /// Takes over what a line without a question does.
 void ModesInEffect::take(const ModeState& after, bool alone, uint32_t line) {
+  const ModeSets before = state_.now;
+  state_ = after;
   for (ModeMask set = after.now.assigned & ~(of_moves(alone) & after.now.open); set != 0; set &= set - 1) {
     const Mode mode = mode_at(static_cast<size_t>(std::countr_zero(set)));
-    if (after.now[mode] != state_.now[mode] || state_.now.is_open(mode))
+    if (after.now[mode] != before[mode] || before.is_open(mode) || mode == Mode::kFeed || mode == Mode::kSpeed)
       note(mode, value_of(after.now, mode), line);
     else
       note_set(mode, value_of(after.now, mode), line);
   }
-  state_ = after;
   state_.now.assigned = 0;
 }
 

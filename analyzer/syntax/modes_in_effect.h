@@ -43,6 +43,7 @@ class ModesInEffect {
   bool asks(const WordLine& words, const ModeState& after, bool alone) const;
   bool stays_rapid(const WordLine& words) const;
   void take(const ModeState& after, bool alone, uint32_t line);
+  double number_of(Mode mode);
   void set(Mode mode, uint8_t value, uint32_t line);
   void note(Mode mode, uint8_t value, uint32_t line);
   void moved(bool alone, uint32_t line);

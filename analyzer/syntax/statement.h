@@ -84,7 +84,8 @@ struct ModeChange {
   uint32_t line = 0;      ///< the line that sets it, from 1
   Mode mode{};
   uint8_t value = kAny;
-  bool moves = false;  ///< the lines move, and not at the rapid rate alone
+  double number = ModeSets::kAnyNumber;  ///< of a feed or a speed, if it is known
+  bool moves = false;                    ///< the lines move, and not at the rapid rate alone
 };
 
 /// How far lines behind a statement, before the next one, go: straight lines and arcs with nothing but their ends.

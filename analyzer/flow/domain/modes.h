@@ -12,10 +12,11 @@ namespace owlint::flow {
 inline constexpr uint32_t kModeKeys = kLastNumber + 1;
 constexpr uint32_t mode_key(Mode mode) { return kModeKeys + static_cast<uint32_t>(mode); }
 
-/// The place follows the modes.
-inline constexpr ModeMask kPlaceBit = ModeMask{1} << 31;
-inline constexpr uint32_t kPlaceKey = kModeKeys + 31;
-static_assert(kModes < 31 && kPlaceKey < kGlobalNames);
+/// Behind the modes: which feed and speed they are, for M72, and the place.
+inline constexpr uint32_t kFeedNumber = 29, kSpeedNumber = 30, kPlaceNumber = 31;
+inline constexpr uint32_t kPlaceKey = kModeKeys + kPlaceNumber;
+inline constexpr ModeMask kPlaceBit = ModeMask{1} << kPlaceNumber;
+static_assert(kModes <= kFeedNumber && kPlaceKey < kGlobalNames);
 
 /// The values of one mode.
 struct ModeValues {

@@ -131,7 +131,10 @@ ModeMask ModeUses::changed_at(StatementId id) const {
   if (followed_ == 0 && !follows_place()) return 0;
   const Statement& s = program_.at(id);
   const bool goes = follows_place(id) && (s.changes_place || s.kind == LineKind::kModeLine);
-  return (modes_changed_at(s, id) & followed_) | (goes ? kPlaceBit : 0);
+  ModeMask changed = modes_changed_at(s, id) & followed_;
+  if (follows(Mode::kSaved) && (changed & mask_of(Mode::kFeed)) != 0) changed |= ModeMask{1} << kFeedNumber;
+  if (follows(Mode::kSaved) && (changed & mask_of(Mode::kSpeed)) != 0) changed |= ModeMask{1} << kSpeedNumber;
+  return changed | (goes ? kPlaceBit : 0);
 }
 
 ModeMask ModeUses::modes_changed_at(const Statement& s, StatementId id) const {

@@ -1,5 +1,6 @@
 #include "analyzer/flow/interpreter/mode_access.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace owlint::flow {
@@ -17,6 +18,13 @@ void put(ModeSets& sets, Mode mode, ModeValues values) {
 
 ModeValues of(const ModeSets& sets, Mode mode) { return {sets[mode], sets.is_open(mode)}; }
 
+/// What a line that is not carried out by itself sets is known by the line.
+double number_by_line(const ModeChange& change) {
+  constexpr uint32_t kLines = 1U << 20;
+  if (change.number != ModeSets::kAnyNumber) return change.number;
+  return -2 - (static_cast<double>(change.after) * kLines + change.line % kLines);
+}
+
 constexpr ModeMask kLevel = mask_of(Mode::kSaved);  // belongs to a level of calls, as what is saved does
 
 }  // namespace
@@ -28,8 +36,17 @@ ModeState ModeAccess::state(const Parameters& p) const {
     put(out.now, mode, mode_values(values_, mode, p.globals.get(mode_key(mode))));
     if (uses_.follows(Mode::kSaved)) put(out.saved, mode, mode_values(values_, mode, p.locals.get(saved_key(mode))));
   });
-  if (uses_.follows(Mode::kSaved))
-    put(out.now, Mode::kSaved, mode_values(values_, Mode::kSaved, p.locals.get(saved_key(Mode::kSaved))));
+  if (!uses_.follows(Mode::kSaved)) return out;
+  const auto number = [this](ValueId id) {
+    return KnownValues::is_constant(id) ? values_.value(id) : ModeSets::kAnyNumber;
+  };
+  if (!p.outside) {
+    out.now.feed_number = number(p.globals.get(kModeKeys + kFeedNumber));
+    out.now.speed_number = number(p.globals.get(kModeKeys + kSpeedNumber));
+    out.saved.feed_number = number(p.locals.get(saved_keys_ + kFeedNumber));
+    out.saved.speed_number = number(p.locals.get(saved_keys_ + kSpeedNumber));
+  }
+  put(out.now, Mode::kSaved, mode_values(values_, Mode::kSaved, p.locals.get(saved_key(Mode::kSaved))));
   return out;
 }
 
@@ -38,30 +55,46 @@ void ModeAccess::set(Parameters& p, const ModeState& state) {
   for_modes(uses_.followed() & ~kLevel,
             [&](Mode mode) { p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, of(state.now, mode))); });
   if (!uses_.follows(Mode::kSaved)) return;
+  p.globals.set(pool_, kModeKeys + kFeedNumber, values_.intern(state.now.feed_number));
+  p.globals.set(pool_, kModeKeys + kSpeedNumber, values_.intern(state.now.speed_number));
   const PersistentMap::Pool::Batch locals(pool_);
+  p.locals.set(pool_, saved_keys_ + kFeedNumber, values_.intern(state.saved.feed_number));
+  p.locals.set(pool_, saved_keys_ + kSpeedNumber, values_.intern(state.saved.speed_number));
   p.locals.set(pool_, saved_key(Mode::kSaved), mode_value(values_, Mode::kSaved, of(state.now, Mode::kSaved)));
   for_modes(uses_.followed() & ~kLevel,
             [&](Mode mode) { p.locals.set(pool_, saved_key(mode), mode_value(values_, mode, of(state.saved, mode))); });
 }
 
 void ModeAccess::apply(Parameters& p, std::span<const ModeChange> changes) {
+  const auto feed_mode_of = [&] {
+    return mode_values(values_, Mode::kFeedMode, p.globals.get(mode_key(Mode::kFeedMode)));
+  };
+  const bool feed_modes = uses_.follows(Mode::kFeedMode);
+  const ModeValues before = feed_modes ? feed_mode_of() : ModeValues{};
+  const auto mode_change = std::ranges::find(changes, Mode::kFeedMode, &ModeChange::mode);
   for (const ModeChange& change : changes) {
     const Mode mode = change.mode;
     if (!uses_.follows(mode)) continue;
     ModeValues values{all_values(mode), true};
     if (change.value != ModeChange::kAny) values = {value_bit(change.value), false};
     // In inverse time mode F only counts for its line, and a move leaves a feed that is worked out.
-    if (mode == Mode::kFeed && uses_.follows(Mode::kFeedMode)) {
-      const ModeValues feed_mode = mode_values(values_, Mode::kFeedMode, p.globals.get(mode_key(Mode::kFeedMode)));
+    if (mode == Mode::kFeed && feed_modes) {
+      const bool earlier = mode_change != changes.end() && change.line < mode_change->line;
+      const ModeValues feed_mode = earlier ? before : feed_mode_of();
       const ValueSet g93 = value_bit(modes::kG93);
       if ((feed_mode.may & g93) != 0 && change.moves) values = {all_values(mode), true};
       if (feed_mode.may == g93 && !change.moves) continue;
       if ((feed_mode.may & g93) != 0 && !change.moves) {
-        const ModeValues before = mode_values(values_, mode, p.globals.get(mode_key(mode)));
-        values = {before.may | values.may, true};
+        const ModeValues kept = mode_values(values_, mode, p.globals.get(mode_key(mode)));
+        values = {kept.may | values.may, true};
       }
     }
     p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, values));
+    const bool counts = mode == Mode::kFeed || mode == Mode::kSpeed;
+    if (!counts || !uses_.follows(Mode::kSaved)) continue;
+    const double number =
+        values.open || change.value == ModeChange::kAny ? ModeSets::kAnyNumber : number_by_line(change);
+    p.globals.set(pool_, kModeKeys + (mode == Mode::kFeed ? kFeedNumber : kSpeedNumber), values_.intern(number));
   }
 }
 

@@ -43,13 +43,13 @@ TEST_CASE("M72 takes back what M70 has saved", "[modes]") {
   };
   check(kRows);
 
-  // Whether F and S differ is not followed.
+  // A feed or speed that has not changed is not written again.
   Interpreter same;
   REQUIRE(same.program("G96 S100 / M70 / G97").empty());
-  CHECK(same.doubts("M72") == "M7x: restore_settings failed executing: ' S... G96': S word missing with G96");
+  CHECK(same.doubts("M72") == "certain: M7x: restore_settings failed executing: ' G96': S word missing with G96");
   Interpreter feed;
   REQUIRE(feed.program("F1 / M70 / G93 / M72").empty());
-  CHECK(feed.doubts("G1 X1") == "Cannot do g1 with zero feed rate");
+  CHECK(feed.doubts("G1 X1") == "certain: Cannot do g1 with zero feed rate");
 
   // Since 2.10 a path mode of G64 is always restored.
   CHECK(stop_of("G41.1 D0 / M70 / G40 / M72", kNewest) ==
