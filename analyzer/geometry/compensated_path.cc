@@ -18,6 +18,12 @@ bool above(double value, long double bound, PathStep& step) {
 }
 bool below(double value, long double bound, PathStep& step) { return above(-value, -bound, step); }
 
+/// Equal by the numbers as written is no tie.
+bool at_most(double value, double bound, PathStep& step) {
+  if (value != bound && std::fabs(value - bound) < kTie * bound) step.undecided = true;
+  return value <= bound;
+}
+
 /// An inverse function takes only values from -1 to 1.
 bool out_of_range(double value, PathStep& step) { return above(std::fabs(value), 1, step); }
 
@@ -84,7 +90,7 @@ void CompensatedPath::change_units(bool inch) {
 
 bool CompensatedPath::enter_line(PlanePoint end, Mover mover, PathStep& step) {
   PlanePoint move = end - tool_;
-  if (length(move) <= radius_)
+  if (at_most(length(move), radius_, step))
     return step.stop(PathFault::kEntryTooShort,
                      "Length of cutter compensation entry move is not greater than the tool radius");
   if (mover == Mover::kThread) return step.stop(PathFault::kNotStraight, kNotStraight);
@@ -100,12 +106,13 @@ bool CompensatedPath::enter_line(PlanePoint end, Mover mover, PathStep& step) {
 
 bool CompensatedPath::enter_arc(ArcEntry& arc, PathStep& step) {
   bool within = is_inside(arc.turns);
-  if (length(arc.end - tool_) <= radius_)
+  if (at_most(length(arc.end - tool_), radius_, step))
     return step.stop(PathFault::kEntryTooShort,
                      "Radius of cutter compensation entry arc is not greater than the tool radius");
-  if (arc.by_radius && within && std::fabs(arc.radius) <= radius_) return step.stop(PathFault::kGouge, kToolTooLarge);
+  if (arc.by_radius && within && at_most(std::fabs(arc.radius), radius_, step))
+    return step.stop(PathFault::kGouge, kToolTooLarge);
   if (!arc_check(tool_, units_, arc, step)) return false;
-  if (!arc.by_radius && within && length(arc.center - tool_) <= radius_)
+  if (!arc.by_radius && within && at_most(length(arc.center - tool_), radius_, step))
     return step.stop(PathFault::kGouge, kToolTooLarge);
 
   PlanePoint end = around(arc.end, radius_, angle(within ? arc.center - arc.end : arc.end - arc.center));
@@ -200,7 +207,7 @@ bool CompensatedPath::next_arc(ArcEntry& arc, PathStep& step) {
   if (turn < -kHalfPi) turn = rounded(turn + kTwoPi);
 
   bool within = is_inside(arc.turns);
-  if (within && radius <= radius_) return step.stop(PathFault::kGouge, kToolTooLarge);
+  if (within && at_most(radius, radius_, step)) return step.stop(PathFault::kGouge, kToolTooLarge);
   if (!within) outward = rounded(outward + kPi);
   PlanePoint tool_end = around(arc.end, radius_, angle(within ? arc.center - arc.end : arc.end - arc.center));
   if (!turn_into_arc(arc, radius, across, outward, turn, step)) return false;

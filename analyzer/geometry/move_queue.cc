@@ -22,8 +22,8 @@ Sweep sweep(PlanePoint from, PlanePoint to, PlanePoint center, int turns) {
   Sweep swept;
   swept.angle = rounded((end - start) + (turns > 0 ? turns - 1 : turns + 1) * kTwoPi);
   swept.other = swept.angle;
-  // Directions on both sides of the one where angles jump from π to -π are close, too.
-  if (apart < kTie || apart > kTwoPi - kTie) {
+  // Directions on both sides of the one where angles jump from π to -π are close, too. One point is a whole turn for certain.
+  if (from != to && (apart < kTie || apart > kTwoPi - kTie)) {
     bool whole = std::fabs(end - start) > kPi;
     swept.other += rounded(whole == (turns > 0) ? -kTwoPi : kTwoPi);
   }
