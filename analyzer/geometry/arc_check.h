@@ -22,6 +22,8 @@ struct ArcUnits {
   std::array<char, 2> axes;  ///< for messages: X and Y, or Z and X
 
   double least_radius() const { return inch ? 0.00005 : 0.00005 * 25.4; }
+
+  bool operator==(const ArcUnits&) const = default;
 };
 
 /// Puts the center into `arc`. False if the interpreter stops.

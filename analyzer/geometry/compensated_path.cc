@@ -1,7 +1,6 @@
 #include "analyzer/geometry/compensated_path.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace owlint {
 namespace {
@@ -30,6 +29,7 @@ bool out_of_range(double value, PathStep& step) { return above(std::fabs(value),
 }  // namespace
 
 void CompensatedPath::start(const Tool& tool, const ArcUnits& units, PlanePoint at) {
+  queue_ = {};
   radius_ = std::fabs(tool.radius);
   side_ = tool.side;
   if (tool.radius < 0) side_ = side_ == Side::kLeft ? Side::kRight : Side::kLeft;
@@ -67,12 +67,12 @@ PathStep CompensatedPath::pause() {
 
 PathStep CompensatedPath::off() {
   PathStep step = pause();
-  if (offsets() && entered_) {
-    tool_ = programmed_;
-    arc_forbidden_ = true;
-  }
-  on_ = false;
-  entered_ = false;
+  bool forbids = arc_forbidden_ || (offsets() && entered_);
+  PlanePoint at = programmed_;
+  // As good as new, so that paths which differ in nothing that matters compare equal.
+  *this = {};
+  programmed_ = tool_ = at;
+  arc_forbidden_ = forbids;
   return step;
 }
 

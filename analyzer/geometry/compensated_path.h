@@ -31,14 +31,14 @@ class CompensatedPath {
   bool entered() const { return entered_; }
 
   [[nodiscard]] PathStep line(PlanePoint end, Mover mover);
-  /// For a plain arc, `arc_forbidden` is asked before anything else.
+  /// With the center from words, or `R`. `arc_forbidden` is asked before anything else of any arc, plain ones too.
   [[nodiscard]] PathStep arc(ArcEntry arc);
   /// M0, M1, M2, M30, M60.
   [[nodiscard]] PathStep pause();
   /// G40. The current point is the programmed one then.
   [[nodiscard]] PathStep off();
-  /// F, S, M3 and others that wait behind moves.
-  void append() { queue_.append_other(); }
+  /// F, S, M3 and others that wait behind moves: so many of them. It matters where the units change.
+  void append(int others) { queue_.append_others(others); }
   /// G20, G21.
   void change_units(bool inch);
 
@@ -49,6 +49,8 @@ class CompensatedPath {
   /// G40 has ended an entered path, and no straight move has begun since.
   bool arc_forbidden() const { return arc_forbidden_; }
   void straight_begins() { arc_forbidden_ = false; }
+
+  bool operator==(const CompensatedPath&) const = default;
 
  private:
   bool enter_line(PlanePoint end, Mover mover, PathStep& step);

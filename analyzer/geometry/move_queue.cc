@@ -8,8 +8,8 @@
 namespace owlint {
 namespace {
 
-/// Scaling an anchor more often than this leaves zero or infinity anyway.
-constexpr int kMostWaiting = 1000;
+/// An anchor that is scaled so often is at the origin or far beyond all points: once more changes no verdict.
+constexpr int kMostWaiting = 32;
 
 }  // namespace
 
@@ -31,6 +31,7 @@ Sweep sweep(PlanePoint from, PlanePoint to, PlanePoint center, int turns) {
 }
 
 void MoveQueue::append(const QueuedMove& move) {
+  if (empty()) moves_[1] = {};
   if (waiting_ < kMoves) moves_[waiting_] = move;
   waiting_ = std::min(waiting_ + 1, kMostWaiting);
 }
@@ -42,8 +43,9 @@ void MoveQueue::append_standing(PlanePoint at, bool rapid) {
   append(move);
 }
 
-void MoveQueue::append_other() {
-  if (!empty()) append({});
+void MoveQueue::append_others(int count) {
+  if (empty()) return;
+  for (int i = 0; i < count && waiting_ < kMostWaiting; i++) append({});
 }
 
 void MoveQueue::anchor(PlanePoint at) {
@@ -53,6 +55,7 @@ void MoveQueue::anchor(PlanePoint at) {
 
 void MoveQueue::send() {
   waiting_ = 0;
+  anchor_ = {};
   anchored_ = false;
 }
 

@@ -15,6 +15,8 @@ inline bool inside(Side side, int turns) { return side == Side::kLeft ? turns > 
 struct Sweep {
   double angle = 0;
   double other = 0;  ///< what it would be if the rounding were different; else the same
+
+  bool operator==(const Sweep&) const = default;
 };
 Sweep sweep(PlanePoint from, PlanePoint to, PlanePoint center, int turns);
 
@@ -26,6 +28,8 @@ struct QueuedMove {
   PlanePoint center{};     ///< of an arc
   PlanePoint direction{};  ///< of a line
   Sweep swept{};           ///< by an arc, as programmed
+
+  bool operator==(const QueuedMove&) const = default;
 };
 
 /// At most two moves that go anywhere are waiting at a time: the next one sends those before it. Others have no end to
@@ -40,7 +44,7 @@ class MoveQueue {
   /// A line that stays where the tool is.
   void append_standing(PlanePoint at, bool rapid);
   /// What does not move, but waits behind moves.
-  void append_other();
+  void append_others(int count);
 
   /// Where the first waiting move begins.
   void anchor(PlanePoint at);
@@ -48,6 +52,8 @@ class MoveQueue {
   /// Ends the waiting moves at this point and sends them. Nothing if none is waiting. False if the interpreter stops.
   bool trim(PlanePoint at, bool inch, PathStep& step);
   void scale(double factor);
+
+  bool operator==(const MoveQueue&) const = default;
 
  private:
   bool reaches(const QueuedMove& move, PlanePoint at, bool inch, PathStep& step) const;
