@@ -1,7 +1,5 @@
 #include "analyzer/geometry/arc_check.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +8,9 @@ namespace {
 
 std::string radii(PlanePoint start, const ArcUnits& units, const ArcEntry& arc, double from_start, double from_end) {
   auto [first, second] = units.axes;
-  return fmt::format("start=({}{:.4f},{}{:.4f}) center=({}{:.4f},{}{:.4f}) end=({}{:.4f},{}{:.4f}) r1={:.4f} r2={:.4f}",
-                     first, start.first, second, start.second, first, arc.center.first, second, arc.center.second,
-                     first, arc.end.first, second, arc.end.second, from_start, from_end);
+  return printed("start=(%c%.4f,%c%.4f) center=(%c%.4f,%c%.4f) end=(%c%.4f,%c%.4f) r1=%.4f r2=%.4f", first, start.first,
+                 second, start.second, first, arc.center.first, second, arc.center.second, first, arc.end.first, second,
+                 arc.end.second, from_start, from_end);
 }
 
 bool check_center(PlanePoint start, const ArcUnits& units, const ArcEntry& arc, PathStep& step) {
@@ -23,9 +21,10 @@ bool check_center(PlanePoint start, const ArcUnits& units, const ArcEntry& arc, 
   double difference = std::fabs(from_start - from_end);
   double share = difference / std::max(from_start, from_end);
   if (difference > arc.spread * 100 || (share > 0.001 && difference > arc.spread))
-    return step.stop(PathFault::kRadiiDiffer,
-                     fmt::format("Radius to end of arc differs from radius to start: {} abs_err={:.4g} rel_err={:.4f}%",
-                                 radii(start, units, arc, from_start, from_end), difference, share * 100));
+    return step.stop(
+        PathFault::kRadiiDiffer,
+        "Radius to end of arc differs from radius to start: " + radii(start, units, arc, from_start, from_end) +
+            printed(" abs_err=%.4g rel_err=%.4f%%", difference, share * 100));
   return true;
 }
 

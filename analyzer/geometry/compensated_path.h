@@ -1,5 +1,5 @@
-// Cutter radius compensation: where the tool is beside the programmed path, and which moves the interpreter refuses because the tool
-// does not fit. Pure arithmetic in the axes of the plane; words, modes and the third axis are the caller's.
+// Cutter radius compensation: where the tool is beside the programmed path, and which moves the interpreter refuses because
+// the tool does not fit. Pure arithmetic in the axes of the plane; words, modes and the third axis are the caller's.
 // Source: measured with rs274, see docs/interpreter.md.
 #pragma once
 

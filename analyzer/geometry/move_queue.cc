@@ -1,7 +1,5 @@
 #include "analyzer/geometry/move_queue.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -77,8 +75,8 @@ bool MoveQueue::reaches(const QueuedMove& move, PlanePoint at, bool inch, PathSt
     if (std::fabs(before - now) > 0.01)
       return step.stop(
           PathFault::kBug,
-          fmt::format("BUG: cutter compensation has generated an invalid arc with mismatched radii r1 {:f} r2 {:f}",
-                      before, now));
+          printed("BUG: cutter compensation has generated an invalid arc with mismatched radii r1 %f r2 %f", before,
+                  now));
     if (!anchored_ || move.swept.angle == 0) return true;
     double slack = inch ? 0.001 : 0.0254;
     auto too_far = [&](double swept, double programmed, double tie) {
@@ -102,8 +100,8 @@ bool MoveQueue::reaches(const QueuedMove& move, PlanePoint at, bool inch, PathSt
   if (std::fabs(along) < kTie * length(move.direction) * size) step.undecided = true;
   if (along < 0)
     return step.stop(PathFault::kGouge,
-                     fmt::format("Straight {} in concave corner cannot be reached by the tool without gouging",
-                                 move.rapid ? "traverse" : "feed"));
+                     std::string("Straight ") + (move.rapid ? "traverse" : "feed") +
+                         " in concave corner cannot be reached by the tool without gouging");
   return true;
 }
 

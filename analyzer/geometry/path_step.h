@@ -1,7 +1,9 @@
 // What a step along a path comes to: nothing, or an error of the interpreter.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -32,6 +34,14 @@ struct PathStep {
     return false;
   }
 };
+
+/// A text as the interpreter prints it: with its own formats, and no longer than it can be there.
+template <typename... Values>
+std::string printed(const char* format, Values... values) {
+  std::array<char, 255> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
 
 /// Comparisons closer than this are undecided.
 inline constexpr double kTie = 1e-9;
