@@ -77,7 +77,7 @@ PathStep CompensatedPath::off() {
 }
 
 void CompensatedPath::change_units(bool inch) {
-  if (inch == units_.inch) return;
+  if (!on_ || inch == units_.inch) return;
   double factor = inch ? 1 / 25.4 : 25.4;
   units_.inch = inch;
   radius_ *= factor;

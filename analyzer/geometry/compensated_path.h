@@ -35,11 +35,11 @@ class CompensatedPath {
   [[nodiscard]] PathStep arc(ArcEntry arc);
   /// M0, M1, M2, M30, M60.
   [[nodiscard]] PathStep pause();
-  /// G40. The current point is the programmed one then.
+  /// G40. If the path was entered, the current point becomes the programmed one: both are then in `tool`.
   [[nodiscard]] PathStep off();
   /// F, S, M3 and others that wait behind moves: so many of them. It matters where the units change.
   void append(int others) { queue_.append_others(others); }
-  /// G20, G21.
+  /// G20, G21, while compensation is on.
   void change_units(bool inch);
 
   PlanePoint programmed() const { return programmed_; }
