@@ -68,13 +68,15 @@ Verdict at_origin(Coordinate x, Coordinate y) {
   return verdict;
 }
 
+/// X is a diameter in G7, also where the line itself sets that.
 std::optional<Coordinate> axis_word(const ModeLine& line, size_t axis) {
   const char letter = kAxisOrder[axis];
   if (!line.has(letter)) return std::nullopt;
   const double* const value = line.value(letter);
   if (value == nullptr) return Coordinate::unknown();
-  if (letter != 'x' || line.halves_x() == Answer::kNo) return Coordinate::of(*value);
-  return line.halves_x() == Answer::kYes ? Coordinate::of(*value / 2) : Coordinate::unknown();
+  const Answer halved = letter == 'x' ? line.holds({{Mode::kDiameter, value_bit(modes::kG7)}}) : Answer::kNo;
+  if (halved == Answer::kMaybe) return Coordinate::unknown();
+  return Coordinate::of(halved == Answer::kYes ? *value / 2 : *value);
 }
 
 Coordinate from_machine(const ModeLine& line, Coordinate value, size_t axis) {

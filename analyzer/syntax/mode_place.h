@@ -26,8 +26,8 @@ double here(Coordinate coordinate);
 double elsewhere(Coordinate coordinate, size_t axis);
 
 /// True if no run goes on.
-bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word,
-             uint8_t other = kNoWord, std::optional<ArcNumbers> arc = std::nullopt);
+bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord,
+             std::optional<ArcNumbers> arc = std::nullopt);
 
 /// Whether the point is the origin, from where a polar word alone leads nowhere.
 Verdict at_origin(Coordinate x, Coordinate y);

@@ -35,9 +35,7 @@ bool turns_at_origin(ModeLine& line, char letter, const Point& at) {
                  line.mover());
 }
 
-void lose_plane(const Hole& hole, Point* at) {
-  (*at)[hole.first] = (*at)[hole.second] = Coordinate::unknown();
-}
+void lose_plane(const Hole& hole, Point* at) { (*at)[hole.first] = (*at)[hole.second] = Coordinate::unknown(); }
 
 /// From one hole to the next in G91.
 bool advance(ModeLine& line, const Hole& hole, Point* at) {

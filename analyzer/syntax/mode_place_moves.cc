@@ -18,8 +18,8 @@ void lose_plane(Point* at) { (*at)[Axis::kX] = (*at)[Axis::kY] = Coordinate::unk
 /// Polar words in G91: one after the other.
 bool further_polar(ModeLine& line, Point* end) {
   if (const double* const by = line.value('@')) {
-    if (stops_at_origin(line, *end,
-                        "Incremental motion with polar coordinates is indeterminate when at the origin", '@'))
+    if (stops_at_origin(line, *end, "Incremental motion with polar coordinates is indeterminate when at the origin",
+                        '@'))
       return true;
     change_plane(end, [by](Flat at) { return further_out(at, *by); });
   }
@@ -41,8 +41,7 @@ bool polar_end(ModeLine& line, Point* end) {
     return false;
   }
   if (*distance == modes::kG91) return further_polar(line, end);
-  if (angle == nullptr &&
-      stops_at_origin(line, *end, "Must specify angle in polar coordinate if at the origin", '@'))
+  if (angle == nullptr && stops_at_origin(line, *end, "Must specify angle in polar coordinate if at the origin", '@'))
     return true;
   change_plane(end, [&](Flat at) { return polar(at, radius, angle); });
   return false;

@@ -99,7 +99,11 @@ void add_point(ModeLine& line) {
     points |= first;
   }
   const bool moves = line.has('x') && line.has('y');
-  places::add_point(line, points == 0 || goes_on == Answer::kNo ? Answer::kYes : begins ? Answer::kMaybe : Answer::kNo, moves);
+  places::add_point(line,
+                    points == 0 || goes_on == Answer::kNo ? Answer::kYes
+                        : begins                          ? Answer::kMaybe
+                                                          : Answer::kNo,
+                    moves);
   line.now()[Mode::kNurbs] = moves ? one_more(points) : points;
   line.now().assigned |= mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder);
 }
