@@ -188,6 +188,8 @@ struct MachineWords {
   double units_per_mm = 0.03937007874016;               ///< of the machine
   double arc_tolerance_mm = 0.02 * 1.4142135623730951;  ///< of arcs by their center, in G21
   double arc_tolerance_inch = 0.002 * 1.4142135623730951;
+  uint32_t wrapped = 0;   ///< rotary axes that count one turn
+  uint32_t indexing = 0;  ///< rotary axes that are locked in place, and move alone
   /// Without a table nothing is claimed of tools.
   std::optional<std::span<const Tool>> tools = std::nullopt;
 };

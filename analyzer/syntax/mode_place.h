@@ -53,6 +53,10 @@ namespace places {
 /// Where the line goes; true if it stops for its polar words.
 bool end_point(ModeLine& line, Point* end);
 void arrive(ModeLine& line, const Point& end);
+/// Rotary axes that index: true if the motion moves one that it may not move.
+bool moves_indexing_axis(ModeLine& line, Motion motion);
+/// Rotary axes that wrap: true if a word that is a position goes round more than once.
+bool goes_round(ModeLine& line, Point* point);
 /// Somewhere.
 void lose_point(ModeLine& line);
 /// G33.1 goes back, but for other axes than X, Y and Z.
@@ -71,8 +75,8 @@ bool moves_rotary_axes(ModeLine& line, const Point& end);
 void lose_offsets(ModeLine& line);
 void change_units(ModeLine& line, Answer changes);
 void select_system(ModeLine& line, uint8_t system);
-void set_system(ModeLine& line, bool l20);
-void set_axis_offsets(ModeLine& line, bool g52);
+bool set_system(ModeLine& line, bool l20);
+bool set_axis_offsets(ModeLine& line, bool g52);
 void clear_axis_offsets(ModeLine& line, int code);
 /// The offset of G43 and its kin becomes this one.
 void set_tool_offset(ModeLine& line, const Point& offset);
@@ -86,17 +90,14 @@ void add_point(ModeLine& line, Answer begins, bool moves);
 void end_curve(ModeLine& line);
 
 // Canned cycles.
-struct Hole {
-  Axis along, first, second;
-};
-/// The heights of a cycle in the plane in effect: whether R lies below the bottom. Nothing if modes leave that open.
-std::optional<Verdict> heights(ModeLine& line, const Hole& hole);
+/// The heights of a cycle in a plane: whether R lies below the bottom. Nothing if modes leave that open.
+std::optional<Verdict> heights(ModeLine& line, modes::Plane plane);
 /// The first hole, and those behind it; true if it stops for its polar words.
-bool first_hole(ModeLine& line, const Hole& hole, Point* at);
-bool further_holes(ModeLine& line, const Hole& hole, Point* at);
+bool first_hole(ModeLine& line, modes::Plane plane, Point* at);
+bool further_holes(ModeLine& line, modes::Plane plane, Point* at);
+void leave_cycle(ModeLine& line, modes::Plane plane, const Point& at);
 /// Behind a cycle in a plane that is not known.
 void lose_cycle(ModeLine& line);
-void leave_cycle(ModeLine& line, const Hole& hole, const Point& at);
 
 }  // namespace places
 }  // namespace owlint

@@ -47,19 +47,17 @@ bool polar_end(ModeLine& line, Point* end) {
   return false;
 }
 
-/// G53: words are coordinates of the machine.
+/// G53: words are coordinates of the machine. X and Y are turned there and back, even if the line names neither.
 Point machine_end(const ModeLine& line) {
   const Place& place = *line.place();
   Point end = place.at;
   const auto x = axis_word(line, 0), y = axis_word(line, 1);
-  if (x || y) {
-    Point turned = (place.at + place.offset).turned(place.system.rotation);
-    if (x) turned[0] = *x - place.system.origin[0] - place.tool[0];
-    if (y) turned[1] = *y - place.system.origin[1] - place.tool[1];
-    turned = turned.turned(-place.system.rotation) - place.offset;
-    end[0] = turned[0];
-    end[1] = turned[1];
-  }
+  Point turned = (place.at + place.offset).turned(place.system.rotation);
+  if (x) turned[0] = *x - place.system.origin[0] - place.tool[0];
+  if (y) turned[1] = *y - place.system.origin[1] - place.tool[1];
+  turned = turned.turned(-place.system.rotation) - place.offset;
+  end[0] = turned[0];
+  end[1] = turned[1];
   for (size_t i = 2; i < kAxes; ++i) {
     const auto word = axis_word(line, i);
     if (!word) continue;
@@ -111,10 +109,11 @@ bool end_point(ModeLine& line, Point* end) {
   if (line.place() == nullptr) return false;
   if (line.code(GGroup::kNonModal) == code::kG53) {
     *end = machine_end(line);
-    return false;
+    return goes_round(line, end);
   }
   *end = plain_end(line);
-  return line.words().has_polar_words() && polar_end(line, end);
+  if (line.words().has_polar_words() && polar_end(line, end)) return true;
+  return line.only(Mode::kDistance) == modes::kG90 && goes_round(line, end);
 }
 
 void arrive(ModeLine& line, const Point& end) {

@@ -60,13 +60,14 @@ void write_words(ModeLine& line, System* parameters) {
   parameters->rotation = r == nullptr ? Coordinate::unknown() : Coordinate::of(*r);
 }
 
-/// Those of L20: the current point becomes what the words say.
-void write_wishes(ModeLine& line, const System& as_stored, System* parameters, System* now) {
+/// Those of L20: the current point becomes what the words say. True if it stops for one of them.
+bool write_wishes(ModeLine& line, const System& as_stored, System* parameters, System* now) {
   const Point at = seen_from(line, as_stored);
   Point wished = at;
   for (size_t i = 0; i < kAxes; ++i) {
     if (const auto word = axis_word(line, i)) wished[i] = *word;
   }
+  if (goes_round(line, &wished)) return true;
   const Point turned = at.turned(as_stored.rotation) + as_stored.origin - wished.turned(as_stored.rotation);
   const bool in_plane = line.has('x') || line.has('y');
   for (size_t i = 0; i < kAxes; ++i) {
@@ -74,14 +75,15 @@ void write_wishes(ModeLine& line, const System& as_stored, System* parameters, S
     now->origin[i] = i < 2 ? turned[i] : at[i] + as_stored.origin[i] - wished[i];
     parameters->origin[i] = to_machine(line, now->origin[i], i);
   }
+  return false;
 }
 
-/// G10 of one system.
-void write_system(ModeLine& line, size_t number, bool l20, Answer active) {
+/// G10 of one system; true if it stops for one of the words.
+bool write_system(ModeLine& line, size_t number, bool l20, Answer active) {
   Place& place = *line.place();
   System now = stored(line, number);
   if (l20) {
-    write_wishes(line, now, &place.systems[number], &now);
+    if (write_wishes(line, now, &place.systems[number], &now)) return true;
   } else {
     write_words(line, &place.systems[number]);
     now = stored(line, number);
@@ -89,10 +91,11 @@ void write_system(ModeLine& line, size_t number, bool l20, Answer active) {
       if (const auto word = axis_word(line, i)) now.origin[i] = *word;
     }
   }
-  if (active == Answer::kNo) return;
-  if (active == Answer::kMaybe) return place.lose_offsets();
+  if (active == Answer::kMaybe) place.lose_offsets();
+  if (active != Answer::kYes) return false;
   const Point at = place.at.turned(place.system.rotation) + place.system.origin - now.origin;
   arrive_in(line, now, at.turned(-now.rotation));
+  return false;
 }
 
 }  // namespace
@@ -123,24 +126,25 @@ void select_system(ModeLine& line, uint8_t system) {
   arrive_in(line, after, before ? seen_from(line, after) : Point::unknown());
 }
 
-void set_system(ModeLine& line, bool l20) {
+bool set_system(ModeLine& line, bool l20) {
   Place* const place = line.place();
-  if (place == nullptr) return;
+  if (place == nullptr) return false;
   const double* const p = line.value('p');
   const std::optional<uint8_t> active = line.only(Mode::kSystem);
   const int number = p == nullptr ? 0 : static_cast<int>(*p);
   if (p == nullptr || (number == 0 && !active)) {
     place->systems.fill({Point::unknown(), Coordinate::unknown()});
-    return place->lose_offsets();
+    place->lose_offsets();
+    return false;
   }
   const auto index = static_cast<size_t>(number == 0 ? *active : number - 1);
   const bool may = (line.now()[Mode::kSystem] & value_bit(static_cast<uint8_t>(index))) != 0;
-  write_system(line, index, l20, !may ? Answer::kNo : active ? Answer::kYes : Answer::kMaybe);
+  return write_system(line, index, l20, !may ? Answer::kNo : active ? Answer::kYes : Answer::kMaybe);
 }
 
-void set_axis_offsets(ModeLine& line, bool g52) {
+bool set_axis_offsets(ModeLine& line, bool g52) {
   Place* const place = line.place();
-  if (place == nullptr) return;
+  if (place == nullptr) return false;
   Point at = place->at;
   for (size_t i = 0; i < kAxes; ++i) {
     const auto word = axis_word(line, i);
@@ -153,9 +157,11 @@ void set_axis_offsets(ModeLine& line, bool g52) {
       at[i] = *word;
     }
   }
+  if (goes_round(line, &at)) return true;
   for (size_t i = 0; i < kAxes; ++i) place->stored_offset[i] = to_machine(line, place->offset[i], i);
   place->has_offset = Coordinate::of(1);
   arrive(line, at);
+  return false;
 }
 
 void clear_axis_offsets(ModeLine& line, int code) {
