@@ -2,6 +2,7 @@
 // word_line.h; documentation, hover and completion iterate over its rows.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -177,6 +178,7 @@ struct Tool {
   double diameter;
   int32_t orientation;
   bool has_offset;
+  std::array<double, 9> offset{};  ///< X Y Z A B C U V W, in machine units
 };
 struct MachineWords {
   Release release = Release::k2_8;

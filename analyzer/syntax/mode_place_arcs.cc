@@ -29,10 +29,10 @@ class Arc {
   Arc(ModeLine& line, const ArcAxes& axes, const Point& end)
       : line_(line), axes_(axes), from_(line.place()->at), to_(end) {
     const size_t first = index(axes.first), second = index(axes.second);
-    here_ = {{owlint::here(from_[first]), owlint::here(from_[second])},
-             {owlint::here(to_[first]), owlint::here(to_[second])}};
-    elsewhere_ = {{owlint::elsewhere(from_[first], first), owlint::elsewhere(from_[second], second)},
-                  {owlint::elsewhere(to_[first], first), owlint::elsewhere(to_[second], second)}};
+    here_ = {{places::here(from_[first]), places::here(from_[second])},
+             {places::here(to_[first]), places::here(to_[second])}};
+    elsewhere_ = {{places::elsewhere(from_[first], first), places::elsewhere(from_[second], second)},
+                  {places::elsewhere(to_[first], first), places::elsewhere(to_[second], second)}};
     start_unknown_ = from_[first].is_unknown() || from_[second].is_unknown();
     unknown_ = start_unknown_ || to_[first].is_unknown() || to_[second].is_unknown();
     if (line.only(Mode::kUnits) == modes::kG20) {

@@ -58,7 +58,7 @@ Point machine_end(const ModeLine& line) {
   turned = turned.turned(-place.system.rotation) - place.offset;
   end[0] = turned[0];
   end[1] = turned[1];
-  for (size_t i = 2; i < kAxes; ++i) {
+  for (size_t i = 2; i < kAxisCount; ++i) {
     const auto word = axis_word(line, i);
     if (!word) continue;
     end[i] = *word - place.system.origin[i] - place.offset[i];
@@ -70,7 +70,7 @@ Point machine_end(const ModeLine& line) {
 Point plain_end(const ModeLine& line) {
   const std::optional<uint8_t> distance = line.only(Mode::kDistance);
   Point end = line.place()->at;
-  for (size_t i = 0; i < kAxes; ++i) {
+  for (size_t i = 0; i < kAxisCount; ++i) {
     const auto word = axis_word(line, i);
     if (!word) continue;
     end[i] = !distance ? Coordinate::unknown() : *distance == modes::kG91 ? end[i] + *word : *word;
@@ -88,7 +88,7 @@ Verdict differ(Coordinate from, Coordinate to, size_t axis) {
 /// The same of any of these axes.
 Verdict differ(const Point& from, const Point& to, size_t first) {
   Verdict verdict = Verdict::kPasses;
-  for (size_t i = first; i < kAxes; ++i) verdict = std::max(verdict, differ(from[i], to[i], i));
+  for (size_t i = first; i < kAxisCount; ++i) verdict = std::max(verdict, differ(from[i], to[i], i));
   return verdict;
 }
 
@@ -140,7 +140,7 @@ bool go_home(ModeLine& line) {
   const Point stored = from_machine(line, home_of(line));
   const Point home = (stored - place->system.origin - place->tool).turned(-place->system.rotation) - place->offset;
   const bool all = !line.words().has_axis_words();
-  for (size_t i = 0; i < kAxes; ++i) {
+  for (size_t i = 0; i < kAxisCount; ++i) {
     if (!all && !line.has(kAxisOrder[i])) continue;
     end[i] = i < 2 ? home[i] : stored[i] - place->system.origin[i] - place->offset[i] - place->tool[i];
   }
@@ -153,13 +153,13 @@ void store_home(ModeLine& line) {
   if (place == nullptr) return;
   const Point at = (place->at + place->offset).turned(place->system.rotation) + place->system.origin + place->tool;
   Point& home = line.code(GGroup::kNonModal) == code::kG28_1 ? place->home : place->home30;
-  for (size_t i = 0; i < kAxes; ++i) home[i] = to_machine(line, at[i], i);
+  for (size_t i = 0; i < kAxisCount; ++i) home[i] = to_machine(line, at[i], i);
 }
 
 bool starts_at_end(ModeLine& line, const Point& end) {
   if (line.place() == nullptr) return false;
   Verdict verdict = Verdict::kStops;
-  for (size_t i = 0; i < kAxes; ++i) verdict = std::min(verdict, same(line.place()->at[i], end[i], i));
+  for (size_t i = 0; i < kAxisCount; ++i) verdict = std::min(verdict, same(line.place()->at[i], end[i], i));
   return stop_by(line, verdict, StopKind::kModeConflict, "Start point too close to probe point", line.mover());
 }
 
@@ -168,7 +168,7 @@ bool moves_rotary_axes(ModeLine& line, const Point& end) {
   constexpr auto kFirst = static_cast<size_t>(Axis::kA);
   const Verdict verdict = differ(line.place()->at, end, kFirst);
   uint8_t word = kNoWord;
-  for (size_t i = kFirst; i < kAxes && word == kNoWord; ++i) word = line.at(kAxisOrder[i]);
+  for (size_t i = kFirst; i < kAxisCount && word == kNoWord; ++i) word = line.at(kAxisOrder[i]);
   return stop_by(line, verdict, StopKind::kContourWords, "Cannot move rotary axes with G76", word, line.mover());
 }
 
