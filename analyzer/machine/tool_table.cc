@@ -101,7 +101,6 @@ class TableReader {
   struct Line {
     ToolRow row;
     size_t place = kSpindle;
-    uint32_t offsets = 0;  ///< a bit for each axis whose offset is not 0
   };
 
   void read_line(std::string_view text, uint32_t number) {
@@ -119,7 +118,7 @@ class TableReader {
       valid = read_word(word, &line) && valid;  // behind a bad word, P still takes a place
     }
     if (!valid) return;
-    line.row.has_offset = line.offsets != 0;
+    line.row.has_offset = std::ranges::any_of(line.row.offset, [](double offset) { return offset != 0; });
     line.row.span = span_of(text);
     if (line.place >= places_.size()) places_.resize(line.place + 1);
     places_[line.place] = line.row;
@@ -139,10 +138,7 @@ class TableReader {
     const std::optional<double> number = real_in(word.substr(1));
     if (!number) return false;
     if (letter == 'd') line->row.diameter = *number;
-    if (axis != std::string_view::npos) {
-      const uint32_t bit = 1u << axis;
-      line->offsets = *number == 0 ? line->offsets & ~bit : line->offsets | bit;
-    }
+    if (axis != std::string_view::npos) line->row.offset[axis] = *number;
     return true;
   }
 

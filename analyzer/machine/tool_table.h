@@ -2,6 +2,7 @@
 // reader and `rs274 -t`, compared on random tables.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,8 @@ struct ToolRow {
   int32_t pocket = 0;          ///< P
   double diameter = 0;         ///< D, in machine units
   int32_t orientation = 0;     ///< Q, of a lathe tool
-  bool has_offset = false;     ///< any of X Y Z A B C U V W is not 0
+  std::array<double, 9> offset{};  ///< X Y Z A B C U V W, in machine units
+  bool has_offset = false;         ///< any of them is not 0
   uint32_t line = 0;           ///< from 1
   Span span;                   ///< from the first word to the last one
 };

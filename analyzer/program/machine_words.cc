@@ -57,7 +57,8 @@ size_t hash_of(const std::vector<Tool>& tools) {
   std::string text;
   for (const Tool& tool : tools) {
     text += std::to_string(tool.number) + ' ' + std::to_string(std::bit_cast<uint64_t>(tool.diameter)) + ' ' +
-        std::to_string(tool.orientation) + (tool.has_offset ? "+" : "-");
+        std::to_string(tool.orientation);
+    for (const double offset : tool.offset) text += ' ' + std::to_string(std::bit_cast<uint64_t>(offset));
   }
   return std::hash<std::string>()(text);
 }
@@ -123,7 +124,7 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   words.change_keeps_spindle = profile.setup->change_keeps_spindle;
   if (profile.setup->tools) {
     for (const ToolRow& row : profile.setup->tools->rows)
-      tools.push_back({row.number, row.diameter, row.orientation, row.has_offset});
+      tools.push_back({row.number, row.diameter, row.orientation, row.has_offset, row.offset});
     words.tools = tools;
   }
   if (const Ini::Entry* const code = startup_code(ini)) start = modes_behind(code->value, words);

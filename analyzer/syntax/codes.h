@@ -2,6 +2,7 @@
 // word_line.h; documentation, hover and completion iterate over its rows.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -177,6 +178,7 @@ struct Tool {
   double diameter;
   int32_t orientation;
   bool has_offset;
+  std::array<double, 9> offset{};  ///< X Y Z A B C U V W, in machine units
 };
 struct ModeState;
 struct MachineWords {
@@ -191,6 +193,8 @@ struct MachineWords {
   double arc_tolerance_inch = 0.002 * 1.4142135623730951;
   /// The modes with which a program starts; null: those of an interpreter that was just started.
   const ModeState* start = nullptr;
+  uint32_t wrapped = 0;   ///< rotary axes that count one turn
+  uint32_t indexing = 0;  ///< rotary axes that are locked in place, and move alone
   /// Without a table nothing is claimed of tools.
   std::optional<std::span<const Tool>> tools = std::nullopt;
 };

@@ -24,25 +24,15 @@ class ModeLine : public ModeFaults {
  public:
   ModeLine(const MachineWords& machine, const WordLine& words, ModeState* state, std::vector<ModeFault>* faults,
            Place* place)
-      : ModeFaults(state, faults),
-        machine_(machine),
-        words_(words),
-        place_(place),
-        halves_x_(holds({{Mode::kDiameter, value_bit(modes::kG7)}})) {}
+      : ModeFaults(state, faults), machine_(machine), words_(words), place_(place) {}
   /// The same line, on some runs.
   ModeLine(const ModeLine& line, ModeState* state, std::vector<ModeFault>* faults, Place* place)
-      : ModeFaults(state, faults),
-        machine_(line.machine_),
-        words_(line.words_),
-        place_(place),
-        halves_x_(line.halves_x_) {}
+      : ModeLine(line.machine_, line.words_, state, faults, place) {}
 
   const MachineWords& machine() const { return machine_; }
   const WordLine& words() const { return words_; }
   /// Null if positions are not followed.
   Place* place() const { return place_; }
-  /// Whether X is a diameter: the mode before the line decides.
-  Answer halves_x() const { return halves_x_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
   /// Where the machine is not known, a line that chooses one says so.
@@ -79,7 +69,6 @@ class ModeLine : public ModeFaults {
   const MachineWords& machine_;
   const WordLine& words_;
   Place* const place_;
-  const Answer halves_x_;
 };
 
 /// The checks of the complete line, and its motion: for each motion that may be in effect (mode_motion.cc).

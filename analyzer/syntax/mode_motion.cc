@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint {
 namespace {
@@ -143,7 +143,7 @@ bool stops_moving_by(ModeLine& line, Motion mode) {
   const Motion motion = line.words().motion(mode);
   if (line.place() != nullptr && motion != Motion::kNone && !contains(kCycles, motion))
     line.place()->keeps_height = false;
-  if (move(line, motion)) return true;
+  if (places::moves_indexing_axis(line, motion) || move(line, motion)) return true;
   leave(line);
   return false;
 }

@@ -17,20 +17,20 @@ std::optional<double> units(const ModeLine& line) {
 
 }  // namespace
 
-Verdict verdict_of(bool stops, bool other_stops, bool agree, bool unknown) {
+Verdict places::verdict_of(bool stops, bool other_stops, bool agree, bool unknown) {
   if (agree && stops && other_stops) return Verdict::kStops;
   if (unknown && (!agree || stops != other_stops)) return Verdict::kUnsure;
   return stops ? Verdict::kFromStart : Verdict::kPasses;
 }
 
-bool agree(double a, double b) {
+bool places::agree(double a, double b) {
   constexpr double kRounding = 1e-7;
   return std::abs(a - b) <= kRounding * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-double here(Coordinate coordinate) { return coordinate.is_unknown() ? coordinate.other : coordinate.value; }
+double places::here(Coordinate coordinate) { return coordinate.is_unknown() ? coordinate.other : coordinate.value; }
 
-double elsewhere(Coordinate coordinate, size_t axis) {
+double places::elsewhere(Coordinate coordinate, size_t axis) {
   constexpr double kFar = 1234.5678;
   constexpr double kFurther = 217.3951;
   if (!coordinate.is_unknown()) return coordinate.other;
@@ -54,7 +54,7 @@ bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message
 }
 
 /// Whether the point is the origin, from where a polar word alone leads nowhere.
-Verdict at_origin(Coordinate x, Coordinate y) {
+Verdict places::at_origin(Coordinate x, Coordinate y) {
   Verdict verdict = Verdict::kStops;
   for (const Coordinate c : {x, y}) {
     if (c.is_unknown()) {
@@ -68,13 +68,15 @@ Verdict at_origin(Coordinate x, Coordinate y) {
   return verdict;
 }
 
+/// X is a diameter in G7, also where the line itself sets that.
 std::optional<Coordinate> axis_word(const ModeLine& line, size_t axis) {
   const char letter = kAxisOrder[axis];
   if (!line.has(letter)) return std::nullopt;
   const double* const value = line.value(letter);
   if (value == nullptr) return Coordinate::unknown();
-  if (letter != 'x' || line.halves_x() == Answer::kNo) return Coordinate::of(*value);
-  return line.halves_x() == Answer::kYes ? Coordinate::of(*value / 2) : Coordinate::unknown();
+  const Answer halved = letter == 'x' ? line.holds({{Mode::kDiameter, value_bit(modes::kG7)}}) : Answer::kNo;
+  if (halved == Answer::kMaybe) return Coordinate::unknown();
+  return Coordinate::of(halved == Answer::kYes ? *value / 2 : *value);
 }
 
 Coordinate from_machine(const ModeLine& line, Coordinate value, size_t axis) {
@@ -91,7 +93,7 @@ Coordinate to_machine(const ModeLine& line, Coordinate value, size_t axis) {
 
 Point from_machine(const ModeLine& line, const Point& point) {
   Point converted;
-  for (size_t i = 0; i < kAxes; ++i) converted[i] = from_machine(line, point[i], i);
+  for (size_t i = 0; i < kAxisCount; ++i) converted[i] = from_machine(line, point[i], i);
   return converted;
 }
 

@@ -17,6 +17,19 @@ enum class Verdict : uint8_t {
   kFromStart,  ///< stops on a machine that was just started
   kStops,
 };
+/// True if no run goes on.
+bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord,
+             std::optional<ArcNumbers> arc = std::nullopt);
+
+/// The word of an axis in its units; nothing if the line has none.
+std::optional<Coordinate> axis_word(const ModeLine& line, size_t axis);
+/// From units of the machine to those in effect, and back.
+Coordinate from_machine(const ModeLine& line, Coordinate value, size_t axis);
+Coordinate to_machine(const ModeLine& line, Coordinate value, size_t axis);
+Point from_machine(const ModeLine& line, const Point& point);
+
+namespace places {
+
 /// Of two machines. `agree`: the numbers of the check are the same on both.
 Verdict verdict_of(bool stops, bool other_stops, bool agree, bool unknown);
 /// As far as rounding goes.
@@ -24,10 +37,6 @@ bool agree(double a, double b);
 /// A coordinate in the two places where a check is made: where a machine that was just started would be, or somewhere, and elsewhere.
 double here(Coordinate coordinate);
 double elsewhere(Coordinate coordinate, size_t axis);
-
-/// True if no run goes on.
-bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word,
-             uint8_t other = kNoWord, std::optional<ArcNumbers> arc = std::nullopt);
 
 /// Whether the point is the origin, from where a polar word alone leads nowhere.
 Verdict at_origin(Coordinate x, Coordinate y);
@@ -41,18 +50,13 @@ void change_plane(Point* at, Change change) {
   y = {changed.second, other.second};
 }
 
-/// The word of an axis in its units; nothing if the line has none.
-std::optional<Coordinate> axis_word(const ModeLine& line, size_t axis);
-/// From units of the machine to those in effect, and back.
-Coordinate from_machine(const ModeLine& line, Coordinate value, size_t axis);
-Coordinate to_machine(const ModeLine& line, Coordinate value, size_t axis);
-Point from_machine(const ModeLine& line, const Point& point);
-
-namespace places {
-
 /// Where the line goes; true if it stops for its polar words.
 bool end_point(ModeLine& line, Point* end);
 void arrive(ModeLine& line, const Point& end);
+/// Rotary axes that index: true if the motion moves one that it may not move.
+bool moves_indexing_axis(ModeLine& line, Motion motion);
+/// Rotary axes that wrap: true if a word that is a position goes round more than once.
+bool goes_round(ModeLine& line, Point* point);
 /// Somewhere.
 void lose_point(ModeLine& line);
 /// G33.1 goes back, but for other axes than X, Y and Z.
@@ -71,11 +75,13 @@ bool moves_rotary_axes(ModeLine& line, const Point& end);
 void lose_offsets(ModeLine& line);
 void change_units(ModeLine& line, Answer changes);
 void select_system(ModeLine& line, uint8_t system);
-void set_system(ModeLine& line, bool l20);
-void set_axis_offsets(ModeLine& line, bool g52);
+bool set_system(ModeLine& line, bool l20);
+bool set_axis_offsets(ModeLine& line, bool g52);
 void clear_axis_offsets(ModeLine& line, int code);
 /// The offset of G43 and its kin becomes this one.
 void set_tool_offset(ModeLine& line, const Point& offset);
+/// G43 with a tool of the table.
+void set_tool_offset(ModeLine& line, const Tool& tool);
 /// G43.1: the axes that are named get a new one.
 void set_written_tool_offset(ModeLine& line);
 /// G43 with a tool of which nothing is known: a mill's offset lies along Z.
@@ -86,17 +92,14 @@ void add_point(ModeLine& line, Answer begins, bool moves);
 void end_curve(ModeLine& line);
 
 // Canned cycles.
-struct Hole {
-  Axis along, first, second;
-};
-/// The heights of a cycle in the plane in effect: whether R lies below the bottom. Nothing if modes leave that open.
-std::optional<Verdict> heights(ModeLine& line, const Hole& hole);
+/// The heights of a cycle in a plane: whether R lies below the bottom. Nothing if modes leave that open.
+std::optional<Verdict> heights(ModeLine& line, modes::Plane plane);
 /// The first hole, and those behind it; true if it stops for its polar words.
-bool first_hole(ModeLine& line, const Hole& hole, Point* at);
-bool further_holes(ModeLine& line, const Hole& hole, Point* at);
+bool first_hole(ModeLine& line, modes::Plane plane, Point* at);
+bool further_holes(ModeLine& line, modes::Plane plane, Point* at);
+void leave_cycle(ModeLine& line, modes::Plane plane, const Point& at);
 /// Behind a cycle in a plane that is not known.
 void lose_cycle(ModeLine& line);
-void leave_cycle(ModeLine& line, const Hole& hole, const Point& at);
 
 }  // namespace places
 }  // namespace owlint

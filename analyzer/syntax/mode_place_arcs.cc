@@ -29,9 +29,10 @@ class Arc {
   Arc(ModeLine& line, const ArcAxes& axes, const Point& end)
       : line_(line), axes_(axes), from_(line.place()->at), to_(end) {
     const size_t first = index(axes.first), second = index(axes.second);
-    here_ = {{owlint::here(from_[first]), owlint::here(from_[second])}, {owlint::here(to_[first]), owlint::here(to_[second])}};
-    elsewhere_ = {{owlint::elsewhere(from_[first], first), owlint::elsewhere(from_[second], second)},
-                  {owlint::elsewhere(to_[first], first), owlint::elsewhere(to_[second], second)}};
+    here_ = {{places::here(from_[first]), places::here(from_[second])},
+             {places::here(to_[first]), places::here(to_[second])}};
+    elsewhere_ = {{places::elsewhere(from_[first], first), places::elsewhere(from_[second], second)},
+                  {places::elsewhere(to_[first], first), places::elsewhere(to_[second], second)}};
     start_unknown_ = from_[first].is_unknown() || from_[second].is_unknown();
     unknown_ = start_unknown_ || to_[first].is_unknown() || to_[second].is_unknown();
     if (line.only(Mode::kUnits) == modes::kG20) {
@@ -76,11 +77,11 @@ Flat Arc::center(Flat start, bool absolute) const {
 
 std::string Arc::said(const CenterArc& arc, Flat center, bool known, bool absolute) const {
   const auto length = [known](double value) { return known ? fmt::format("{:.4f}", value) : "..."; };
-  std::string text = arc.fault == ArcFault::kZeroRadius ? "Zero-radius arc: "
-                                                        : "Radius to end of arc differs from radius to start: ";
+  std::string text =
+      arc.fault == ArcFault::kZeroRadius ? "Zero-radius arc: " : "Radius to end of arc differs from radius to start: ";
   text += fmt::format("start={} center={} end={} r1={} r2={}", point(here_.start, start_unknown_),
-                      point(center, start_unknown_ && !absolute), point(here_.end, unknown_),
-                      length(arc.start_radius), length(arc.end_radius));
+                      point(center, start_unknown_ && !absolute), point(here_.end, unknown_), length(arc.start_radius),
+                      length(arc.end_radius));
   if (arc.fault == ArcFault::kZeroRadius) return text;
   if (!known) return text + " abs_err=... rel_err=...";
   return text + fmt::format(" abs_err={:.4g} rel_err={:.4f}%", arc.difference, arc.share * 100);
@@ -99,8 +100,8 @@ ArcNumbers Arc::numbers() const {
 bool Arc::stops_by_center(bool absolute) {
   const Flat center = this->center(here_.start, absolute);
   const CenterArc arc = arc_by_center(here_.start, center, here_.end, tolerance_);
-  const CenterArc other = arc_by_center(elsewhere_.start, this->center(elsewhere_.start, absolute), elsewhere_.end,
-                                        tolerance_);
+  const CenterArc other =
+      arc_by_center(elsewhere_.start, this->center(elsewhere_.start, absolute), elsewhere_.end, tolerance_);
   const bool agrees = agree(arc.start_radius, other.start_radius) && agree(arc.end_radius, other.end_radius);
   const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
   if (verdict == Verdict::kPasses) return false;
@@ -110,8 +111,8 @@ bool Arc::stops_by_center(bool absolute) {
   numbers.end_radius = arc.end_radius;
   numbers.allowed = arc.allowed;
   const StopKind kind = arc.fault == ArcFault::kZeroRadius ? StopKind::kArcWords : StopKind::kArcRadiiDiffer;
-  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure, absolute), line_.mover(),
-                 kNoWord, numbers);
+  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure, absolute), line_.mover(), kNoWord,
+                 numbers);
 }
 
 bool Arc::stops_by_radius(double radius) {

@@ -12,6 +12,14 @@ constexpr const char* kAtOrigin = "Incremental motion with polar coordinates is 
 /// Holes that are followed; behind more of them the place is not known.
 constexpr int32_t kMostHoles = 1000;
 
+struct Hole {
+  Axis along, first, second;
+};
+/// In the order of modes::Plane.
+constexpr Hole kHoles[] = {{Axis::kZ, Axis::kX, Axis::kY}, {Axis::kY, Axis::kZ, Axis::kX},
+                           {Axis::kX, Axis::kY, Axis::kZ}, {Axis::kW, Axis::kU, Axis::kV},
+                           {Axis::kV, Axis::kW, Axis::kU}, {Axis::kU, Axis::kV, Axis::kW}};
+
 size_t index(Axis axis) { return static_cast<size_t>(axis); }
 
 /// Whether R lies below the bottom.
@@ -35,9 +43,7 @@ bool turns_at_origin(ModeLine& line, char letter, const Point& at) {
                  line.mover());
 }
 
-void lose_plane(const Hole& hole, Point* at) {
-  (*at)[hole.first] = (*at)[hole.second] = Coordinate::unknown();
-}
+void lose_plane(const Hole& hole, Point* at) { (*at)[hole.first] = (*at)[hole.second] = Coordinate::unknown(); }
 
 /// From one hole to the next in G91.
 bool advance(ModeLine& line, const Hole& hole, Point* at) {
@@ -78,7 +84,8 @@ int32_t holes(const ModeLine& line) {
 
 }  // namespace
 
-std::optional<Verdict> heights(ModeLine& line, const Hole& hole) {
+std::optional<Verdict> heights(ModeLine& line, modes::Plane plane) {
+  const Hole& hole = kHoles[plane];
   Place& place = *line.place();
   if (!place.keeps_height) place.height = place.at[hole.along];
   place.keeps_height = true;
@@ -93,7 +100,8 @@ std::optional<Verdict> heights(ModeLine& line, const Hole& hole) {
   return is_below(r, bottom, index(hole.along));
 }
 
-bool first_hole(ModeLine& line, const Hole& hole, Point* at) {
+bool first_hole(ModeLine& line, modes::Plane plane, Point* at) {
+  const Hole& hole = kHoles[plane];
   *at = line.place()->at;
   const std::optional<uint8_t> distance = line.only(Mode::kDistance);
   if (!distance) {
@@ -105,7 +113,8 @@ bool first_hole(ModeLine& line, const Hole& hole, Point* at) {
   return false;
 }
 
-bool further_holes(ModeLine& line, const Hole& hole, Point* at) {
+bool further_holes(ModeLine& line, modes::Plane plane, Point* at) {
+  const Hole& hole = kHoles[plane];
   if (line.only(Mode::kDistance) != modes::kG91) return false;
   const int32_t number = holes(line);
   if (number > kMostHoles) lose_plane(hole, at);
@@ -123,7 +132,8 @@ void lose_cycle(ModeLine& line) {
   place->lose_point();
 }
 
-void leave_cycle(ModeLine& line, const Hole& hole, const Point& at) {
+void leave_cycle(ModeLine& line, modes::Plane plane, const Point& at) {
+  const Hole& hole = kHoles[plane];
   const Place& place = *line.place();
   const std::optional<uint8_t> distance = line.only(Mode::kDistance);
   const std::optional<uint8_t> retract = line.only(Mode::kRetract);

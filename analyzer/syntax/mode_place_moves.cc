@@ -18,8 +18,8 @@ void lose_plane(Point* at) { (*at)[Axis::kX] = (*at)[Axis::kY] = Coordinate::unk
 /// Polar words in G91: one after the other.
 bool further_polar(ModeLine& line, Point* end) {
   if (const double* const by = line.value('@')) {
-    if (stops_at_origin(line, *end,
-                        "Incremental motion with polar coordinates is indeterminate when at the origin", '@'))
+    if (stops_at_origin(line, *end, "Incremental motion with polar coordinates is indeterminate when at the origin",
+                        '@'))
       return true;
     change_plane(end, [by](Flat at) { return further_out(at, *by); });
   }
@@ -41,27 +41,24 @@ bool polar_end(ModeLine& line, Point* end) {
     return false;
   }
   if (*distance == modes::kG91) return further_polar(line, end);
-  if (angle == nullptr &&
-      stops_at_origin(line, *end, "Must specify angle in polar coordinate if at the origin", '@'))
+  if (angle == nullptr && stops_at_origin(line, *end, "Must specify angle in polar coordinate if at the origin", '@'))
     return true;
   change_plane(end, [&](Flat at) { return polar(at, radius, angle); });
   return false;
 }
 
-/// G53: words are coordinates of the machine.
+/// G53: words are coordinates of the machine. X and Y are turned there and back, even if the line names neither.
 Point machine_end(const ModeLine& line) {
   const Place& place = *line.place();
   Point end = place.at;
   const auto x = axis_word(line, 0), y = axis_word(line, 1);
-  if (x || y) {
-    Point turned = (place.at + place.offset).turned(place.system.rotation);
-    if (x) turned[0] = *x - place.system.origin[0] - place.tool[0];
-    if (y) turned[1] = *y - place.system.origin[1] - place.tool[1];
-    turned = turned.turned(-place.system.rotation) - place.offset;
-    end[0] = turned[0];
-    end[1] = turned[1];
-  }
-  for (size_t i = 2; i < kAxes; ++i) {
+  Point turned = (place.at + place.offset).turned(place.system.rotation);
+  if (x) turned[0] = *x - place.system.origin[0] - place.tool[0];
+  if (y) turned[1] = *y - place.system.origin[1] - place.tool[1];
+  turned = turned.turned(-place.system.rotation) - place.offset;
+  end[0] = turned[0];
+  end[1] = turned[1];
+  for (size_t i = 2; i < kAxisCount; ++i) {
     const auto word = axis_word(line, i);
     if (!word) continue;
     end[i] = *word - place.system.origin[i] - place.offset[i];
@@ -73,7 +70,7 @@ Point machine_end(const ModeLine& line) {
 Point plain_end(const ModeLine& line) {
   const std::optional<uint8_t> distance = line.only(Mode::kDistance);
   Point end = line.place()->at;
-  for (size_t i = 0; i < kAxes; ++i) {
+  for (size_t i = 0; i < kAxisCount; ++i) {
     const auto word = axis_word(line, i);
     if (!word) continue;
     end[i] = !distance ? Coordinate::unknown() : *distance == modes::kG91 ? end[i] + *word : *word;
@@ -91,7 +88,7 @@ Verdict differ(Coordinate from, Coordinate to, size_t axis) {
 /// The same of any of these axes.
 Verdict differ(const Point& from, const Point& to, size_t first) {
   Verdict verdict = Verdict::kPasses;
-  for (size_t i = first; i < kAxes; ++i) verdict = std::max(verdict, differ(from[i], to[i], i));
+  for (size_t i = first; i < kAxisCount; ++i) verdict = std::max(verdict, differ(from[i], to[i], i));
   return verdict;
 }
 
@@ -112,10 +109,11 @@ bool end_point(ModeLine& line, Point* end) {
   if (line.place() == nullptr) return false;
   if (line.code(GGroup::kNonModal) == code::kG53) {
     *end = machine_end(line);
-    return false;
+    return goes_round(line, end);
   }
   *end = plain_end(line);
-  return line.words().has_polar_words() && polar_end(line, end);
+  if (line.words().has_polar_words() && polar_end(line, end)) return true;
+  return line.only(Mode::kDistance) == modes::kG90 && goes_round(line, end);
 }
 
 void arrive(ModeLine& line, const Point& end) {
@@ -142,7 +140,7 @@ bool go_home(ModeLine& line) {
   const Point stored = from_machine(line, home_of(line));
   const Point home = (stored - place->system.origin - place->tool).turned(-place->system.rotation) - place->offset;
   const bool all = !line.words().has_axis_words();
-  for (size_t i = 0; i < kAxes; ++i) {
+  for (size_t i = 0; i < kAxisCount; ++i) {
     if (!all && !line.has(kAxisOrder[i])) continue;
     end[i] = i < 2 ? home[i] : stored[i] - place->system.origin[i] - place->offset[i] - place->tool[i];
   }
@@ -155,13 +153,13 @@ void store_home(ModeLine& line) {
   if (place == nullptr) return;
   const Point at = (place->at + place->offset).turned(place->system.rotation) + place->system.origin + place->tool;
   Point& home = line.code(GGroup::kNonModal) == code::kG28_1 ? place->home : place->home30;
-  for (size_t i = 0; i < kAxes; ++i) home[i] = to_machine(line, at[i], i);
+  for (size_t i = 0; i < kAxisCount; ++i) home[i] = to_machine(line, at[i], i);
 }
 
 bool starts_at_end(ModeLine& line, const Point& end) {
   if (line.place() == nullptr) return false;
   Verdict verdict = Verdict::kStops;
-  for (size_t i = 0; i < kAxes; ++i) verdict = std::min(verdict, same(line.place()->at[i], end[i], i));
+  for (size_t i = 0; i < kAxisCount; ++i) verdict = std::min(verdict, same(line.place()->at[i], end[i], i));
   return stop_by(line, verdict, StopKind::kModeConflict, "Start point too close to probe point", line.mover());
 }
 
@@ -170,7 +168,7 @@ bool moves_rotary_axes(ModeLine& line, const Point& end) {
   constexpr auto kFirst = static_cast<size_t>(Axis::kA);
   const Verdict verdict = differ(line.place()->at, end, kFirst);
   uint8_t word = kNoWord;
-  for (size_t i = kFirst; i < kAxes && word == kNoWord; ++i) word = line.at(kAxisOrder[i]);
+  for (size_t i = kFirst; i < kAxisCount && word == kNoWord; ++i) word = line.at(kAxisOrder[i]);
   return stop_by(line, verdict, StopKind::kContourWords, "Cannot move rotary axes with G76", word, line.mover());
 }
 

@@ -17,13 +17,13 @@ namespace owlint {
 
 /// An arc that does not pass, in the units in effect.
 struct ArcNumbers {
-  char first, second;      ///< the axes of its plane, small
-  bool start_known;        ///< else `start`, `center` and `end` may lie elsewhere, together
+  char first, second;  ///< the axes of its plane, small
+  bool start_known;    ///< else `start`, `center` and `end` may lie elsewhere, together
   Flat start, center, end;
   double start_radius, end_radius;
-  double allowed;          ///< how much the two may differ
-  double radius;           ///< as it is written, if it is: then there is no center
-  double least_radius;     ///< that would reach the end
+  double allowed;       ///< how much the two may differ
+  double radius;        ///< as it is written, if it is: then there is no center
+  double least_radius;  ///< that would reach the end
 };
 
 /// Something a line stops with, on some of the runs that get to it.

@@ -16,21 +16,20 @@ struct CyclePlane {
   const char* name;          ///< as messages about those call it
   const char* unspecified;
   const char* below;
-  places::Hole hole;
 };
 constexpr CyclePlane kPlanes[] = {
     {modes::kG17, "G17", 'z', "uvw", "XY", "Z value unspecified in xy plane canned cycle",
-     "R less than z in cycle in xy plane", {Axis::kZ, Axis::kX, Axis::kY}},
+     "R less than z in cycle in xy plane"},
     {modes::kG18, "G18", 'y', "uvw", "XZ", "Y value unspecified in xz plane canned cycle",
-     "R less than y in cycle in xz plane", {Axis::kY, Axis::kZ, Axis::kX}},
+     "R less than y in cycle in xz plane"},
     {modes::kG19, "G19", 'x', "uvw", "YZ", "X value unspecified in yz plane canned cycle",
-     "R less than x in cycle in yz plane", {Axis::kX, Axis::kY, Axis::kZ}},
+     "R less than x in cycle in yz plane"},
     {modes::kG17_1, "G17.1", 'w', "xyz", "UV", "W value unspecified in UV plane canned cycle",
-     "R less than w in cycle in uv plane", {Axis::kW, Axis::kU, Axis::kV}},
+     "R less than w in cycle in uv plane"},
     {modes::kG18_1, "G18.1", 'v', "xyz", "UW", "V value unspecified in UW plane canned cycle",
-     "R less than v in cycle in uw plane", {Axis::kV, Axis::kW, Axis::kU}},
+     "R less than v in cycle in uw plane"},
     {modes::kG19_1, "G19.1", 'u', "xyz", "VW", "U value unspecified in VW plane canned cycle",
-     "R less than u in cycle in vw plane", {Axis::kU, Axis::kV, Axis::kW}},
+     "R less than u in cycle in vw plane"},
 };
 
 /// Words that a cycle needs on the line that begins it; further holes have those of the hole before.
@@ -104,7 +103,7 @@ bool axes(ModeLine& line, Motion motion, const CyclePlane& in) {
   if (foreign_axis(line, in, plane) || lacks_axis(line, in, plane)) return true;
   if (!line.has(in.axis) && line.stop_in({plane, begins(motion)}, kWords, in.unspecified, line.mover())) return true;
   if (line.place() != nullptr && line.holds({plane}) == Answer::kYes) {
-    if (const std::optional<Verdict> below = places::heights(line, in.hole)) return is_below(line, in, *below);
+    if (const std::optional<Verdict> below = places::heights(line, in.plane)) return is_below(line, in, *below);
   }
   return is_above(line, in, plane);
 }
@@ -153,14 +152,14 @@ bool cycle(ModeLine& line, Motion motion) {
   if (contains(kTapping, motion) && taps(line)) return true;
   const CyclePlane* const in = plane_of(line);
   Point at;
-  if (in != nullptr && places::first_hole(line, in->hole, &at)) return true;
+  if (in != nullptr && places::first_hole(line, in->plane, &at)) return true;
   if ((contains(kPecking, motion) && pecks_nothing(line)) || turning(line, motion)) return true;
   if (in == nullptr) {
     places::lose_cycle(line);
     return false;
   }
-  if (places::further_holes(line, in->hole, &at)) return true;
-  places::leave_cycle(line, in->hole, at);
+  if (places::further_holes(line, in->plane, &at)) return true;
+  places::leave_cycle(line, in->plane, at);
   return false;
 }
 

@@ -26,8 +26,7 @@ bool set_system(ModeLine& line, bool l20) {
     line.may_stop(StopKind::kCompensation, kRefusal, word, line.at('p'), mask_of(Mode::kCompensation));
   }
   if (l20 && line.has('r')) return line.stop(kConflict, "R not allowed in G10 L20", line.at('r'), word);
-  places::set_system(line, l20);
-  return false;
+  return places::set_system(line, l20);
 }
 
 /// G10 L1, L10 and L11: P is rounded.
@@ -85,8 +84,7 @@ bool non_modal(ModeLine& line) {
     case code::kG92:
       if (line.refused_by_compensation("Cannot change axis offsets with cutter radius comp", word)) return true;
       line.set(Mode::kAxisOffsets, modes::kApplied);
-      places::set_axis_offsets(line, line.code(GGroup::kNonModal) == code::kG52);
-      return false;
+      return places::set_axis_offsets(line, line.code(GGroup::kNonModal) == code::kG52);
     case code::kG5_3: return end_nurbs(line);
     default: return false;
   }

@@ -17,9 +17,8 @@ bool number_of(const ModeLine& line, char letter, int* number) {
 /// The tool of H gives an offset, which may be 0.
 void take_offset_of(ModeLine& line, int number) {
   const Tool* const tool = line.tool(number);
-  const bool changed = line.place() != nullptr && line.place()->tools_changed;
-  if (tool != nullptr && !tool->has_offset && !changed) {
-    places::set_tool_offset(line, {});
+  if (tool != nullptr) {
+    places::set_tool_offset(line, *tool);
   } else {
     places::set_unknown_tool_offset(line);
   }
@@ -113,7 +112,7 @@ bool tool_length(ModeLine& line) {
     case code::kG43_2: return further(line);
     default:
       line.set(Mode::kToolOffset, modes::kG49);
-      places::set_tool_offset(line, {});
+      places::set_tool_offset(line, Point{});
       return false;
   }
 }

@@ -29,11 +29,11 @@ Coordinate join(Coordinate a, Coordinate b) { return a == b ? a : Coordinate::un
 
 Point join(const Point& a, const Point& b) {
   Point both;
-  for (size_t i = 0; i < kAxes; ++i) both[i] = join(a[i], b[i]);
+  for (size_t i = 0; i < kAxisCount; ++i) both[i] = join(a[i], b[i]);
   return both;
 }
 
-System join(const System& a, const System& b) { return {join(a.origin, b.origin), join(a.rotation, b.rotation)}; }
+CoordinateSystem join(const CoordinateSystem& a, const CoordinateSystem& b) { return {join(a.origin, b.origin), join(a.rotation, b.rotation)}; }
 
 Flat turned_by(double x, double y, double degrees) {
   // What does not turn stays what it is, though one of the two may be unknown.
@@ -42,7 +42,7 @@ Flat turned_by(double x, double y, double degrees) {
 }
 
 Point in_millimetres(Point point, double units_per_mm) {
-  for (size_t i = 0; i < kAxes; ++i) {
+  for (size_t i = 0; i < kAxisCount; ++i) {
     if (is_length(i)) point[i] = point[i] / units_per_mm;
   }
   return point;
@@ -72,13 +72,13 @@ Point Point::unknown() {
 
 Point operator+(const Point& a, const Point& b) {
   Point sum;
-  for (size_t i = 0; i < kAxes; ++i) sum[i] = a[i] + b[i];
+  for (size_t i = 0; i < kAxisCount; ++i) sum[i] = a[i] + b[i];
   return sum;
 }
 
 Point operator-(const Point& a, const Point& b) {
   Point difference;
-  for (size_t i = 0; i < kAxes; ++i) difference[i] = a[i] - b[i];
+  for (size_t i = 0; i < kAxisCount; ++i) difference[i] = a[i] - b[i];
   return difference;
 }
 
@@ -105,7 +105,7 @@ Place Place::started(double units_per_mm) {
   place.stored_offset = odd.point();
   place.offset = in_millimetres(place.stored_offset, units_per_mm);
   place.tool = odd.point();
-  for (System& system : place.systems) system = {odd.point(), odd.next()};
+  for (CoordinateSystem& system : place.systems) system = {odd.point(), odd.next()};
   place.system = {in_millimetres(place.systems.front().origin, units_per_mm), place.systems.front().rotation};
   place.has_offset.other = 1;
   place.home = odd.point();
@@ -131,7 +131,7 @@ Place join(const Place& a, const Place& b) {
   both.system = join(a.system, b.system);
   both.offset = join(a.offset, b.offset);
   both.tool = join(a.tool, b.tool);
-  for (size_t i = 0; i < kSystems; ++i) both.systems[i] = join(a.systems[i], b.systems[i]);
+  for (size_t i = 0; i < kSystemCount; ++i) both.systems[i] = join(a.systems[i], b.systems[i]);
   both.stored_offset = join(a.stored_offset, b.stored_offset);
   both.has_offset = join(a.has_offset, b.has_offset);
   both.home = join(a.home, b.home);

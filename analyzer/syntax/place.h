@@ -10,16 +10,16 @@
 namespace owlint {
 
 enum class Axis : uint8_t { kX, kY, kZ, kA, kB, kC, kU, kV, kW };
-inline constexpr size_t kAxes = 9;
+inline constexpr size_t kAxisCount = 9;
 inline constexpr const char* kAxisOrder = "xyzabcuvw";
-inline constexpr size_t kSystems = 9;  ///< G54 to G59.3
+inline constexpr size_t kSystemCount = 9;  ///< G54 to G59.3
 /// Units of the machine in a millimetre: those of `rs274` without an INI are inches.
 inline constexpr double kStandAloneUnits = 0.03937007874016;
 /// A, B and C are angles.
 constexpr bool is_length(size_t axis) { return axis < 3 || axis > 5; }
 
 struct Point {
-  std::array<Coordinate, kAxes> axes{};
+  std::array<Coordinate, kAxisCount> axes{};
 
   Coordinate& operator[](size_t axis) { return axes[axis]; }
   Coordinate operator[](size_t axis) const { return axes[axis]; }
@@ -34,22 +34,23 @@ struct Point {
 Point operator+(const Point& a, const Point& b);
 Point operator-(const Point& a, const Point& b);
 
-struct System {
+struct CoordinateSystem {
   Point origin{};
   Coordinate rotation{};
 
-  bool operator==(const System&) const = default;
+  bool operator==(const CoordinateSystem&) const = default;
 };
 
 struct Place {
-  Point at{};  ///< the current point, in the units and the coordinate system in effect; on a compensated path the programmed one
+  Point
+      at{};  ///< the current point, in the units and the coordinate system in effect; on a compensated path the programmed one
 
   // In the units in effect.
-  System system{};  ///< that in effect
+  CoordinateSystem system{};  ///< that in effect
   Point offset{};   ///< of G92 and G52
   Point tool{};     ///< the offset of G43
   // In units of the machine, as parameters.
-  std::array<System, kSystems> systems{};
+  std::array<CoordinateSystem, kSystemCount> systems{};
   Point stored_offset{};
   Coordinate has_offset{};  ///< 1 while the stored offset is in effect, else 0
   Point home{}, home30{};   ///< of G28 and G30

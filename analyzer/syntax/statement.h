@@ -96,8 +96,8 @@ struct PlaceChange {
   uint8_t distance = ModeChange::kAny;  ///< what the distance mode is, if the lines say it
   uint8_t diameter = ModeChange::kAny;  ///< the same of the diameter mode
   uint16_t axes = 0;                    ///< that move, by Axis
-  std::array<double, kAxes> last{};     ///< of each the last word: where it is in G90
-  std::array<double, kAxes> sum{};      ///< of all words: how far it has gone in G91
+  std::array<double, kAxisCount> last{};     ///< of each the last word: where it is in G90
+  std::array<double, kAxisCount> sum{};      ///< of all words: how far it has gone in G91
 };
 
 /// A mode that is set, and set again before any line depends on it.

@@ -124,7 +124,7 @@ void ModeAccess::go(Parameters& p, std::span<const PlaceChange> changes) {
     }
     const uint8_t distance = mode(Mode::kDistance, change.distance);
     const uint8_t diameter = mode(Mode::kDiameter, change.diameter);
-    for (size_t axis = 0; axis < kAxes; ++axis) {
+    for (size_t axis = 0; axis < kAxisCount; ++axis) {
       if ((change.axes >> axis & 1) == 0) continue;
       const double share = axis == 0 && diameter == modes::kG7 ? 0.5 : 1;
       Coordinate& at = place.at[axis];

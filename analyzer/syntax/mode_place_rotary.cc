@@ -1,0 +1,62 @@
+// Rotary axes of a kind that the INI declares: those that wrap, and those that index.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analyzer/syntax/mode_place.h"
+
+namespace owlint::places {
+namespace {
+
+constexpr StopKind kConflict = StopKind::kModeConflict;
+constexpr std::string_view kRotary = "abc";
+constexpr double kTurn = 360;
+
+bool is_in(uint32_t letters, char letter) { return (letters & letter_set({&letter, 1})) != 0; }
+char capital(char letter) { return static_cast<char>(letter - 'a' + 'A'); }
+
+bool indexes(ModeLine& line, Motion motion, char letter) {
+  const uint8_t word = line.at(letter);
+  if (motion != Motion::kG0)
+    return line.stop(kConflict, fmt::format("Indexing axis {} can only be moved with G0", capital(letter)), word,
+                     line.mover());
+  for (const char other : std::string_view(kAxisOrder)) {
+    if (other == letter || !line.has(other)) continue;
+    return line.stop(kConflict, fmt::format("Indexing axis {} can only be moved alone", capital(letter)), word,
+                     line.at(other));
+  }
+  const bool polar = line.words().has_polar_words();
+  constexpr const char* kMovesAlong = "BUG: An axis incorrectly moved along with an indexer";
+  if (polar) return line.stop(kConflict, kMovesAlong, line.at(line.has('@') ? '@' : '^'), word);
+  return line.stop_in({kCompensationMoves, {Mode::kEntry, value_bit(modes::kMade)}}, kConflict, kMovesAlong, word);
+}
+
+}  // namespace
+
+bool moves_indexing_axis(ModeLine& line, Motion motion) {
+  if (line.place() == nullptr || line.machine().indexing == 0 || motion == Motion::kNone || motion == Motion::kG80)
+    return false;
+  for (const char letter : kRotary) {
+    if (is_in(line.machine().indexing, letter) && line.has(letter)) return indexes(line, motion, letter);
+  }
+  return false;
+}
+
+bool goes_round(ModeLine& line, Point* point) {
+  const uint32_t wrapped = line.machine().wrapped;
+  if (wrapped == 0) return false;
+  for (const char letter : kRotary) {
+    if (!is_in(wrapped, letter) || !line.has(letter)) continue;
+    const double* const value = line.value(letter);
+    if (value != nullptr && std::abs(*value) >= kTurn)
+      return line.stop(
+          kConflict,
+          fmt::format("Invalid absolute position {:5.2f} for wrapped rotary axis {}", *value, capital(letter)),
+          line.at(letter), line.at(GGroup::kNonModal));
+    // How many turns it makes is not followed.
+    (*point)[std::string_view(kAxisOrder).find(letter)] = Coordinate::unknown();
+  }
+  return false;
+}
+
+}  // namespace owlint::places
