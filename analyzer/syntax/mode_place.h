@@ -67,6 +67,15 @@ bool go_home(ModeLine& line);
 void store_home(ModeLine& line);
 /// An arc that ends there.
 bool arc(ModeLine& line, const Point& end);
+/// A compensated path: with a tool of this radius, in the units in effect, on this side; a move on it; its end. They tell
+/// whether the tool does not fit.
+void begin_path(ModeLine& line, bool right, double radius, int orientation);
+bool follow_path(ModeLine& line, Motion motion, const Point& end);
+bool follow_path_by_arc(ModeLine& line, Motion motion, const Point& end);
+bool pause_path(ModeLine& line);
+bool end_path(ModeLine& line);
+/// Units change on the way.
+void wait_on_path(ModeLine& line);
 /// G38.2 and G38.4, G76.
 bool starts_at_end(ModeLine& line, const Point& end);
 bool moves_rotary_axes(ModeLine& line, const Point& end);

@@ -61,7 +61,8 @@ void write_words(ModeLine& line, CoordinateSystem* parameters) {
 }
 
 /// Those of L20: the current point becomes what the words say. True if it stops for one of them.
-bool write_wishes(ModeLine& line, const CoordinateSystem& as_stored, CoordinateSystem* parameters, CoordinateSystem* now) {
+bool write_wishes(ModeLine& line, const CoordinateSystem& as_stored, CoordinateSystem* parameters,
+                  CoordinateSystem* now) {
   const Point at = seen_from(line, as_stored);
   Point wished = at;
   for (size_t i = 0; i < kAxisCount; ++i) {
@@ -107,6 +108,7 @@ void lose_offsets(ModeLine& line) {
 void change_units(ModeLine& line, Answer changes) {
   Place* const place = line.place();
   if (place == nullptr || changes == Answer::kNo) return;
+  wait_on_path(line);
   for (Point* const point : {&place->at, &place->system.origin, &place->offset, &place->tool}) {
     if (changes == Answer::kMaybe) {
       scale_maybe(point);

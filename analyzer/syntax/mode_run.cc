@@ -47,6 +47,8 @@ std::optional<Place> place_of(const Place* place) { return place == nullptr ? st
 /// What is restored of `before` may give the point other numbers.
 void restore_place(const ModeState& before, Place* place) {
   if (place == nullptr) return;
+  constexpr Mode kSide = Mode::kCompensation;
+  if ((before.now[kSide] | before.saved[kSide]) != value_bit(modes::kG40)) place->lose_path();
   for (const Mode mode : {Mode::kUnits, Mode::kSystem, Mode::kToolOffset, Mode::kAxisOffsets}) {
     if (!std::has_single_bit(before.now[mode] | before.saved[mode])) return place->lose_offsets();
   }

@@ -1,7 +1,7 @@
 // Cutter compensation on and off: G40 to G42.1.
 #include <cmath>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 
 namespace owlint::steps {
 namespace {
@@ -24,6 +24,11 @@ bool switch_on(ModeLine& line, int code, const double* diameter) {
   return false;
 }
 
+/// A diameter of 0 is one that is not known, or makes no path.
+void begin_path(ModeLine& line, int code, double diameter, int orientation) {
+  places::begin_path(line, is_right(code), diameter / 2, orientation);
+}
+
 /// G41.1 and G42.1: D is the diameter, L the orientation.
 bool by_diameter(ModeLine& line, int code) {
   const uint8_t word = line.at(GGroup::kCutterCompensation);
@@ -33,7 +38,11 @@ bool by_diameter(ModeLine& line, int code) {
       line.stop_in({kNotG18}, StopKind::kCompensation, g_name(code) + " with L word, but plane is not G18",
                    line.at('l'), word))
     return true;
-  return switch_on(line, code, line.value('d'));
+  const double* const diameter = line.value('d');
+  const double* const orientation = line.value('l');
+  const bool known = diameter != nullptr && (!line.has('l') || orientation != nullptr);
+  begin_path(line, code, known ? *diameter : 0, orientation == nullptr ? 0 : nearest_integer(*orientation));
+  return switch_on(line, code, diameter);
 }
 
 /// G41 and G42: D is the number of a tool, without it that of the tool in the spindle.
@@ -56,6 +65,10 @@ bool by_tool(ModeLine& line, int code) {
       line.stop_in({kNotG18}, StopKind::kCompensation, g_name(code) + " with lathe tool, but plane is not G18",
                    line.at('d'), word))
     return true;
+  // Lines may have given it another diameter.
+  const bool changed = line.place() != nullptr && line.place()->tools_changed;
+  const double diameter = from_machine(line, Coordinate::of(tool->diameter), 0).value;
+  begin_path(line, code, changed || std::isnan(diameter) ? 0 : diameter, tool->orientation);
   return switch_on(line, code, &tool->diameter);
 }
 
@@ -75,6 +88,7 @@ bool compensation(ModeLine& line) {
   const int code = line.code(GGroup::kCutterCompensation);
   if (code < 0) return false;
   if (code == code::kG40) {
+    if (places::end_path(line)) return true;
     switch_compensation_off(line);
     return false;
   }

@@ -140,7 +140,8 @@ std::string name_of_contour(int tenths) {
 bool straight(ModeLine& line, Motion motion) {
   Point end;
   owe_nothing(line);
-  if (feed_of(line, motion) || places::end_point(line, &end) || machine_coordinates(line) || compensates_uvw(line))
+  if (feed_of(line, motion) || places::end_point(line, &end) || machine_coordinates(line) || compensates_uvw(line) ||
+      places::follow_path(line, motion, end))
     return true;
   if (motion == Motion::kG1) keep_feed(line);
   enter(line);
@@ -164,7 +165,8 @@ bool arc(ModeLine& line, Motion motion) {
     if (no_center ? radius(line, plane) : center(line, plane)) return true;
   }
   Point end;
-  if (places::end_point(line, &end) || places::arc(line, end)) return true;
+  if (places::end_point(line, &end) || places::arc(line, end) || places::follow_path_by_arc(line, motion, end))
+    return true;
   keep_feed(line);
   enter(line);
   places::arrive(line, end);
@@ -174,7 +176,7 @@ bool arc(ModeLine& line, Motion motion) {
 bool thread(ModeLine& line, Motion motion) {
   Point end;
   owe_nothing(line);
-  if (places::end_point(line, &end) || compensates_uvw(line)) return true;
+  if (places::end_point(line, &end) || compensates_uvw(line) || places::follow_path(line, motion, end)) return true;
   if (motion == Motion::kG33 &&
       thread_spindle(line, "Invalid spindle ($) number in G33 move", "Spindle not turning in G33"))
     return true;

@@ -156,6 +156,7 @@ bool nurbs(ModeLine& line, Motion motion) {
 
 /// Since 2.10 a curve does not go on behind a pause.
 bool pause(ModeLine& line) {
+  if (places::pause_path(line)) return true;
   if (line.code(MGroup::kStop) >= 0 && line.since(Release::k2_10)) line.set(Mode::kNurbs, modes::kNoPoints);
   return false;
 }

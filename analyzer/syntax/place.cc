@@ -33,7 +33,9 @@ Point join(const Point& a, const Point& b) {
   return both;
 }
 
-CoordinateSystem join(const CoordinateSystem& a, const CoordinateSystem& b) { return {join(a.origin, b.origin), join(a.rotation, b.rotation)}; }
+CoordinateSystem join(const CoordinateSystem& a, const CoordinateSystem& b) {
+  return {join(a.origin, b.origin), join(a.rotation, b.rotation)};
+}
 
 Flat turned_by(double x, double y, double degrees) {
   // What does not turn stays what it is, though one of the two may be unknown.
@@ -84,6 +86,7 @@ Point operator-(const Point& a, const Point& b) {
 
 void Place::lose_point() {
   at = Point::unknown();
+  lose_path();
   settle();
 }
 
@@ -143,6 +146,8 @@ Place join(const Place& a, const Place& b) {
   both.tools_changed = a.tools_changed || b.tools_changed;
   both.curve_x = join(a.curve_x, b.curve_x);
   both.curve_y = join(a.curve_y, b.curve_y);
+  if (a.path == b.path) both.path = a.path;
+  both.path_from_start = a.path_from_start || b.path_from_start;
   both.settle();
   return both;
 }

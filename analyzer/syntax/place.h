@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "analyzer/geometry/compensated_path.h"
 #include "analyzer/syntax/coordinate.h"
 
 namespace owlint {
@@ -47,8 +48,8 @@ struct Place {
 
   // In the units in effect.
   CoordinateSystem system{};  ///< that in effect
-  Point offset{};   ///< of G92 and G52
-  Point tool{};     ///< the offset of G43
+  Point offset{};             ///< of G92 and G52
+  Point tool{};               ///< the offset of G43
   // In units of the machine, as parameters.
   std::array<CoordinateSystem, kSystemCount> systems{};
   Point stored_offset{};
@@ -65,8 +66,14 @@ struct Place {
   /// The last control point of a NURBS.
   Coordinate curve_x{}, curve_y{};
 
+  /// With compensation on, if it is known: else it is off.
+  CompensatedPath path{};
+  bool path_from_start = false;  ///< it depends on where a machine stands that was just started
+
   bool operator==(const Place&) const = default;
 
+  /// Nothing is known of a compensated path.
+  void lose_path() { path = {}; }
   /// The machine is somewhere.
   void lose_point();
   /// The same, and its offsets are no longer known.

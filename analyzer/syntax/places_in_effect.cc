@@ -92,6 +92,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
   assume(before);
   const Motion motion = words.motion(static_cast<Motion>(only_value(assumed_.now, Mode::kMotion)));
   const Place start = place_;
+  const bool compensates = assumed_.now[Mode::kCompensation] != value_bit(modes::kG40);
+  const bool pauses = compensates && words.code(MGroup::kStop) != nullptr;  // which ends the move before it
   const bool computed = has_computed_place(words);
   faults_.clear();
   ModeRun(machine_, words).run(&assumed_, &faults_, &place_);
@@ -121,14 +123,14 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
     note(line, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
     return false;
   }
-  if (!moves && !has_code_for_the_flow(words) && !unknown && !block_delete && !stops) return false;
+  if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops) return false;
   if (questions_ == kMostQuestions) {
     note_lost();
     return false;
   }
   ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
-  if (stops || (moves && !contains(kStraightMoves, motion))) out_.asks_place = true;
+  if (stops || pauses || (moves && (compensates || !contains(kStraightMoves, motion)))) out_.asks_place = true;
   return true;
 }
 
@@ -171,8 +173,14 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, cons
   if (effect.axes == 0) return to;
   const bool alone = effect.alone && !std::has_single_bit(before[Mode::kMotion]);
   assume(before);
+  // Each move on a compensated path is looked at.
+  const bool compensates = assumed_.now[Mode::kCompensation] != value_bit(modes::kG40);
+  if (compensates && left_ && questions_ == kMostQuestions) {
+    note_lost();
+    return to;
+  }
   const bool sums = !is_known(before, Mode::kDistance) || before[Mode::kDistance] != value_bit(modes::kG90);
-  if (effect.first_arc == 0) {
+  if (effect.first_arc == 0 && !compensates) {
     const PlainMoves moves = plain_moves(bytes, from, to, effect.axes, sums);
     for_letters(moves.letters, [&](size_t letter) { go(letter, moves.last[letter], moves.sum[letter]); });
     if (left_) note(moves, before, alone);
@@ -186,6 +194,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, cons
   while (from < to) {
     const size_t next = read_plain_words(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
+    if (compensates && words.letters != 0) break;
     if (contains(kArcs, motion) && words.letters != 0) {
       const bool asks = left_ ? questions_ < kMostQuestions : !arc_passes(words);
       if (asks) break;

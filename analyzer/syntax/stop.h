@@ -59,6 +59,8 @@ enum class StopKind : uint8_t {
   kArcWords,           // words of an arc that do not make one
   kArcRadiiDiffer,     // an arc whose ends are not as far from its center
   kArcRadiusTooSmall,  // an arc whose radius does not reach its end
+  kCompensationEntry,  // the first move of a compensated path is too short for the tool
+  kCompensationGouge,  // a corner or an arc that the tool does not fit into
   kCycleWords,         // the same of a cycle
   kContourWords,       // the same of a contour, a spline or a thread
   kUserCodeMissing,    // `M110`: no file of that name, as far as is known

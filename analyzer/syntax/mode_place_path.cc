@@ -1,0 +1,172 @@
+// On a path with cutter compensation: whether the tool fits between the moves. Without its radius, or where a point of the path is
+// not known, nothing is claimed until compensation is switched off.
+#include <cmath>
+
+#include "analyzer/syntax/mode_place.h"
+
+namespace owlint::places {
+namespace {
+
+/// The plane of the path; it cannot change on the way but to one in which nothing moves.
+struct PathPlane {
+  Axis first, second;
+  char first_center, second_center;
+  std::array<char, 2> names;
+};
+constexpr PathPlane kXy{Axis::kX, Axis::kY, 'i', 'j', {'X', 'Y'}};
+constexpr PathPlane kZx{Axis::kZ, Axis::kX, 'k', 'i', {'Z', 'X'}};
+
+const PathPlane* plane_of(const ModeLine& line) {
+  const std::optional<uint8_t> plane = line.only(Mode::kPlane);
+  if (!plane || *plane > modes::kG18) return nullptr;
+  return *plane == modes::kG17 ? &kXy : &kZx;
+}
+
+/// A point of the path, on a machine that was just started; nothing if it is not known.
+std::optional<PlanePoint> point_of(Place& place, const Point& point, const PathPlane& plane) {
+  const Coordinate first = point[plane.first], second = point[plane.second];
+  if (first.is_unknown() || second.is_unknown()) return std::nullopt;
+  if (!first.is_known() || !second.is_known()) place.path_from_start = true;
+  return PlanePoint{first.value, second.value};
+}
+
+StopKind kind_of(PathFault fault) {
+  switch (fault) {
+    case PathFault::kEntryTooShort: return StopKind::kCompensationEntry;
+    case PathFault::kGouge: return StopKind::kCompensationGouge;
+    case PathFault::kRadiiDiffer: return StopKind::kArcRadiiDiffer;
+    case PathFault::kRadiusTooSmall: return StopKind::kArcRadiusTooSmall;
+    case PathFault::kZeroRadius:
+    case PathFault::kSamePoint: return StopKind::kArcWords;
+    case PathFault::kNone:
+    case PathFault::kNotStraight:
+    case PathFault::kBug: break;
+  }
+  return StopKind::kCompensation;
+}
+
+bool stops(ModeLine& line, PathStep step, uint8_t word) {
+  Place& place = *line.place();
+  if (!step.stops()) return false;
+  if (step.undecided) {
+    // Rounding decides, and not every build rounds alike.
+    line.may_stop(kind_of(step.fault), std::move(step.message), word, kNoWord, 0, true);
+    line.faults()->back().by_place = true;
+    place.lose_path();
+    return false;
+  }
+  return stop_by(line, place.path_from_start ? Verdict::kFromStart : Verdict::kStops, kind_of(step.fault),
+                 std::move(step.message), word);
+}
+
+/// Whether the moves of the line are on a path that is known. If it may be one, it is known no more.
+bool is_on_path(ModeLine& line) {
+  if (line.place() == nullptr) return false;
+  const Answer moves = line.holds({kCompensationMoves});
+  if (moves == Answer::kYes && line.place()->path.offsets() && line.holds({kCompensationOn}) == Answer::kYes)
+    return true;
+  if (moves != Answer::kNo) line.place()->lose_path();
+  return false;
+}
+
+/// The turns of an arc, negative for G2; nothing if they are not known.
+std::optional<int> turns_of(const ModeLine& line, Motion motion) {
+  int turns = 1;
+  if (line.has('p')) {
+    const double* const p = line.value('p');
+    if (p == nullptr) return std::nullopt;
+    turns = static_cast<int>(std::nearbyint(*p));
+  }
+  return motion == Motion::kG2 ? -turns : turns;
+}
+
+/// The words of an arc; false if one is not known.
+bool read_arc(const ModeLine& line, const PathPlane& plane, PlanePoint start, ArcEntry* arc) {
+  if (arc->by_radius) {
+    if (line.value('r') == nullptr) return false;
+    arc->radius = *line.value('r');
+    return true;
+  }
+  const std::optional<uint8_t> distance = line.only(Mode::kArcDistance);
+  if (!distance) return false;
+  const auto word = [&](char letter) -> std::optional<double> {
+    if (!line.has(letter)) return 0;
+    if (line.value(letter) == nullptr) return std::nullopt;
+    return *line.value(letter);
+  };
+  const auto first = word(plane.first_center), second = word(plane.second_center);
+  if (!first || !second) return false;
+  arc->center = *distance == modes::kG90_1 ? PlanePoint{*first, *second}
+                                           : PlanePoint{start.first + *first, start.second + *second};
+  return true;
+}
+
+}  // namespace
+
+void begin_path(ModeLine& line, bool right, double radius, int orientation) {
+  Place* const place = line.place();
+  if (place == nullptr) return;
+  place->lose_path();
+  const PathPlane* const plane = plane_of(line);
+  const std::optional<uint8_t> units = line.only(Mode::kUnits);
+  if (plane == nullptr || !units || radius == 0) return;
+  place->path_from_start = false;
+  const std::optional<PlanePoint> at = point_of(*place, place->at, *plane);
+  if (!at) return;
+  place->path.start({right ? Side::kRight : Side::kLeft, radius, orientation}, {*units == modes::kG20, plane->names},
+                    *at);
+}
+
+bool follow_path(ModeLine& line, Motion motion, const Point& end) {
+  if (!is_on_path(line)) return false;
+  Place& place = *line.place();
+  const PathPlane* const plane = plane_of(line);
+  const std::optional<PlanePoint> to = plane == nullptr ? std::nullopt : point_of(place, end, *plane);
+  if (!to) {
+    place.lose_path();
+    return false;
+  }
+  const Mover mover = motion == Motion::kG0 ? Mover::kRapid : motion == Motion::kG1 ? Mover::kFeed : Mover::kThread;
+  return stops(line, place.path.line(*to, mover), line.mover());
+}
+
+bool follow_path_by_arc(ModeLine& line, Motion motion, const Point& end) {
+  if (!is_on_path(line)) return false;
+  Place& place = *line.place();
+  const PathPlane* const plane = plane_of(line);
+  const std::optional<PlanePoint> to = plane == nullptr ? std::nullopt : point_of(place, end, *plane);
+  const std::optional<int> turns = turns_of(line, motion);
+  const bool inch = line.only(Mode::kUnits) == modes::kG20;
+  ArcEntry arc{to.value_or(PlanePoint{}),
+               line.has('r'),
+               0,
+               {},
+               turns.value_or(1),
+               inch ? line.machine().arc_tolerance_inch : line.machine().arc_tolerance_mm};
+  const PlanePoint start = place.path.entered() ? place.path.programmed() : place.path.tool();
+  if (!to || !turns || !read_arc(line, *plane, start, &arc)) {
+    place.lose_path();
+    return false;
+  }
+  return stops(line, place.path.arc(arc), line.mover());
+}
+
+bool pause_path(ModeLine& line) {
+  if (line.code(MGroup::kStop) < 0 || !is_on_path(line)) return false;
+  return stops(line, line.place()->path.pause(), line.at(MGroup::kStop));
+}
+
+bool end_path(ModeLine& line) {
+  if (line.place() == nullptr) return false;
+  const bool known = is_on_path(line);
+  if (known && stops(line, line.place()->path.off(), line.at(GGroup::kCutterCompensation))) return true;
+  line.place()->lose_path();
+  return false;
+}
+
+void wait_on_path(ModeLine& line) {
+  // How often what waits is scaled when units change is not followed.
+  if (line.place() != nullptr && line.place()->path.on()) line.place()->lose_path();
+}
+
+}  // namespace owlint::places
