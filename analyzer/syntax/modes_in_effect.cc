@@ -278,8 +278,8 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     if (statement.block_delete) forget();
     return true;
   }
-  const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement.block_delete);
   asks_ = asks(*words, after, alone);
+  const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement.block_delete, asks_);
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
   if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());

@@ -86,7 +86,7 @@ bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
       assumed_.now[Mode::kCompensation] == value_bit(modes::kG40);
 }
 
-bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool block_delete) {
+bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool block_delete, bool asked) {
   const bool unknown = words.has_unknown_code() || words.has_remapped_code();
   if (!words.has_axis_words() && !words.has_polar_words() && !has_code_of_place(words) && !unknown) return false;
   assume(before);
@@ -105,7 +105,7 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
   const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
   const bool needs_no_question =
       contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
-  if (plain && needs_no_question) {
+  if (plain && needs_no_question && !asked) {
     PlainWords written;
     for (size_t i = 0; i < words.size(); ++i) {
       const uint32_t bit = letter_set({&words[i].letter, 1});
@@ -124,11 +124,11 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
     return false;
   }
   if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops) return false;
-  if (questions_ == kMostQuestions) {
+  if (questions_ == kMostQuestions && !asked) {
     note_lost();
     return false;
   }
-  ++questions_;
+  if (!asked) ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
   if (stops || pauses || (moves && (compensates || !contains(kStraightMoves, motion)))) out_.asks_place = true;
   return true;
