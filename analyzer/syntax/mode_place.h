@@ -25,9 +25,9 @@ bool agree(double a, double b);
 double here(Coordinate coordinate);
 double elsewhere(Coordinate coordinate, size_t axis);
 
-/// True if no run goes on.
-bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word,
-             uint8_t other = kNoWord, std::optional<ArcNumbers> arc = std::nullopt);
+/// True if no run goes on. `decided_by`: modes in which the same words would pass.
+bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord,
+             ModeMask decided_by = 0, std::optional<ArcNumbers> arc = std::nullopt);
 
 /// Whether the point is the origin, from where a polar word alone leads nowhere.
 Verdict at_origin(Coordinate x, Coordinate y);

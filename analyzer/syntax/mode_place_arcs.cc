@@ -29,7 +29,8 @@ class Arc {
   Arc(ModeLine& line, const ArcAxes& axes, const Point& end)
       : line_(line), axes_(axes), from_(line.place()->at), to_(end) {
     const size_t first = index(axes.first), second = index(axes.second);
-    here_ = {{owlint::here(from_[first]), owlint::here(from_[second])}, {owlint::here(to_[first]), owlint::here(to_[second])}};
+    here_ = {{owlint::here(from_[first]), owlint::here(from_[second])},
+             {owlint::here(to_[first]), owlint::here(to_[second])}};
     elsewhere_ = {{owlint::elsewhere(from_[first], first), owlint::elsewhere(from_[second], second)},
                   {owlint::elsewhere(to_[first], first), owlint::elsewhere(to_[second], second)}};
     start_unknown_ = from_[first].is_unknown() || from_[second].is_unknown();
@@ -51,7 +52,9 @@ class Arc {
   std::string point(Flat at, bool unknown) const;
   Flat center(Flat start, bool absolute) const;
   std::string said(const CenterArc& arc, Flat center, bool known, bool absolute) const;
-  ArcNumbers numbers() const;
+  ArcNumbers numbers(bool absolute) const;
+  bool passes(const Ends& ends, bool absolute) const;
+  ModeMask deciding(bool absolute) const;
 
   ModeLine& line_;
   const ArcAxes& axes_;
@@ -76,42 +79,69 @@ Flat Arc::center(Flat start, bool absolute) const {
 
 std::string Arc::said(const CenterArc& arc, Flat center, bool known, bool absolute) const {
   const auto length = [known](double value) { return known ? fmt::format("{:.4f}", value) : "..."; };
-  std::string text = arc.fault == ArcFault::kZeroRadius ? "Zero-radius arc: "
-                                                        : "Radius to end of arc differs from radius to start: ";
+  std::string text =
+      arc.fault == ArcFault::kZeroRadius ? "Zero-radius arc: " : "Radius to end of arc differs from radius to start: ";
   text += fmt::format("start={} center={} end={} r1={} r2={}", point(here_.start, start_unknown_),
-                      point(center, start_unknown_ && !absolute), point(here_.end, unknown_),
-                      length(arc.start_radius), length(arc.end_radius));
+                      point(center, start_unknown_ && !absolute), point(here_.end, unknown_), length(arc.start_radius),
+                      length(arc.end_radius));
   if (arc.fault == ArcFault::kZeroRadius) return text;
   if (!known) return text + " abs_err=... rel_err=...";
   return text + fmt::format(" abs_err={:.4g} rel_err={:.4f}%", arc.difference, arc.share * 100);
 }
 
-ArcNumbers Arc::numbers() const {
+ArcNumbers Arc::numbers(bool absolute) const {
   ArcNumbers numbers{};
   numbers.first = letter(axes_.first);
   numbers.second = letter(axes_.second);
+  numbers.first_center = axes_.first_center;
+  numbers.second_center = axes_.second_center;
   numbers.start_known = !unknown_;
+  numbers.inch = line_.only(Mode::kUnits) == modes::kG20;
+  numbers.diameter = line_.halves_x() == Answer::kYes;
+  numbers.incremental = line_.only(Mode::kDistance) == modes::kG91;
+  numbers.absolute_center = absolute;
+  numbers.tolerance = tolerance_;
   numbers.start = here_.start;
   numbers.end = here_.end;
   return numbers;
 }
 
+bool Arc::passes(const Ends& ends, bool absolute) const {
+  return arc_by_center(ends.start, center(ends.start, absolute), ends.end, tolerance_).fault == ArcFault::kNone;
+}
+
+/// The modes of which another one would make the arc pass.
+ModeMask Arc::deciding(bool absolute) const {
+  if (unknown_) return 0;
+  ModeMask modes = 0;
+  const bool whole_center = line_.has(axes_.first_center) && line_.has(axes_.second_center);
+  if (whole_center && passes(here_, !absolute)) modes |= mask_of(Mode::kArcDistance);
+  const std::optional<uint8_t> distance = line_.only(Mode::kDistance);
+  if (!distance || line_.words().has_polar_words()) return modes;
+  const double back = *distance == modes::kG91 ? -1 : 1;
+  Ends other = here_;
+  if (line_.has(letter(axes_.first))) other.end.first += back * here_.start.first;
+  if (line_.has(letter(axes_.second))) other.end.second += back * here_.start.second;
+  if (other.end != here_.end && passes(other, absolute)) modes |= mask_of(Mode::kDistance);
+  return modes;
+}
+
 bool Arc::stops_by_center(bool absolute) {
   const Flat center = this->center(here_.start, absolute);
   const CenterArc arc = arc_by_center(here_.start, center, here_.end, tolerance_);
-  const CenterArc other = arc_by_center(elsewhere_.start, this->center(elsewhere_.start, absolute), elsewhere_.end,
-                                        tolerance_);
+  const CenterArc other =
+      arc_by_center(elsewhere_.start, this->center(elsewhere_.start, absolute), elsewhere_.end, tolerance_);
   const bool agrees = agree(arc.start_radius, other.start_radius) && agree(arc.end_radius, other.end_radius);
   const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
   if (verdict == Verdict::kPasses) return false;
-  ArcNumbers numbers = this->numbers();
+  ArcNumbers numbers = this->numbers(absolute);
   numbers.center = center;
   numbers.start_radius = arc.start_radius;
   numbers.end_radius = arc.end_radius;
   numbers.allowed = arc.allowed;
   const StopKind kind = arc.fault == ArcFault::kZeroRadius ? StopKind::kArcWords : StopKind::kArcRadiiDiffer;
-  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure, absolute), line_.mover(),
-                 kNoWord, numbers);
+  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure, absolute), line_.mover(), kNoWord,
+                 deciding(absolute), numbers);
 }
 
 bool Arc::stops_by_radius(double radius) {
@@ -120,13 +150,13 @@ bool Arc::stops_by_radius(double radius) {
   const bool agrees = agree(arc.least_radius, other.least_radius);
   const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
   if (verdict == Verdict::kPasses) return false;
-  ArcNumbers numbers = this->numbers();
+  ArcNumbers numbers = this->numbers(false);
   numbers.radius = radius;
   numbers.least_radius = arc.least_radius;
   const bool same = arc.fault == ArcFault::kSamePoint;
   return stop_by(line_, verdict, same ? StopKind::kArcWords : StopKind::kArcRadiusTooSmall,
                  same ? "Current point same as end point of arc" : "Arc radius too small to reach end point",
-                 line_.at('r'), line_.mover(), numbers);
+                 line_.at('r'), line_.mover(), 0, numbers);
 }
 
 /// Whether all words of the center are known.

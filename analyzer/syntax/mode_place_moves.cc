@@ -10,7 +10,8 @@ namespace {
 constexpr StopKind kPolar = StopKind::kModeConflict;
 
 bool stops_at_origin(ModeLine& line, const Point& at, const char* message, char letter) {
-  return stop_by(line, at_origin(at[Axis::kX], at[Axis::kY]), kPolar, message, line.at(letter), line.mover());
+  return stop_by(line, at_origin(at[Axis::kX], at[Axis::kY]), kPolar, message, line.at(letter), line.mover(),
+                 mask_of(Mode::kDistance));
 }
 
 void lose_plane(Point* at) { (*at)[Axis::kX] = (*at)[Axis::kY] = Coordinate::unknown(); }
@@ -18,8 +19,8 @@ void lose_plane(Point* at) { (*at)[Axis::kX] = (*at)[Axis::kY] = Coordinate::unk
 /// Polar words in G91: one after the other.
 bool further_polar(ModeLine& line, Point* end) {
   if (const double* const by = line.value('@')) {
-    if (stops_at_origin(line, *end,
-                        "Incremental motion with polar coordinates is indeterminate when at the origin", '@'))
+    if (stops_at_origin(line, *end, "Incremental motion with polar coordinates is indeterminate when at the origin",
+                        '@'))
       return true;
     change_plane(end, [by](Flat at) { return further_out(at, *by); });
   }
@@ -41,8 +42,7 @@ bool polar_end(ModeLine& line, Point* end) {
     return false;
   }
   if (*distance == modes::kG91) return further_polar(line, end);
-  if (angle == nullptr &&
-      stops_at_origin(line, *end, "Must specify angle in polar coordinate if at the origin", '@'))
+  if (angle == nullptr && stops_at_origin(line, *end, "Must specify angle in polar coordinate if at the origin", '@'))
     return true;
   change_plane(end, [&](Flat at) { return polar(at, radius, angle); });
   return false;

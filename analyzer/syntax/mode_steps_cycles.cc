@@ -19,18 +19,54 @@ struct CyclePlane {
   places::Hole hole;
 };
 constexpr CyclePlane kPlanes[] = {
-    {modes::kG17, "G17", 'z', "uvw", "XY", "Z value unspecified in xy plane canned cycle",
-     "R less than z in cycle in xy plane", {Axis::kZ, Axis::kX, Axis::kY}},
-    {modes::kG18, "G18", 'y', "uvw", "XZ", "Y value unspecified in xz plane canned cycle",
-     "R less than y in cycle in xz plane", {Axis::kY, Axis::kZ, Axis::kX}},
-    {modes::kG19, "G19", 'x', "uvw", "YZ", "X value unspecified in yz plane canned cycle",
-     "R less than x in cycle in yz plane", {Axis::kX, Axis::kY, Axis::kZ}},
-    {modes::kG17_1, "G17.1", 'w', "xyz", "UV", "W value unspecified in UV plane canned cycle",
-     "R less than w in cycle in uv plane", {Axis::kW, Axis::kU, Axis::kV}},
-    {modes::kG18_1, "G18.1", 'v', "xyz", "UW", "V value unspecified in UW plane canned cycle",
-     "R less than v in cycle in uw plane", {Axis::kV, Axis::kW, Axis::kU}},
-    {modes::kG19_1, "G19.1", 'u', "xyz", "VW", "U value unspecified in VW plane canned cycle",
-     "R less than u in cycle in vw plane", {Axis::kU, Axis::kV, Axis::kW}},
+    {modes::kG17,
+     "G17",
+     'z',
+     "uvw",
+     "XY",
+     "Z value unspecified in xy plane canned cycle",
+     "R less than z in cycle in xy plane",
+     {Axis::kZ, Axis::kX, Axis::kY}},
+    {modes::kG18,
+     "G18",
+     'y',
+     "uvw",
+     "XZ",
+     "Y value unspecified in xz plane canned cycle",
+     "R less than y in cycle in xz plane",
+     {Axis::kY, Axis::kZ, Axis::kX}},
+    {modes::kG19,
+     "G19",
+     'x',
+     "uvw",
+     "YZ",
+     "X value unspecified in yz plane canned cycle",
+     "R less than x in cycle in yz plane",
+     {Axis::kX, Axis::kY, Axis::kZ}},
+    {modes::kG17_1,
+     "G17.1",
+     'w',
+     "xyz",
+     "UV",
+     "W value unspecified in UV plane canned cycle",
+     "R less than w in cycle in uv plane",
+     {Axis::kW, Axis::kU, Axis::kV}},
+    {modes::kG18_1,
+     "G18.1",
+     'v',
+     "xyz",
+     "UW",
+     "V value unspecified in UW plane canned cycle",
+     "R less than v in cycle in uw plane",
+     {Axis::kV, Axis::kW, Axis::kU}},
+    {modes::kG19_1,
+     "G19.1",
+     'u',
+     "xyz",
+     "VW",
+     "U value unspecified in VW plane canned cycle",
+     "R less than u in cycle in vw plane",
+     {Axis::kU, Axis::kV, Axis::kW}},
 };
 
 /// Words that a cycle needs on the line that begins it; further holes have those of the hole before.
@@ -80,7 +116,8 @@ bool lacks_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
 /// Whether R lies below the bottom, where the place is followed.
 bool is_below(ModeLine& line, const CyclePlane& in, Verdict verdict) {
   const uint8_t written = line.at(line.has('r') ? 'r' : in.axis);
-  return stop_by(line, verdict, kWords, in.below, line.has(in.axis) ? line.at(in.axis) : written, line.at('r'));
+  return stop_by(line, verdict, kWords, in.below, line.has(in.axis) ? line.at(in.axis) : written, line.at('r'),
+                 mask_of(Mode::kDistance));
 }
 
 /// Whether the first hole would lie above R. In G90 both are on the line, or one of them is not known here; in G91 the depth

@@ -65,6 +65,8 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kToolMissing: return "OW806";
     case StopKind::kSavedModes: return "OW807";
     case StopKind::kModeConflict: return "OW808";
+    case StopKind::kArcRadiiDiffer: return "OW901";
+    case StopKind::kArcRadiusTooSmall: return "OW902";
     case StopKind::kArcWords: return "OW903";
     case StopKind::kCycleWords: return "OW904";
     case StopKind::kContourWords: return "OW908";
