@@ -33,6 +33,7 @@ struct FaultyWords {
   uint8_t word = kNoWord;   ///< index of the one that it is about; kNoWord: a motion that an earlier line has set
   uint8_t other = kNoWord;  ///< another one concerned, or kNoWord
   ModeMask decided_by = 0;  ///< the modes that decide it
+  bool from_start = false;  ///< it stops from where a machine stands that was just started
   std::shared_ptr<const ArcNumbers> arc;  ///< if it is an arc that does not fit
 };
 

@@ -38,13 +38,13 @@ double places::elsewhere(Coordinate coordinate, size_t axis) {
 }
 
 bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other,
-             std::optional<ArcNumbers> arc) {
+             ModeMask decided_by, std::optional<ArcNumbers> arc) {
   if (verdict == Verdict::kPasses) return false;
   const bool stops = verdict != Verdict::kUnsure;
   if (stops) {
-    line.stop(kind, std::move(message), word, other);
+    line.stop(kind, std::move(message), word, other, decided_by);
   } else {
-    line.may_stop(kind, std::move(message), word, other);
+    line.may_stop(kind, std::move(message), word, other, decided_by);
   }
   ModeFault& fault = line.faults()->back();
   fault.by_place = true;

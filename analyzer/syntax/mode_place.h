@@ -17,9 +17,9 @@ enum class Verdict : uint8_t {
   kFromStart,  ///< stops on a machine that was just started
   kStops,
 };
-/// True if no run goes on.
+/// True if no run goes on. `decided_by`: modes in which the same words would pass.
 bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord,
-             std::optional<ArcNumbers> arc = std::nullopt);
+             ModeMask decided_by = 0, std::optional<ArcNumbers> arc = std::nullopt);
 
 /// The word of an axis in its units; nothing if the line has none.
 std::optional<Coordinate> axis_word(const ModeLine& line, size_t axis);

@@ -52,7 +52,9 @@ class Arc {
   std::string point(Flat at, bool unknown) const;
   Flat center(Flat start, bool absolute) const;
   std::string said(const CenterArc& arc, Flat center, bool known, bool absolute) const;
-  ArcNumbers numbers() const;
+  ArcNumbers numbers(bool absolute) const;
+  bool passes(const Ends& ends, bool absolute) const;
+  ModeMask deciding(bool absolute) const;
 
   ModeLine& line_;
   const ArcAxes& axes_;
@@ -87,14 +89,41 @@ std::string Arc::said(const CenterArc& arc, Flat center, bool known, bool absolu
   return text + fmt::format(" abs_err={:.4g} rel_err={:.4f}%", arc.difference, arc.share * 100);
 }
 
-ArcNumbers Arc::numbers() const {
+ArcNumbers Arc::numbers(bool absolute) const {
   ArcNumbers numbers{};
   numbers.first = letter(axes_.first);
   numbers.second = letter(axes_.second);
+  numbers.first_center = axes_.first_center;
+  numbers.second_center = axes_.second_center;
   numbers.start_known = !unknown_;
+  numbers.inch = line_.only(Mode::kUnits) == modes::kG20;
+  numbers.diameter = line_.holds({{Mode::kDiameter, value_bit(modes::kG7)}}) == Answer::kYes;
+  numbers.incremental = line_.only(Mode::kDistance) == modes::kG91;
+  numbers.absolute_center = absolute;
+  numbers.tolerance = tolerance_;
   numbers.start = here_.start;
   numbers.end = here_.end;
   return numbers;
+}
+
+bool Arc::passes(const Ends& ends, bool absolute) const {
+  return arc_by_center(ends.start, center(ends.start, absolute), ends.end, tolerance_).fault == ArcFault::kNone;
+}
+
+/// The modes of which another one would make the arc pass.
+ModeMask Arc::deciding(bool absolute) const {
+  if (unknown_) return 0;
+  ModeMask modes = 0;
+  const bool whole_center = line_.has(axes_.first_center) && line_.has(axes_.second_center);
+  if (whole_center && passes(here_, !absolute)) modes |= mask_of(Mode::kArcDistance);
+  const std::optional<uint8_t> distance = line_.only(Mode::kDistance);
+  if (!distance || line_.words().has_polar_words()) return modes;
+  const double back = *distance == modes::kG91 ? -1 : 1;
+  Ends other = here_;
+  if (line_.has(letter(axes_.first))) other.end.first += back * here_.start.first;
+  if (line_.has(letter(axes_.second))) other.end.second += back * here_.start.second;
+  if (other.end != here_.end && passes(other, absolute)) modes |= mask_of(Mode::kDistance);
+  return modes;
 }
 
 bool Arc::stops_by_center(bool absolute) {
@@ -105,14 +134,14 @@ bool Arc::stops_by_center(bool absolute) {
   const bool agrees = agree(arc.start_radius, other.start_radius) && agree(arc.end_radius, other.end_radius);
   const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
   if (verdict == Verdict::kPasses) return false;
-  ArcNumbers numbers = this->numbers();
+  ArcNumbers numbers = this->numbers(absolute);
   numbers.center = center;
   numbers.start_radius = arc.start_radius;
   numbers.end_radius = arc.end_radius;
   numbers.allowed = arc.allowed;
   const StopKind kind = arc.fault == ArcFault::kZeroRadius ? StopKind::kArcWords : StopKind::kArcRadiiDiffer;
   return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure, absolute), line_.mover(), kNoWord,
-                 numbers);
+                 deciding(absolute), numbers);
 }
 
 bool Arc::stops_by_radius(double radius) {
@@ -121,13 +150,13 @@ bool Arc::stops_by_radius(double radius) {
   const bool agrees = agree(arc.least_radius, other.least_radius);
   const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
   if (verdict == Verdict::kPasses) return false;
-  ArcNumbers numbers = this->numbers();
+  ArcNumbers numbers = this->numbers(false);
   numbers.radius = radius;
   numbers.least_radius = arc.least_radius;
   const bool same = arc.fault == ArcFault::kSamePoint;
   return stop_by(line_, verdict, same ? StopKind::kArcWords : StopKind::kArcRadiusTooSmall,
                  same ? "Current point same as end point of arc" : "Arc radius too small to reach end point",
-                 line_.at('r'), line_.mover(), numbers);
+                 line_.at('r'), line_.mover(), 0, numbers);
 }
 
 /// Whether all words of the center are known.

@@ -40,7 +40,7 @@ bool turns_at_origin(ModeLine& line, char letter, const Point& at) {
   const double* const word = line.value(letter);
   if (word == nullptr || *word == 0) return false;
   return stop_by(line, at_origin(at[Axis::kX], at[Axis::kY]), StopKind::kModeConflict, kAtOrigin, line.at(letter),
-                 line.mover());
+                 line.mover(), mask_of(Mode::kDistance));
 }
 
 void lose_plane(const Hole& hole, Point* at) { (*at)[hole.first] = (*at)[hole.second] = Coordinate::unknown(); }

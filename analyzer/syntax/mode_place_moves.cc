@@ -10,7 +10,8 @@ namespace {
 constexpr StopKind kPolar = StopKind::kModeConflict;
 
 bool stops_at_origin(ModeLine& line, const Point& at, const char* message, char letter) {
-  return stop_by(line, at_origin(at[Axis::kX], at[Axis::kY]), kPolar, message, line.at(letter), line.mover());
+  return stop_by(line, at_origin(at[Axis::kX], at[Axis::kY]), kPolar, message, line.at(letter), line.mover(),
+                 mask_of(Mode::kDistance));
 }
 
 void lose_plane(Point* at) { (*at)[Axis::kX] = (*at)[Axis::kY] = Coordinate::unknown(); }

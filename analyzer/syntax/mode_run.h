@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "analyzer/geometry/plane.h"
+#include "analyzer/geometry/arc.h"
 #include "analyzer/syntax/modes.h"
 #include "analyzer/syntax/place.h"
 #include "analyzer/syntax/word_line.h"
@@ -17,8 +17,14 @@ namespace owlint {
 
 /// An arc that does not pass, in the units in effect.
 struct ArcNumbers {
-  char first, second;  ///< the axes of its plane, small
-  bool start_known;    ///< else `start`, `center` and `end` may lie elsewhere, together
+  char first, second;                ///< the axes of its plane, small
+  char first_center, second_center;  ///< the letters of its center
+  bool start_known;                  ///< else `start`, `center` and `end` may lie elsewhere, together
+  bool inch;                         ///< G20
+  bool diameter;                     ///< X is one
+  bool incremental;                  ///< G91
+  bool absolute_center;              ///< G90.1
+  ArcTolerance tolerance;
   Flat start, center, end;
   double start_radius, end_radius;
   double allowed;       ///< how much the two may differ
@@ -30,7 +36,7 @@ struct ArcNumbers {
 struct ModeFault {
   Fault fault;          ///< certain: on every run that gets here and has not stopped for an earlier fault of the line
   bool believed;        ///< if not certain: some run stops for it, so far as each mode alone decides
-  ModeMask decided_by;  ///< the modes that decide whether it stops; 0 if the line alone does
+  ModeMask decided_by;  ///< the modes that decide whether it stops; 0 if the line and the place alone do
   /// The place decides: if it is not certain, some places stop.
   bool by_place = false;
   /// Certain on a machine that was just started, and stands where it began, without offsets.

@@ -79,7 +79,8 @@ bool lacks_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
 /// Whether R lies below the bottom, where the place is followed.
 bool is_below(ModeLine& line, const CyclePlane& in, Verdict verdict) {
   const uint8_t written = line.at(line.has('r') ? 'r' : in.axis);
-  return stop_by(line, verdict, kWords, in.below, line.has(in.axis) ? line.at(in.axis) : written, line.at('r'));
+  return stop_by(line, verdict, kWords, in.below, line.has(in.axis) ? line.at(in.axis) : written, line.at('r'),
+                 mask_of(Mode::kDistance));
 }
 
 /// Whether the first hole would lie above R. In G90 both are on the line, or one of them is not known here; in G91 the depth

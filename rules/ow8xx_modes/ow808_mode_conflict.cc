@@ -3,7 +3,7 @@
 // want of their words; rotary axes that the INI declares as wrapped or indexing.
 #include <array>
 
-#include "rules/driver/modes.h"
+#include "rules/driver/positions.h"
 
 namespace owlint::rules {
 namespace {
@@ -52,6 +52,13 @@ constexpr std::array kSaid = {
     Said{"No axes specified and H", "G43.2", "adds no offset: neither an `H` nor axis words are here",
          "write `H` and the number of the tool"},
     Said{"polar coordinates with G53", "@ ^", "is a polar word, which `G53` does not take", "write `X` and `Y`"},
+    Said{"Must specify angle", "@", "has no angle, and at the origin there is none to keep", "add the angle as `^`"},
+    Said{"Incremental motion with polar", "@ ^", "goes on from the origin, from where no direction leads on",
+         "write `@` and `^` in `G90`, or `X` and `Y`"},
+    Said{"G91 motion with polar", "^", "turns about the origin, and the tool stands there",
+         "write `@` and `^` in `G90`, or `X` and `Y`"},
+    Said{"Start point too close", "G38.2 G38.4", "ends where it starts, so that it probes nothing",
+         "write an end that differs from where the tool stands; in `G91`, one that is not 0"},
     Said{"wrapped rotary axis A", "A", kNoTurn, kTurn},
     Said{"wrapped rotary axis B", "B", kNoTurn, kTurn},
     Said{"wrapped rotary axis C", "C", kNoTurn, kTurn},
@@ -67,7 +74,12 @@ constexpr std::array kSaid = {
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
-    relate_setter(in, f, setter_of(in, stop, "M6", false), "changes the tool here");
+    if (stop.kind == StopKind::kModeConflict && stop.words.decided_by == mask_of(Mode::kDistance)) {
+      relate_distance(in, stop, f);
+    } else {
+      relate_setter(in, f, setter_of(in, stop, "M6", false), "changes the tool here");
+    }
+    note_start(stop, f);
     return &f;
   });
 }
@@ -86,7 +98,8 @@ extern const Rule kOw808{
                 R"(A code that LinuxCNC reads without complaint and refuses to carry out, for a reason that no other rule is
 about: `$` with a spindle that the machine does not have; `M62` to `M65` without the output's number;
 `M66` without an input, or with one that does not go with its `L` and `Q`; `M67` and `M68` without `E`;
-`M61` without `Q`; `G10` with words that it does not take; `G43.2` with both `H` and axis words.)",
+`M61` without `Q`; `G10` with words that it does not take; `G43.2` with both `H` and axis words; a polar word
+that needs a direction, at the origin, where there is none; `G38.2` and `G38.4` to where the tool stands.)",
             .why =
                 R"(LinuxCNC stops with `No valid P word with M64`, `Zero timeout with wait type != immediate return`, `Invalid
 spindle ($) number in Spindle speed command` and the like. What stands before the code in the order of

@@ -1,11 +1,13 @@
-// OW903 arc-degenerate: words of an arc that do not make one.
+// OW903 arc-degenerate: words of an arc that do not make one, a full circle by its radius, or one without a radius.
 // Depends on: an arc has a radius or a center, never both. A missing word of the center is 0 in G91.1 and an error in G90.1. An
 // arc with a radius needs an end point in its plane. Letters that the plane does not have are OW804's.
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
-#include "rules/driver/modes.h"
+#include "rules/driver/arc_advice.h"
+#include "rules/driver/positions.h"
 
 namespace owlint::rules {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 constexpr std::string_view kArc = "G2 G3 * I J K R";
 constexpr std::string_view kLacksCenter = " word missing in absolute center arc";
 constexpr std::string_view kLacksEnd = " words missing for arc in ";
+constexpr std::string_view kZero = "Zero-radius arc: ";
+constexpr std::string_view kSamePoint = "Current point same as end point";
 
 constexpr std::array kSaid = {
     Said{"all missing for arc", kArc, "is an arc without a center and without a radius",
@@ -21,6 +25,8 @@ constexpr std::array kSaid = {
          "write `R` or the center, not both"},
     Said{kLacksCenter, kArc, "lacks a word of its center, and `G90.1` is in effect", ""},
     Said{kLacksEnd, "R", "gives a radius, and there is no end point in the plane of the arc", ""},
+    Said{kZero, "G2 G3 I J K *", "has its center where it starts or ends, so that its radius is 0", ""},
+    Said{kSamePoint, "R", "gives a radius, and the arc ends where it starts", ""},
 };
 
 /// `XZ`, as in `X and z words missing for arc in xz plane`.
@@ -29,10 +35,29 @@ std::string plane_in(const std::string& said) {
   return at == std::string::npos ? "" : capital(said[at + kLacksEnd.size()]) + capital(said[at + kLacksEnd.size() + 1]);
 }
 
+/// For what depends on where the machine stands.
+void explain_place(const Input& in, const FlowStop& stop, Finding& f) {
+  const ArcNumbers& arc = *stop.words.arc;
+  if (stop.interpreter.starts_with(kSamePoint)) {
+    const auto center = [&](char letter) { return capital(letter) + number_text(std::abs(arc.radius)); };
+    f.help = fmt::format("a full circle needs its center instead of `R`, such as `{}` or `{}`",
+                         center(arc.first_center), center(arc.second_center));
+  } else {
+    advise_about_zero_radius(in, stop, f);
+  }
+  note_start(stop, f);
+  f.unproven = stop.unproven;
+  relate_arc_start(in, stop, f);
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     const std::string& said = stop.interpreter;
+    if (stop.words.arc != nullptr) {
+      explain_place(in, stop, f);
+      return &f;
+    }
     if (said.ends_with(kLacksCenter)) {
       f.help = fmt::format("write `{}` too, or `G91.1`, in which a missing one is 0", said.substr(0, 1));
       relate_setter(in, f, setter_of(in, stop, "G90.1"));
@@ -58,11 +83,15 @@ extern const Rule kOw903{
         {
             .what =
                 R"(A `G2` or `G3` without a center (`I`, `J`, `K`) and without a radius (`R`), or with both; with only one
-word of the center in `G90.1`; with `R` and no end point in the plane of the arc. `G2` stays in effect: a
-line with only `X` and `Y` behind an arc is an arc as well.)",
+word of the center in `G90.1`; with `R` and no end point in the plane of the arc, or one that is the start; with the center at its start or
+its end. `G2` stays in effect: a line with only `X` and `Y` behind an arc is an arc as well.)",
             .why =
                 R"(LinuxCNC stops with `R i j k words all missing for arc`, `Mixed radius ijk format for arc`, `J word missing
 in absolute center arc` and the like.
+
+It stops with `Current point same as end point of arc` for a full circle with `R`, which may lie anywhere, and
+with `Zero-radius arc` and the numbers of the arc where its center is less than 0.00127 mm, or 0.00005 inch,
+from an end.
 
 With a center, no end point is needed: without one the arc is a full circle. In `G91.1`, which is in effect
 unless a program writes `G90.1`, a missing word of the center is 0.

@@ -1,11 +1,13 @@
 // OW904 cycle-depth: words of a drilling cycle that are missing or do not fit each other.
 // Depends on: R, the depth, P, Q, I, J and K are kept from hole to hole of one cycle, not for another one and not behind G80, G0
 // or another motion. Heights are those of the line or kept ones; in G91 the depth counts from R.
+#include <algorithm>
 #include <array>
+#include <cctype>
 
 #include <fmt/format.h>
 
-#include "rules/driver/modes.h"
+#include "rules/driver/positions.h"
 
 namespace owlint::rules {
 namespace {
@@ -30,20 +32,49 @@ constexpr std::array kSaid = {
 /// The letter at a place in the message, as it is written on a line.
 std::string letter_at(const std::string& said, size_t at) { return capital(said[at]); }
 
+/// `R2`, or the one of a line above that is kept.
+struct Height {
+  const WrittenWord* here;
+  std::optional<Span> kept;
+  std::string said;
+
+  /// As a subject.
+  std::string begins() const { return kept ? said + "," : said; }
+};
+Height height_of(const Input& in, const FlowStop& stop, const std::vector<WrittenWord>& line, char letter,
+                 std::string_view kept) {
+  const auto found = std::ranges::find(line, letter, &WrittenWord::letter);
+  Height height{found == line.end() ? nullptr : &*found, std::nullopt, std::string(kept)};
+  const Source& source = *in.program.source;
+  if (height.here != nullptr) {
+    height.said = "`" + shown(source, height.here->span) + "`";
+  } else if ((height.kept = words_above(in, stop.statement, {&letter, 1}))) {
+    height.said += ", `" + shown(source, *height.kept) + "`";
+  }
+  return height;
+}
+
 void explain_height(const Input& in, const FlowStop& stop, Finding& f) {
-  const WordStop at = word_stop(in, stop, "R *");
-  const std::string depth = letter_at(stop.interpreter, kBelow.size());
-  const WrittenWord* bottom = find_word(at.line, depth);
-  const std::string shown_bottom =
-      bottom == nullptr ? "the depth that is kept" : "`" + shown(*in.program.source, bottom->span) + "`";
-  const bool own_r = at.letter == 'r';
-  if (!own_r && bottom != nullptr) f.span = bottom->span;
-  f.message =
-      (own_r ? subject(at) : "the `R` that is kept") + " lies below " + shown_bottom + ": the cycle would drill upward";
-  f.help =
-      fmt::format("write an `R` above the bottom of the hole; in `G91` a negative `{}`, which counts from `R`", depth);
-  if (own_r && bottom != nullptr) f.related.push_back({bottom->span, shown_bottom + " is here", nullptr});
-  relate_setter(in, f, setter_of(in, stop, "G91", false));
+  const char axis = stop.interpreter[kBelow.size()];
+  const std::vector<WrittenWord> line = word_stop(in, stop, "R *").line;
+  const std::string depth = capital(axis);
+  const Height r = height_of(in, stop, line, 'r', "the `R` that is kept");
+  const Height bottom = height_of(in, stop, line, static_cast<char>(std::tolower(axis)), "the depth that is kept");
+  const WrittenWord* const at = r.here != nullptr ? r.here : bottom.here;
+  if (at != nullptr) f.span = at->span;
+  if (r.here != nullptr && bottom.here != nullptr)
+    f.related.push_back({bottom.here->span, bottom.said + " is here", nullptr});
+  for (const Height* height : {&r, &bottom}) {
+    if (height->kept) f.related.push_back({*height->kept, "this is kept", nullptr});
+  }
+  if (relate_distance(in, stop, f)) {
+    f.message = bottom.begins() + " lies above `R`, from which it counts in `G91`: the cycle would drill upward";
+    if (bottom.here != nullptr) f.span = bottom.here->span;
+    f.help = fmt::format("write a negative `{}`", depth);
+  } else {
+    f.message = r.begins() + " lies below " + bottom.said + ": the cycle would drill upward";
+    f.help = "write an `R` above the bottom of the hole";
+  }
 }
 
 void check(const Input& in, Reporter& out) {
@@ -62,6 +93,7 @@ void check(const Input& in, Reporter& out) {
           "write `{}`: `I` and `J` are the way to the side of the hole, `K` the height to which the bore reaches",
           letter_at(said, 0));
     }
+    note_start(stop, f);
     return &f;
   });
 }

@@ -3,7 +3,7 @@
 // K. What the sub of a lathe contour contains is not looked at.
 #include <array>
 
-#include "rules/driver/modes.h"
+#include "rules/driver/positions.h"
 
 namespace owlint::rules {
 namespace {
@@ -37,7 +37,8 @@ constexpr std::array kSaid = {
     Said{"J must be greater than 0", "J", "is no depth of a cut", "write a first depth above 0: `J` has no sign"},
     Said{"K must be greater than J", "K", "is a full depth that is not above the first cut's, `J`",
          "write a `K` above `J`"},
-    Said{"rotary axes with G76", "A B C", "moves a rotary axis, which `G76` cannot", "move it on a line before"},
+    Said{"rotary axes with G76", "A B C U V W", "moves an axis that `G76` cannot: a thread has X, Y and Z only",
+         "move it on a line before"},
     Said{"order P in the first block", "G6.2", "has no order as `P`", kFirst},
     Said{"order P number", "P", "is not a whole number", "write the order of the curve as a whole number"},
     Said{"Q value (1,2,3)", "Q G6.2", "has no kind of curve as `Q`", kFirst},
@@ -53,6 +54,7 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
+    note_start(stop, f);
     return &f;
   });
 }

@@ -1,0 +1,92 @@
+// OW901 arc-radii-differ: an arc by its center whose ends are not equally far from it.
+// Depends on: the start is where the machine stands. The center counts from there in G91.1, which is in effect unless a program
+// sets G90.1. How far the two radii may differ depends on the unit and the INI.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "rules/driver/arc_advice.h"
+#include "rules/driver/positions.h"
+
+namespace owlint::rules {
+namespace {
+
+std::string what_differs(const WordStop& at, const ArcNumbers& arc) {
+  const double more = arc.end_radius - arc.start_radius;
+  const int decimals = telling_decimals(std::abs(more), arc.allowed);
+  const std::string allowed = length(arc.allowed, arc.inch, decimals) + (arc.allowed == 1 ? " is" : " are");
+  return fmt::format("{} ends {} {} its center than it starts, and {} allowed",
+                     at.letter == 'g' ? "`" + at.word + "`" : "this arc", length(std::abs(more), arc.inch, decimals),
+                     more > 0 ? "farther from" : "nearer to", allowed);
+}
+
+void check(const Input& in, Reporter& out) {
+  for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    if (stop.words.arc == nullptr) return nullptr;
+    const WordStop at = word_stop(in, stop, "G2 G3");
+    Finding& f = out.add(at.span, what_differs(at, *stop.words.arc));
+    note_start(stop, f);
+    f.unproven = stop.unproven;
+    relate_arc_start(in, stop, f);
+    advise_about_center(in, stop, f);
+    return &f;
+  });
+}
+
+}  // namespace
+
+extern const Rule kOw901{
+    .code = "OW901",
+    .name = "arc-radii-differ",
+    .summary = "an arc whose start and end are not equally far from its center",
+    .group = Group::kGeometry,
+    .level = Severity::kError,
+    .page =
+        {
+            .what =
+                R"(A `G2` or `G3` with a center (`I`, `J`, `K`) whose end is farther from it, or nearer to it, than its start.
+No arc goes through both.)",
+            .why =
+                R"(LinuxCNC stops with `Radius to end of arc differs from radius to start` and the numbers of the arc: r1 is the
+distance of the start from the center, r2 that of the end.
+
+The two may differ by 0.0283 mm, or 0.0028 inch in `G20`; by more if that is within a thousandth of the
+radius, but never by more than 2.83 mm or 0.283 inch. `[RS274NGC]CENTER_ARC_RADIUS_TOLERANCE_MM` and
+`..._INCH` in the INI make it stricter. Numbers with three decimals are always good enough.
+
+The arc starts where the line before it ends. In `G91.1`, which is in effect unless a program writes `G90.1`,
+`I`, `J` and `K` count from that start; in `G90.1` they are the place of the center. In `G7` they are radii,
+though `X` is a diameter.
+
+FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+            .bad = R"(G21 G90 G17
+G0 X0 Y0 Z5
+G1 Z-2 F200
+G2 X20 Y0 I10.1 J0
+G0 Z5
+M2
+)",
+            .good = R"(G21 G90 G17
+G0 X0 Y0 Z5
+G1 Z-2 F200
+G2 X20 Y0 I10 J0
+G0 Z5
+M2
+)",
+            .fix =
+                R"(Where the difference is small, compute the center with more decimals, or write `R` instead of `I` and `J` if the
+arc is less than half a circle. Where it is great, the start is not where the author thought, the center is
+written for the other one of `G90.1` and `G91.1`, or a word is missing or has the wrong sign.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if only a machine does that was just "
+                            "started, at X0 Y0 "
+                            "Z0 and without offsets. Where no run gets, owlint says nothing.",
+            .interpreter =
+                "Radius to end of arc differs from radius to start: start=(X0.0000,Y0.0000) center=(X10.1000,Y0.0000) "
+                "end=(X20.0000,Y0.0000) r1=10.1000 r2=9.9000 abs_err=0.2 rel_err=1.9802%",
+            .options = "",
+        },
+    .check = check,
+};
+
+}  // namespace owlint::rules
