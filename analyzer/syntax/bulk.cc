@@ -133,8 +133,10 @@ class PlainLine {
       effect->moves = true;
       effect->alone |= proven->code == Proven::kNoCode;
       if (effect->first_move == 0) effect->first_move = number;
-      if (proven->code > 1 && effect->first_arc == 0) effect->first_arc = number;
     }
+    // A full circle has no axis word.
+    const bool arc = proven->code > 1 && (words_ & (kAxisWords | kArcWords)) != 0;
+    if (arc && effect->first_arc == 0) effect->first_arc = number;
     effect->straight |= proven->code == 0 || proven->code == 1;
     effect->feeds |= proven->code > 0;
   }

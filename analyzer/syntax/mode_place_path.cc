@@ -45,7 +45,7 @@ StopKind kind_of(PathFault fault) {
   return StopKind::kCompensation;
 }
 
-bool stops(ModeLine& line, PathStep step, uint8_t word) {
+bool stops(ModeLine& line, PathStep step, uint8_t word, const std::optional<ArcNumbers>& arc = std::nullopt) {
   Place& place = *line.place();
   if (!step.stops()) return false;
   if (step.undecided) {
@@ -56,7 +56,35 @@ bool stops(ModeLine& line, PathStep step, uint8_t word) {
     return false;
   }
   return stop_by(line, place.path_from_start ? Verdict::kFromStart : Verdict::kStops, kind_of(step.fault),
-                 std::move(step.message), word);
+                 std::move(step.message), word, kNoWord, 0, arc);
+}
+
+/// What of the arc a finding tells.
+ArcNumbers numbers_of(const ModeLine& line, const PathPlane& plane, PlanePoint from, const ArcEntry& arc) {
+  ArcNumbers numbers{};
+  numbers.first = kAxisOrder[static_cast<size_t>(plane.first)];
+  numbers.second = kAxisOrder[static_cast<size_t>(plane.second)];
+  numbers.first_center = plane.first_center;
+  numbers.second_center = plane.second_center;
+  numbers.start_known = true;
+  numbers.inch = line.only(Mode::kUnits) == modes::kG20;
+  numbers.diameter = line.only(Mode::kDiameter) == modes::kG7;
+  numbers.incremental = line.only(Mode::kDistance) == modes::kG91;
+  numbers.absolute_center = line.only(Mode::kArcDistance) == modes::kG90_1;
+  numbers.tolerance = {ArcUnits{numbers.inch, plane.names}.least_radius(), arc.spread};
+  numbers.start = {from.first, from.second};
+  numbers.center = {arc.center.first, arc.center.second};
+  numbers.end = {arc.end.first, arc.end.second};
+  if (arc.by_radius) {
+    numbers.radius = arc.radius;
+    numbers.least_radius = arc_by_radius(numbers.start, numbers.end, arc.radius, numbers.tolerance).least_radius;
+  } else {
+    const CenterArc radii = arc_by_center(numbers.start, numbers.center, numbers.end, numbers.tolerance);
+    numbers.start_radius = radii.start_radius;
+    numbers.end_radius = radii.end_radius;
+    numbers.allowed = radii.allowed;
+  }
+  return numbers;
 }
 
 /// Whether the moves of the line are on a path that is known. If it may be one, it is known no more.
@@ -148,7 +176,8 @@ bool follow_path_by_arc(ModeLine& line, Motion motion, const Point& end) {
     place.lose_path();
     return false;
   }
-  return stops(line, place.path.arc(arc), line.mover());
+  const ArcNumbers numbers = numbers_of(line, *plane, start, arc);
+  return stops(line, place.path.arc(arc), line.mover(), numbers);
 }
 
 bool pause_path(ModeLine& line) {

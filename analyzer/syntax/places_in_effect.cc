@@ -170,7 +170,7 @@ bool PlacesInEffect::arc_passes(const PlainWords& words) const {
 
 size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect,
                             const ModeSets& before) {
-  if (effect.axes == 0) return to;
+  if (effect.axes == 0 && effect.first_arc == 0) return to;
   const bool alone = effect.alone && !std::has_single_bit(before[Mode::kMotion]);
   assume(before);
   // Each move on a compensated path is looked at.
