@@ -63,7 +63,7 @@ bool advance(ModeLine& line, const Hole& hole, Point* at) {
   return false;
 }
 
-/// To the hole, or the first one of several, in G90.
+/// To the holes of a line in G90: all are at one place.
 void go(const ModeLine& line, const Hole& hole, Point* at) {
   for (const Axis axis : {hole.first, hole.second}) {
     if (const auto word = axis_word(line, index(axis))) (*at)[axis] = *word;
@@ -72,7 +72,10 @@ void go(const ModeLine& line, const Hole& hole, Point* at) {
   const double* const radius = line.value('@');
   const double* const angle = line.value('^');
   if ((radius == nullptr && line.has('@')) || (angle == nullptr && line.has('^'))) return lose_plane(hole, at);
-  change_plane(at, [&](Flat from) { return polar(from, radius, angle); });
+  change_plane(at, [&](Flat from) {
+    const Flat to = polar(from, radius, angle);
+    return Flat{to.first + 0, to.second + 0};  // no -0, which a message would show
+  });
 }
 
 int32_t holes(const ModeLine& line) {

@@ -61,7 +61,8 @@ void write_words(ModeLine& line, CoordinateSystem* parameters) {
 }
 
 /// Those of L20: the current point becomes what the words say. True if it stops for one of them.
-bool write_wishes(ModeLine& line, const CoordinateSystem& as_stored, CoordinateSystem* parameters, CoordinateSystem* now) {
+bool write_wishes(ModeLine& line, const CoordinateSystem& as_stored, CoordinateSystem* parameters,
+                  CoordinateSystem* now) {
   const Point at = seen_from(line, as_stored);
   Point wished = at;
   for (size_t i = 0; i < kAxisCount; ++i) {
@@ -133,7 +134,7 @@ bool set_system(ModeLine& line, bool l20) {
   const std::optional<uint8_t> active = line.only(Mode::kSystem);
   const int number = p == nullptr ? 0 : static_cast<int>(*p);
   if (p == nullptr || (number == 0 && !active)) {
-    place->systems.fill({Point::unknown(), Coordinate::unknown()});
+    place->lose_parameters();
     place->lose_offsets();
     return false;
   }
