@@ -68,14 +68,14 @@ void go(const ModeLine& line, const Hole& hole, Point* at) {
   for (const Axis axis : {hole.first, hole.second}) {
     if (const auto word = axis_word(line, index(axis))) (*at)[axis] = *word;
   }
-  if (!line.words().has_polar_words()) return;
-  const double* const radius = line.value('@');
-  const double* const angle = line.value('^');
-  if ((radius == nullptr && line.has('@')) || (angle == nullptr && line.has('^'))) return lose_plane(hole, at);
-  change_plane(at, [&](Flat from) {
-    const Flat to = polar(from, radius, angle);
-    return Flat{to.first + 0, to.second + 0};  // no -0, which a message would show
-  });
+  if (line.words().has_polar_words()) {
+    const double* const radius = line.value('@');
+    const double* const angle = line.value('^');
+    if ((radius == nullptr && line.has('@')) || (angle == nullptr && line.has('^'))) return lose_plane(hole, at);
+    change_plane(at, [&](Flat from) { return polar(from, radius, angle); });
+  }
+  // From hole to hole it adds 0, which makes a 0 of -0: messages show that.
+  for (const Axis axis : {hole.first, hole.second}) (*at)[axis] = (*at)[axis] + Coordinate::of(0);
 }
 
 int32_t holes(const ModeLine& line) {
