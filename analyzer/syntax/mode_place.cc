@@ -24,7 +24,7 @@ Verdict places::verdict_of(bool stops, bool other_stops, bool agree, bool unknow
 }
 
 bool places::agree(double a, double b) {
-  constexpr double kRounding = 1e-7;
+  constexpr double kRounding = 1e-9;
   return std::abs(a - b) <= kRounding * std::max({1.0, std::abs(a), std::abs(b)});
 }
 

@@ -63,16 +63,19 @@ bool advance(ModeLine& line, const Hole& hole, Point* at) {
   return false;
 }
 
-/// To the hole, or the first one of several, in G90.
+/// To the holes of a line in G90: all are at one place.
 void go(const ModeLine& line, const Hole& hole, Point* at) {
   for (const Axis axis : {hole.first, hole.second}) {
     if (const auto word = axis_word(line, index(axis))) (*at)[axis] = *word;
   }
-  if (!line.words().has_polar_words()) return;
-  const double* const radius = line.value('@');
-  const double* const angle = line.value('^');
-  if ((radius == nullptr && line.has('@')) || (angle == nullptr && line.has('^'))) return lose_plane(hole, at);
-  change_plane(at, [&](Flat from) { return polar(from, radius, angle); });
+  if (line.words().has_polar_words()) {
+    const double* const radius = line.value('@');
+    const double* const angle = line.value('^');
+    if ((radius == nullptr && line.has('@')) || (angle == nullptr && line.has('^'))) return lose_plane(hole, at);
+    change_plane(at, [&](Flat from) { return polar(from, radius, angle); });
+  }
+  // From hole to hole it adds 0, which makes a 0 of -0: messages show that.
+  for (const Axis axis : {hole.first, hole.second}) (*at)[axis] = (*at)[axis] + Coordinate::of(0);
 }
 
 int32_t holes(const ModeLine& line) {

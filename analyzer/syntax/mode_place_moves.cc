@@ -192,6 +192,8 @@ void end_curve(ModeLine& line) {
   if (place == nullptr) return;
   place->at[Axis::kX] = place->curve_x;
   place->at[Axis::kY] = place->curve_y;
+  // Since 2.10 a curve may lie in another plane.
+  if (line.since(Release::k2_10) && line.only(Mode::kPlane) != modes::kG17) place->at = Point::unknown();
   place->settle();
 }
 

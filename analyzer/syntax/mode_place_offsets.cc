@@ -135,7 +135,7 @@ bool set_system(ModeLine& line, bool l20) {
   const std::optional<uint8_t> active = line.only(Mode::kSystem);
   const int number = p == nullptr ? 0 : static_cast<int>(*p);
   if (p == nullptr || (number == 0 && !active)) {
-    place->systems.fill({Point::unknown(), Coordinate::unknown()});
+    place->lose_parameters();
     place->lose_offsets();
     return false;
   }

@@ -1,4 +1,4 @@
-// Canned cycles: G73, G74, G81 to G89. Heights are not followed, nor what the holes of one line do to each other.
+// Canned cycles: G73, G74, G81 to G89. Where the place is followed, so are their heights and holes (mode_place_cycles.cc).
 #include <algorithm>
 
 #include "analyzer/syntax/mode_place.h"

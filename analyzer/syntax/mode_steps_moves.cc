@@ -1,4 +1,4 @@
-// Straight moves, arcs, threads, probes and contours: what they need of modes and words. Where they go is not followed.
+// Straight moves, arcs, threads, probes and contours: what they need of modes and words. Where they go: mode_place_moves.cc.
 #include <algorithm>
 #include <cmath>
 

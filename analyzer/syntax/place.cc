@@ -96,6 +96,31 @@ void Place::lose_offsets() {
   lose_point();
 }
 
+void Place::write_parameter(int32_t number, Coordinate value) {
+  constexpr int32_t kHome = 5161, kHome30 = 5181, kHasOffset = 5210, kOffset = 5211, kFirstSystem = 5221;
+  constexpr int32_t kPerSystem = 20;
+  const auto write = [&](Point& point, int32_t first) {
+    const int32_t axis = number - first;
+    if (axis >= 0 && axis < static_cast<int32_t>(kAxisCount)) point[static_cast<size_t>(axis)] = value;
+  };
+  write(home, kHome);
+  write(home30, kHome30);
+  write(stored_offset, kOffset);
+  if (number == kHasOffset)
+    has_offset = value.is_known() ? Coordinate::of(value.value != 0 ? 1 : 0) : Coordinate::unknown();
+  for (size_t i = 0; i < kSystemCount; ++i) {
+    const int32_t first = kFirstSystem + kPerSystem * static_cast<int32_t>(i);
+    write(systems[i].origin, first);
+    if (number == first + static_cast<int32_t>(kAxisCount)) systems[i].rotation = value;
+  }
+}
+
+void Place::lose_parameters() {
+  systems.fill({Point::unknown(), Coordinate::unknown()});
+  stored_offset = home = home30 = Point::unknown();
+  has_offset = Coordinate::unknown();
+}
+
 void Place::settle() {
   for (Coordinate& axis : at.axes) settle_one(axis);
   settle_one(height);
@@ -119,9 +144,8 @@ Place Place::started(double units_per_mm) {
 Place Place::unknown() {
   Place place;
   place.lose_offsets();
-  place.systems.fill(place.system);
-  place.stored_offset = place.home = place.home30 = Point::unknown();
-  place.has_offset = place.clearance = place.bottom = place.height = Coordinate::unknown();
+  place.lose_parameters();
+  place.clearance = place.bottom = place.height = Coordinate::unknown();
   place.curve_x = place.curve_y = Coordinate::unknown();
   place.keeps_height = place.tools_changed = true;
   place.settle();

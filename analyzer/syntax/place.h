@@ -78,6 +78,10 @@ struct Place {
   void lose_point();
   /// The same, and its offsets are no longer known.
   void lose_offsets();
+  /// A line writes a numbered parameter, which some later line may read; what it holds now stays in effect until then.
+  void write_parameter(int32_t number, Coordinate value);
+  /// A line writes a parameter whose number is not known.
+  void lose_parameters();
   /// Takes coordinates that are not known for numbers that count from somewhere.
   void settle();
 

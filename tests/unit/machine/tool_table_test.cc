@@ -35,6 +35,7 @@ TEST_CASE("a line of a tool table is one tool", "[tool-table]") {
   CHECK(first.diameter == 6.5);
   CHECK(first.orientation == 2);
   CHECK(first.has_offset);
+  CHECK(first.offset[2] == 41);
   CHECK(first.line == 3);
   CHECK(bytes.substr(first.span.begin, first.span.end - first.span.begin) == "T3 P12 D6.5 Z41 Q2");
   const ToolRow& second = table.rows[1];
