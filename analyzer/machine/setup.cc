@@ -225,6 +225,7 @@ std::shared_ptr<const MachineSetup> read_setup(const Files& files, const std::st
   auto setup = std::make_shared<MachineSetup>();
   setup->path = path;
   if (!setup->ini.read(files, path, error)) return nullptr;
+  setup->text.parse(files, setup->ini.source());
   Reader(files, *setup, path, sub_path).run();
   return setup;
 }
