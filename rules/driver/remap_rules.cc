@@ -1,6 +1,5 @@
 #include "rules/driver/remap_rules.h"
 
-#include <algorithm>
 #include <map>
 
 namespace owlint::rules {
@@ -23,12 +22,6 @@ std::vector<Remap> remaps_of(const IniText& text) {
 Span span_in(const IniText& text, const IniLine& line, std::string_view part) {
   const auto begin = static_cast<uint64_t>(part.data() - text.source(line)->bytes().data());
   return {begin, begin + part.size()};
-}
-
-bool knows_search_path(const MachineSetup& setup) {
-  return std::ranges::all_of(setup.folders, [](const IniFolder& folder) {
-    return folder.exists || (folder.key != "SUBROUTINE_PATH" && folder.key != "PROGRAM_PREFIX");
-  });
 }
 
 std::string remap_file(const MachineSetup& setup, std::string_view ngc) {

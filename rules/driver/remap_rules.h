@@ -21,9 +21,6 @@ std::vector<Remap> remaps_of(const IniText& text);
 /// A part of the line's value as a span of its file.
 Span span_in(const IniText& text, const IniLine& line, std::string_view part);
 
-/// Whether all folders of the search path are here: only then it is certain that a file is nowhere.
-bool knows_search_path(const MachineSetup& setup);
-
 /// The file of an `ngc=`; empty if it is nowhere.
 std::string remap_file(const MachineSetup& setup, std::string_view ngc);
 

@@ -51,6 +51,13 @@ const IniLine* first_bracket_above(const IniText& text, const IniLine& before) {
   return nullptr;
 }
 
+/// Whether a section has a key that LinuxCNC reads in another one.
+bool has_key_of(const IniText& text, std::string_view section, std::string_view other) {
+  return std::ranges::any_of(lines_of(text, section), [&](const IniLine* line) {
+    return line->kind == IniLine::Kind::kKey && find_ini_key(other, text.name(*line)) != nullptr;
+  });
+}
+
 }  // namespace
 
 std::string meant_section(const IniText& text, std::string_view name) {
@@ -77,7 +84,9 @@ std::string meant_section(const IniText& text, std::string_view name) {
     if (fits && !is_there(wanted)) return wanted;
   }
   if (std::ranges::find(candidates, letters) != candidates.end()) return letters;
-  return letters.size() < 4 ? std::string() : nearest(letters, candidates, 1);
+  if (letters.size() < 5) return {};
+  const std::string near = nearest(letters, candidates, 1);
+  return !near.empty() && has_key_of(text, name, near) ? near : std::string();
 }
 
 std::vector<BlamedRefusal> start_refusals(const SetupInput& in) {

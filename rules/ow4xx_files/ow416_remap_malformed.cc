@@ -80,16 +80,6 @@ void check_setup(const SetupInput& in, Reporter& out) {
       f.related.push_back({remap.earlier->span, "remapped here",
                            remap.earlier->source == remap.line->source ? nullptr : text.source(*remap.earlier)});
       refuses(f, "code '" + std::string(remap.read.code) + "' already remapped : " + place);
-    } else if (!remap.read.ngc.empty() && remap_file(in.setup, remap.read.ngc).empty()) {
-      const std::string_view ngc = remap.read.ngc;
-      Finding& f = add_at(in, out, *remap.line, span_in(text, *remap.line, ngc),
-                          "no folder that LinuxCNC searches has the file `" + std::string(ngc) +
-                              ".ngc`: it does not start with this line");
-      f.help = ngc.ends_with(".ngc") ? "write the name without `.ngc`"
-                                     : "put the file into a folder of `SUBROUTINE_PATH`, or correct the name";
-      refuses(f, "INTERP_REMAP: NGC file not found: ngc=" + std::string(ngc));
-      f.unproven = !knows_search_path(in.setup);
-      if (f.unproven) f.message = "no folder that is here has the file `" + std::string(ngc) + ".ngc`";
     }
     for (const std::string_view unknown : remap.read.unknown) {
       Finding& f = add_at(in, out, *remap.line, span_in(text, *remap.line, unknown),
@@ -111,7 +101,7 @@ extern const Rule kOw416{
         {
             .what = R"(A `REMAP` line that the interpreter refuses: an option without `=` or without a value, a modal group
 that the code cannot be in, a letter that `argspec` does not take, no `ngc=` and no `python=` or both, a
-code that is remapped twice, a file that is in no folder of the search path.)",
+code that is remapped twice. A file of `ngc=` that is nowhere is OW208's.)",
             .why = R"(The interpreter reads all `REMAP` lines when LinuxCNC starts. For one that it refuses it prints a
 message on the console and gives up: LinuxCNC comes up without an interpreter, `can't initialize
 interpreter`.)",
@@ -139,8 +129,7 @@ o<greet> endsub
 )",
             .fix = R"(Write `REMAP = M400 modalgroup=10 argspec=P ngc=name`: options without blanks around the `=`, M codes in a
 group from 4 to 10, G codes in group 1, T, S and F without a group. A comment begins with `#`, not with `;`.)",
-            .level_reason = "Error: LinuxCNC does not start. Warning for an unknown option, which it ignores, and for a "
-                            "missing file while folders of the search path are not on this computer.",
+            .level_reason = "Error: LinuxCNC does not start. Warning for an unknown option, which it ignores.",
             .interpreter = "error: code 'M400' : invalid modalgroup=<int> given (currently valid: 4..10) : 2:REMAP = M400 "
                            "modalgroup=3 ngc=greet",
             .options = "--ini machine.ini",
