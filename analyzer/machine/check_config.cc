@@ -56,8 +56,8 @@ class Checker {
       const size_t equals = body.find('=');
       if (body.starts_with('#') || equals == std::string_view::npos) continue;
       if (section.empty()) {
-        out_.push_back({StartRefusal::Kind::kBeforeSection, &line, nullptr, "", "",
-                        "can't read \"section\": no such variable"});
+        out_.push_back(
+            {StartRefusal::Kind::kBeforeSection, &line, nullptr, "", "", "can't read \"section\": no such variable"});
         return false;
       }
       const std::string_view key = body.substr(0, body.find_last_not_of(" \t", equals == 0 ? 0 : equals - 1) + 1);
@@ -103,7 +103,8 @@ class Checker {
       letters = letters.substr(0, letters.find_first_of(" \t"));
     }
     for (int joint = 0; joint < joints && static_cast<size_t>(joint) < letters.size(); ++joint) {
-      const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letters[static_cast<size_t>(joint)])));
+      const char letter =
+          static_cast<char>(std::toupper(static_cast<unsigned char>(letters[static_cast<size_t>(joint)])));
       const std::string names[] = {fmt::format("JOINT_{}", joint), fmt::format("AXIS_{}", letter)};
       compare(names[0], names[1], true);
       compare(names[0], names[1], false);

@@ -77,6 +77,12 @@ void Ini::parse(const Files& files, const std::shared_ptr<const Source>& source)
   source_ = source;
   std::vector<Line> lines;
   read_lines(files, source, false, lines);
+  // Measured: at a carriage return inside a line LinuxCNC gives up.
+  const auto stray = std::ranges::find_if(lines, [](const Line& line) {
+    const size_t first = line.text.find('\r');
+    return first != std::string_view::npos && line.text.find_first_not_of('\r', first) != std::string_view::npos;
+  });
+  lines.erase(stray, lines.end());
   // LinuxCNC looks for the line of a section first, where a continued line is no different from others, and reads on
   // from there; it knows only the first section of a name.
   std::unordered_set<std::string_view> seen;

@@ -134,8 +134,8 @@ constexpr IniKey kKeys[] = {
     {"JOINT_", "LOCKING_INDEXER", Type::kTruth, kRefuses},
 };
 
-constexpr std::array<std::string_view, 14> kMachineSections{"EMC",  "DISPLAY", "TASK",  "RS274NGC", "PYTHON",
-                                                            "HAL",  "HALUI",   "FILTER", "EMCMOT",  "EMCIO",
+constexpr std::array<std::string_view, 14> kMachineSections{"EMC",  "DISPLAY", "TASK",   "RS274NGC", "PYTHON",
+                                                            "HAL",  "HALUI",   "FILTER", "EMCMOT",   "EMCIO",
                                                             "KINS", "TRAJ",    "AXIS_",  "JOINT_"};
 
 /// Near enough to a key of LinuxCNC to be taken for a misspelt one.

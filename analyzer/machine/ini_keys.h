@@ -12,23 +12,23 @@ namespace owlint {
 struct IniKey {
   enum class Type : uint8_t {
     kText,
-    kSwitch,    ///< `0` or `1`; anything else leaves the default, without a message
-    kTruth,     ///< true, yes, false, no in any case, or an integer
+    kSwitch,  ///< `0` or `1`; anything else leaves the default, without a message
+    kTruth,   ///< true, yes, false, no in any case, or an integer
     kInteger,
     kNumber,
-    kJointType, ///< linear or angular, in any case
-    kUnits,     ///< mm, inch, … or a number
+    kJointType,  ///< linear or angular, in any case
+    kUnits,      ///< mm, inch, … or a number
     kPath,
-    kPaths,     ///< separated by `:`
-    kGcode,     ///< `;` begins a comment there
-    kRemap,     ///< `#` begins a comment there
+    kPaths,  ///< separated by `:`
+    kGcode,  ///< `;` begins a comment there
+    kRemap,  ///< `#` begins a comment there
   };
   std::string_view section;  ///< `JOINT_` stands for `[JOINT_0]` and its like, `AXIS_` for `[AXIS_X]`
   std::string_view name;
   Type type = Type::kText;
-  bool refuses = false;     ///< LinuxCNC ends where the value is no such thing; otherwise the default stays
-  bool several = false;     ///< may be there more than once
-  bool on = false;          ///< of a switch: the default
+  bool refuses = false;  ///< LinuxCNC ends where the value is no such thing; otherwise the default stays
+  bool several = false;  ///< may be there more than once
+  bool on = false;       ///< of a switch: the default
 };
 
 /// Null if LinuxCNC itself reads no such key there. `section` as in the INI.

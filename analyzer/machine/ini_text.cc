@@ -57,9 +57,8 @@ void IniText::read(const Files& files, const std::shared_ptr<const Source>& sour
     const std::string_view text = bytes.substr(at, feed == std::string_view::npos ? feed : feed - at);
     const std::string_view name = included ? std::string_view{} : ini_include(text);
     std::string error;
-    const auto found = name.empty()
-        ? nullptr
-        : files.read(joined_path(folder_of(source->path()), expand_home(name)), &error);
+    const auto found =
+        name.empty() ? nullptr : files.read(joined_path(folder_of(source->path()), expand_home(name)), &error);
     if (found != nullptr && sources_.size() < kMostIniLines) {
       read(files, found, true);
     } else {

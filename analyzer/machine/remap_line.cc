@@ -90,7 +90,8 @@ class Reader {
       out_.argspec = value;
       const size_t bad = small_letters(value).find_first_not_of("abcdefghijklmnpqrstuvwxyz>^@");
       if (bad != std::string_view::npos)
-        fail(Problem::kArgspec, value.substr(bad, 1), fmt::format("argspec: illegal word '{}' - {}", value[bad], place()));
+        fail(Problem::kArgspec, value.substr(bad, 1),
+             fmt::format("argspec: illegal word '{}' - {}", value[bad], place()));
     } else if (is("prolog")) {
       out_.prolog = value;
     } else if (is("epilog")) {
@@ -113,7 +114,9 @@ class Reader {
     const char letter = out_.letter();
     if (letter == 'T' || letter == 'S' || letter == 'F') {
       if (out_.ngc.empty() && out_.python.empty()) return no_target();
-      if (code.size() > 1) return fail(Problem::kLetterOnly, code, fmt::format("{}: {} remap - only single letter code allowed", line_, letter));
+      if (code.size() > 1)
+        return fail(Problem::kLetterOnly, code,
+                    fmt::format("{}: {} remap - only single letter code allowed", line_, letter));
       if (out_.group)
         fail(Problem::kFixedGroup, group_word_,
              fmt::format("{}: {} remap - modal group setting ignored - fixed sequencing", line_, letter));
@@ -124,21 +127,22 @@ class Reader {
     if (bad_group) {
       return fail(Problem::kGroup, group_word_,
                   letter == 'M'
-                      ? fmt::format("error: code '{}' : invalid modalgroup=<int> given (currently valid: {}..{}) : {}", code,
-                                    kMinGroup, kMaxGroup, place())
+                      ? fmt::format("error: code '{}' : invalid modalgroup=<int> given (currently valid: {}..{}) : {}",
+                                    code, kMinGroup, kMaxGroup, place())
                       : fmt::format("error: code '{}' : invalid modalgroup=<int> given  : {}", code, place()));
     }
     if (out_.ngc.empty() && out_.python.empty()) return no_target();
     if (letter == 'M' && out_.m_number() < 0)
-      fail(Problem::kNoNumber, code, fmt::format("parsing M-code: expecting integer like 'M420', got '{}' : {}", code, place()));
+      fail(Problem::kNoNumber, code,
+           fmt::format("parsing M-code: expecting integer like 'M420', got '{}' : {}", code, place()));
     if (letter == 'G' && out_.g_number() < 0)
       fail(Problem::kNoNumber, code, fmt::format("code '{}' : can't parse G-code : {}", code, place()));
   }
 
   void no_target() {
     fail(Problem::kNoTarget, out_.code,
-         fmt::format("code '{}' - no remap function given, use either 'python=<function>' or 'ngc=<basename>' : {}", out_.code,
-                     place()));
+         fmt::format("code '{}' - no remap function given, use either 'python=<function>' or 'ngc=<basename>' : {}",
+                     out_.code, place()));
   }
 
   std::string_view value_;

@@ -18,20 +18,20 @@ struct RemapLine {
     kOnlyComment,  ///< the interpreter crashes
     kNoEquals,     ///< an option without `=`
     kNoValue,
-    kGroup,        ///< a modal group that the code cannot be in
+    kGroup,  ///< a modal group that the code cannot be in
     kArgspec,
-    kTwoTargets,   ///< ngc= and python=
+    kTwoTargets,  ///< ngc= and python=
     kNoTarget,
-    kNoNumber,     ///< `M` or `G` alone
-    kLetterOnly,   ///< T, S and F take no number
-    kFixedGroup,   ///< and no modal group
+    kNoNumber,    ///< `M` or `G` alone
+    kLetterOnly,  ///< T, S and F take no number
+    kFixedGroup,  ///< and no modal group
   };
 
   std::string_view code;
   std::string_view argspec, ngc, python, prolog, epilog;
-  std::optional<int> group;  ///< as given, whatever it is
+  std::optional<int> group;               ///< as given, whatever it is
   std::vector<std::string_view> unknown;  ///< options that LinuxCNC does not have; it says so and goes on
-  size_t dropped = 0;  ///< options beyond the 18 that are read
+  size_t dropped = 0;                     ///< options beyond the 18 that are read
 
   Problem problem = Problem::kNone;
   std::string_view at;  ///< what the problem is about, in the line

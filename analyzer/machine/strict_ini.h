@@ -17,9 +17,9 @@ struct StrictRefusal {
     kOpenSection,    ///< `[NAME` without `]`
     kBeforeSection,  ///< a key before any section
     kNotUtf8,
-    kBadEscape,   ///< `\x`, `\u` or `\U` without its digits
-    kOpenEnd,     ///< `\` at the end of the file
-    kNoInclude,   ///< a file that `#INCLUDE` names and that is not there
+    kBadEscape,  ///< `\x`, `\u` or `\U` without its digits
+    kOpenEnd,    ///< `\` at the end of the file
+    kNoInclude,  ///< a file that `#INCLUDE` names and that is not there
   };
   Kind kind = Kind::kNoEquals;
   const IniLine* line = nullptr;

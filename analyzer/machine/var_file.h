@@ -14,7 +14,7 @@ namespace owlint {
 struct VarRow {
   int64_t number = 0;
   uint32_t line = 1;
-  Span span;  ///< the number
+  Span span;              ///< the number
   bool fraction = false;  ///< the number goes on with a point: the value is what follows the integer
 };
 

@@ -69,8 +69,8 @@ bool reads_section(const IniText& text, std::string_view section) {
 }
 
 std::string conversion_error(const IniText& text, const IniLine& line) {
-  return fmt::format("INIFILE: ERR_CONVERSION, section={}, tag={}, num=1, lineNo={}", text.section_of(line), text.name(line),
-                     line.number);
+  return fmt::format("INIFILE: ERR_CONVERSION, section={}, tag={}, num=1, lineNo={}", text.section_of(line),
+                     text.name(line), line.number);
 }
 
 }  // namespace owlint::rules

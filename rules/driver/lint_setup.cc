@@ -78,9 +78,8 @@ std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& op
   std::vector<FileReport> reports;
   for (auto& [path, findings] : lists) {
     const auto& source = sources[path];
-    reports.push_back({source,
-                       options.all_versions ? join_versions(*source, std::move(findings)) : std::move(findings[0]),
-                       {}});
+    reports.push_back(
+        {source, options.all_versions ? join_versions(*source, std::move(findings)) : std::move(findings[0]), {}});
   }
   return reports;
 }

@@ -37,9 +37,8 @@ const IniLine* meant_line(const IniText& text, std::string_view section, bool* m
 }
 
 bool has_checked(const IniText& text, std::string_view section) {
-  return std::ranges::any_of(text.lines(), [&](const IniLine& line) {
-    return is_checked_section(text, line) && text.name(line) == section;
-  });
+  return std::ranges::any_of(
+      text.lines(), [&](const IniLine& line) { return is_checked_section(text, line) && text.name(line) == section; });
 }
 
 /// Above the first line with `=`: a section's line that is none for the check.

@@ -18,7 +18,8 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string code(std::string_view text) {
   constexpr size_t kShown = 40;
-  return "`" + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "…`" : "`");
+  const char quote = text.find('`') == std::string_view::npos ? '`' : '"';
+  return quote + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "…" : "") + quote;
 }
 
 class Checker {
@@ -66,8 +67,9 @@ class Checker {
           f.help = "remove the mark: save the file as UTF-8 without BOM";
           f.fixes.push_back({"remove the byte order mark", true, {{{0, kByteOrderMark.size()}, ""}}});
           if (!refuse(*first, f) && line.substr(kByteOrderMark.size()).starts_with("[EMC]") && !strict_)
-            refuses(f, "INI file [EMC]VERSION indicates update is needed, but the update GUI can't run without an X "
-                       "display");
+            refuses(f,
+                    "INI file [EMC]VERSION indicates update is needed, but the update GUI can't run without an X "
+                    "display");
           marked_ = first;
         }
       }
@@ -134,12 +136,14 @@ class Checker {
 
   void check_include(const IniLine& line, std::string_view name) {
     if (name.find_first_of("`;|&<>") == std::string_view::npos && name.find("$(") == std::string_view::npos) return;
-    Finding& f = add(line, line.span, "LinuxCNC hands the file name of `#INCLUDE` to a shell, which would run " + code(name));
+    Finding& f =
+        add(line, line.span, "LinuxCNC hands the file name of `#INCLUDE` to a shell, which would run " + code(name));
     f.help = "write the plain name of a file; owlint runs nothing and did not read it";
   }
 
   void check_open_section(const IniLine& line) {
     if (strict_) return;
+    open_ = true;
     const std::string_view name = text_.name(line);
     Finding& f = add(line, line.span,
                      "`]` is missing behind " + code(text_.text(line)) +
@@ -160,7 +164,8 @@ class Checker {
       f.help = "write `[" + plain + "]`";
       f.fixes.push_back({"remove the blanks", false, {{line.name, plain}}});
       refuse(line, f);
-    } else if (!behind.empty() && (refused_.contains(&line) || (!comment && behind.find('=') != std::string_view::npos))) {
+    } else if (!behind.empty() &&
+               (refused_.contains(&line) || (!comment && behind.find('=') != std::string_view::npos))) {
       const bool refused = refused_.contains(&line);
       Finding& f = add(line, line.value,
                        refused ? "text behind `[" + std::string(name) +
@@ -187,17 +192,17 @@ class Checker {
     const std::string behind(text_.value(line));
     if (!comment) return {"put it onto a line of its own", false, {{{close, line.value.end}, end + behind}}};
     const std::string section(source.slice({line.span.begin, close}));
-    return {"put the comment onto a line of its own",
-            true,
-            {{{line.span.begin, line.value.end}, behind + end + section}}};
+    return {
+        "put the comment onto a line of its own", true, {{{line.span.begin, line.value.end}, behind + end + section}}};
   }
 
   void check_key(const IniLine& line) {
     const std::string_view value = text_.value(line);
     if (line.section < 0 && !strict_) {
+      if (open_) return;  // the section was meant to be open
       Finding& f = add(line, line.span, "a key before the first section: LinuxCNC does not find it");
       f.help = "move it below the `[SECTION]` that it belongs to, or make it a comment with `#`";
-      refuse(line, f);
+      if (refuse(line, f)) f.message += ", and its check before the start ends there";
       return;
     }
     const Source& source = *text_.source(line);
@@ -217,11 +222,19 @@ class Checker {
     }
   }
 
+  /// Whether the key is there once more: LinuxCNC stops looking at a key with a blank behind it.
+  bool hides_another(const IniLine& line) const {
+    if (line.name.end == line.span.end) return false;
+    return std::ranges::any_of(lines_of(text_, text_.section_of(line)), [&](const IniLine* other) {
+      return other > &line && other->kind == Kind::kKey && text_.name(*other) == text_.name(line);
+    });
+  }
+
   void check_text(const IniLine& line) {
     if (strict_ || line.section < 0) return;
     Finding& f = add(line, line.span,
                      "LinuxCNC ignores " + code(text_.text(line)) + ": a line without `=` sets nothing" +
-                         (line.name.end < line.span.end ? ", and hides the same key below" : ""));
+                         (hides_another(line) ? ", and hides the same key below" : ""));
     f.help = "write `KEY = value`, or begin the line with `#` if it is a comment";
     if (!is_known_section(text_.section_of(line))) f.weight = Weight::kRemark;
   }
@@ -246,11 +259,13 @@ class Checker {
     }
     const IniLine& next = lines[index + 1];
     const bool lost = next.kind == Kind::kSection ||
-        (next.kind == Kind::kKey && (line.kind == Kind::kComment || find_ini_key(text_.section_of(next), text_.name(next)) != nullptr));
+        (next.kind == Kind::kKey &&
+         (line.kind == Kind::kComment || find_ini_key(text_.section_of(next), text_.name(next)) != nullptr));
     if (!next.continuation || !lost) return;
-    Finding& f = add(line, {line.span.end - 1, line.span.end},
-                     std::string(line.kind == Kind::kComment ? "`\\` at the end of a comment" : "`\\` at the end of the line") +
-                         ": LinuxCNC takes the next line, " + code(text_.text(next)) + ", for a part of this one");
+    Finding& f =
+        add(line, {line.span.end - 1, line.span.end},
+            std::string(line.kind == Kind::kComment ? "`\\` at the end of a comment" : "`\\` at the end of the line") +
+                ": LinuxCNC takes the next line, " + code(text_.text(next)) + ", for a part of this one");
     f.help = "remove the `\\`";
     f.related.push_back({next.span, "this line is not read", nullptr});
     if (next.source != line.source) f.related.clear();
@@ -280,6 +295,7 @@ class Checker {
   std::map<const IniLine*, std::string> refused_;  // what LinuxCNC prints, by the line that is the cause
   const IniLine* marked_ = nullptr;                // the line with the byte order mark, if it was reported
   size_t continued_ = 0;
+  bool open_ = false;  // a section above has no `]`
 };
 
 void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); }
@@ -294,7 +310,8 @@ extern const Rule kOw412{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A line of the machine's INI whose form LinuxCNC reads otherwise than people do: `[NAME` without `]`,
+            .what =
+                R"(A line of the machine's INI whose form LinuxCNC reads otherwise than people do: `[NAME` without `]`,
 blanks inside the brackets, text behind `]`, a line without `=`, a key before the first section, a line
 of more than 255 bytes, a `\` that makes the next key or section a part of the line, a carriage return
 inside a line, a byte order mark, an `#INCLUDE` that is a comment or would run a command.)",
@@ -317,8 +334,9 @@ M2
 RETAIN_G43 = 1
 )",
             .fix = R"(Write each section, key and comment on a line of its own: `[NAME]`, `KEY = value`, `# comment`.)",
-            .level_reason = "Warning: LinuxCNC starts, without what the line was meant to set. Error where LinuxCNC then "
-                            "refuses to start.",
+            .level_reason =
+                "Warning: LinuxCNC starts, without what the line was meant to set. Error where LinuxCNC then "
+                "refuses to start.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

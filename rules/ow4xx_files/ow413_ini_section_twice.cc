@@ -31,7 +31,8 @@ void check_setup(const SetupInput& in, Reporter& out) {
       const IniLine& key = text.lines()[at];
       if (key.section != static_cast<int32_t>(i) || key.kind == IniLine::Kind::kOpenSection) break;
       if (key.kind == IniLine::Kind::kKey && !known.contains({text.name(key), text.value(key)}) &&
-          seen.insert(text.name(key)).second) lost.emplace_back(text.name(key));
+          seen.insert(text.name(key)).second)
+        lost.emplace_back(text.name(key));
     }
     if (lost.empty()) continue;
     const auto first = std::ranges::find(sections, sections[i].name, &IniText::Section::name);

@@ -109,9 +109,10 @@ class Checker {
     const bool list = ends_lists(section, name);
     const IniKey* key = find_ini_key(section, name);
     if (!list && (key == nullptr || key->several)) return;
-    Finding& f = add_at(in_, out_, line,
-                        "`" + std::string(name) + "` is empty further up: LinuxCNC stops looking there and does not find " +
-                            (list ? "this line, nor those of the list below" : "this value"));
+    Finding& f =
+        add_at(in_, out_, line,
+               "`" + std::string(name) + "` is empty further up: LinuxCNC stops looking there and does not find " +
+                   (list ? "this line, nor those of the list below" : "this value"));
     f.help = "remove the empty line, or begin it with `#`";
     f.related.push_back({before.span, "the empty one", before.source == line.source ? nullptr : text_.source(before)});
   }
@@ -125,27 +126,31 @@ class Checker {
                             "` and ignores this value");
     if (kinematics) f.message += ", but checks it before the start";
     f.help = "keep one of the two lines";
-    f.related.push_back({first.span, "the value that is used", first.source == line.source ? nullptr : text_.source(first)});
+    f.related.push_back(
+        {first.span, "the value that is used", first.source == line.source ? nullptr : text_.source(first)});
   }
 
   /// A key that LinuxCNC itself does not read.
-  void check_name(const std::string& section, const IniLine& line, const std::map<std::string_view, const IniLine*>& values) {
+  void check_name(const std::string& section, const IniLine& line,
+                  const std::map<std::string_view, const IniLine*>& values) {
     const std::string name(text_.name(line));
     if (!is_known_section(section) || is_display_key(section, name)) return;
     for (const Home& home : kHomes) {
       if (name != home.key) continue;
       if (find_line(text_, home.section, home.key) != nullptr) return;
       Finding& f = add_at(in_, out_, line, line.name,
-                          "LinuxCNC looks for `" + name + "` in `[" + std::string(home.section) + "]` and does not find it in `[" +
-                              section + "]`");
+                          "LinuxCNC looks for `" + name + "` in `[" + std::string(home.section) +
+                              "]` and does not find it in `[" + section + "]`");
       f.help = "move the line into `[" + std::string(home.section) + "]`";
       return;
     }
     const std::string near = near_key(section, name);
     if (near.empty() || values.contains(near)) return;
-    Finding& f = add_at(in_, out_, line, line.name,
-                        "LinuxCNC reads no `" + name + "` in `[" + section + "]`, and this section has no `" + near + "`");
-    f.help = "if `" + near + "` is meant, write it so" + (small_letters(near) == small_letters(name) ? ": capitals count" : "");
+    Finding& f =
+        add_at(in_, out_, line, line.name,
+               "LinuxCNC reads no `" + name + "` in `[" + section + "]`, and this section has no `" + near + "`");
+    f.help = "if `" + near + "` is meant, write it so" +
+        (small_letters(near) == small_letters(name) ? ": capitals count" : "");
     f.fixes.push_back({"write `" + near + "`", false, {{line.name, near}}});
   }
 
@@ -182,10 +187,12 @@ extern const Rule kOw414{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A key or section whose name differs in a letter or in its case from one that LinuxCNC reads and that is
+            .what =
+                R"(A key or section whose name differs in a letter or in its case from one that LinuxCNC reads and that is
 not there; a key in another section than the one where LinuxCNC looks for it; a key that is there twice with
 two values; a value behind an empty one of the same key.)",
-            .why = R"(LinuxCNC asks for each value by section and key, letter by letter, and takes the first. It does not
+            .why =
+                R"(LinuxCNC asks for each value by section and key, letter by letter, and takes the first. It does not
 say that it found none, but uses the default, and it does not say which keys nobody asked for. A line
 with the key and without a value ends the search: of a list such as `REMAP` or `MDI_COMMAND`, all lines
 below are lost.)",
@@ -203,7 +210,8 @@ M2
 [RS274NGC]
 RETAIN_G43 = 1
 )",
-            .fix = R"(Write the name as LinuxCNC reads it, in its section, once. Keys that only a display, a driver or your
+            .fix =
+                R"(Write the name as LinuxCNC reads it, in its section, once. Keys that only a display, a driver or your
 own HAL files read are not judged, whatever their names.)",
             .level_reason = "Warning: LinuxCNC starts, without this value. Error for a section that LinuxCNC needs.",
             .interpreter = "",

@@ -20,7 +20,8 @@ bool begins_with_number(std::string_view value) {
 
 class Checker {
  public:
-  Checker(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text), strict_(reads_strictly(in)) {}
+  Checker(const SetupInput& in, Reporter& out)
+      : in_(in), out_(out), text_(in.setup.text), strict_(reads_strictly(in)) {}
 
   void run() {
     refusals_ = start_refusals(in_);
@@ -46,10 +47,10 @@ class Checker {
       return;
     }
     if (key->type == Type::kGcode || key->type == Type::kRemap || is_good(*key, value)) return;
-    const std::string_view plain = comment == std::string_view::npos
-        ? value
-        : value.substr(0, value.find_last_not_of(" \t", comment - 1) + 1);
-    if (harmless(*key, plain)) return;
+    const std::string_view plain =
+        comment == std::string_view::npos ? value : value.substr(0, value.find_last_not_of(" \t", comment - 1) + 1);
+    const bool read = reads_section(text_, section);
+    if (harmless(*key, plain) || (!read && comment == std::string_view::npos)) return;
     Finding& f = add_at(in_, out_, line, line.value, message_of(*key, line, comment, plain));
     if (comment != std::string_view::npos) {
       f.help = "put the comment onto a line of its own";
@@ -57,17 +58,17 @@ class Checker {
     } else if (const std::optional<bool> meant = ini_truth(value); meant && wants_number(*key)) {
       f.help = std::string("write `") + (*meant ? "1" : "0") + "`";
       f.fixes.push_back(write_value(line, *meant ? "1" : "0", true));
-    } else if (begins_with_number(value) && (key->type == Type::kNumber || key->type == Type::kInteger)) {
-      f.help = key->type == Type::kInteger ? "write a whole number and nothing else" : "write the number and nothing else";
+    } else if (!ini_real(value) && begins_with_number(value) &&
+               (key->type == Type::kNumber || key->type == Type::kInteger)) {
+      f.help =
+          key->type == Type::kInteger ? "write a whole number and nothing else" : "write the number and nothing else";
     } else {
       f.help = help_of(*key);
     }
-    if (key->refuses && reads_section(text_, section)) say_refused(f, line);
+    if (key->refuses && read) say_refused(f, line);
   }
 
-  static bool wants_number(const IniKey& key) {
-    return key.type == Type::kSwitch || key.type == Type::kInteger;
-  }
+  static bool wants_number(const IniKey& key) { return key.type == Type::kSwitch || key.type == Type::kInteger; }
 
   static bool is_good(const IniKey& key, std::string_view value) {
     switch (key.type) {
@@ -126,8 +127,7 @@ class Checker {
       case Type::kTruth: return "write `YES` or `NO`";
       case Type::kJointType: return "write `LINEAR` or `ANGULAR`";
       case Type::kInteger: return key.name == "SPINDLES" ? "write a number from 1 to 8" : "write a whole number";
-      case Type::kUnits:
-        return key.name == "LINEAR_UNITS" ? "write `mm` or `inch`" : "write `degree`";
+      case Type::kUnits: return key.name == "LINEAR_UNITS" ? "write `mm` or `inch`" : "write `degree`";
       default:
         if (key.name == "CENTER_ARC_RADIUS_TOLERANCE_INCH") return "write a number from 0.00004 to 0.002828427";
         if (key.name == "CENTER_ARC_RADIUS_TOLERANCE_MM") return "write a number from 0.001 to 0.028284271";
@@ -138,23 +138,27 @@ class Checker {
   void say_refused(Finding& f, const IniLine& line) const {
     for (const BlamedRefusal& blamed : refusals_) {
       if (blamed.refusal.line != &line && blamed.refusal.axis != &line) continue;
+      const bool endless = blamed.refusal.kind == StartRefusal::Kind::kEndlessJoints;
       refuses(f, blamed.refusal.message);
-      f.message += blamed.refusal.kind == StartRefusal::Kind::kEndlessJoints ? ", and its check before the start never ends" : "";
-      if (blamed.refusal.kind != StartRefusal::Kind::kEndlessJoints) return;
-      f.never_ends = true;
+      f.message += endless ? ", and its check before the start never ends" : ", and does not start";
+      f.stops = !endless;
+      f.never_ends = endless;
       return;
     }
     const std::string value(text_.value(line));
     refuses_machine(in_, f,
-                    text_.name(line) == "SPINDLES" && ini_integer(value) ? "emcTrajSetSpindles failing: spindles=" + value
-                                                                         : conversion_error(text_, line));
+                    text_.name(line) == "SPINDLES" && ini_integer(value)
+                        ? "emcTrajSetSpindles failing: spindles=" + value
+                        : conversion_error(text_, line));
+    if (f.stops) f.message += ", and it does not start";
   }
 
   void check_path(const IniKey& key, const IniLine& line) {
     const std::string value(text_.value(line));
     const std::string name(key.name);
     if (name == "SUBROUTINE_PATH" && value.find_first_not_of(':') == std::string::npos) {
-      Finding& f = add_at(in_, out_, line, line.value, "`SUBROUTINE_PATH` has `:` and no folder: LinuxCNC crashes when it starts");
+      Finding& f = add_at(in_, out_, line, line.value,
+                          "`SUBROUTINE_PATH` has `:` and no folder: LinuxCNC crashes when it starts");
       f.help = "name a folder, or remove the line";
       f.never_ends = true;
       f.reach = Reach::kAlways;
@@ -163,12 +167,14 @@ class Checker {
     if (const size_t comment = comment_in(value); comment != std::string_view::npos) {
       Finding& f = add_at(in_, out_, line, line.value,
                           "the comment is a part of the value: LinuxCNC looks for " +
-                              std::string(key.type == Type::kPaths ? "folders" : name == "PROGRAM_PREFIX" ? "a folder" : "a file") +
-                              " `" + value + "`");
+                              std::string(key.type == Type::kPaths ? "the folders" : "the file") + " `" + value + "`");
+      if (name == "PROGRAM_PREFIX")
+        f.message = "the comment is a part of the value: LinuxCNC finds no user M codes in `" + value + "`";
       f.help = "put the comment onto a line of its own";
       f.fixes.push_back(comment_above(text_, line, comment));
     } else if (key.type == Type::kPaths && value.find(',') != std::string::npos) {
-      Finding& f = add_at(in_, out_, line, line.value, "`,` separates no folders: for LinuxCNC it is a part of the name");
+      Finding& f =
+          add_at(in_, out_, line, line.value, "`,` separates no folders: for LinuxCNC it is a part of the name");
       f.help = "separate the folders with `:`";
     }
   }
@@ -180,8 +186,9 @@ class Checker {
     if (section == "TRAJ" && name == "NO_FORCE_HOMING" && !begins_with_number(value)) {
       const bool on = ini_truth(value).value_or(false);
       if (!on) return;
-      Finding& f = add_at(in_, out_, line, line.value,
-                          "`NO_FORCE_HOMING` needs a number: LinuxCNC takes `" + std::string(value) + "` for 0, which is off");
+      Finding& f =
+          add_at(in_, out_, line, line.value,
+                 "`NO_FORCE_HOMING` needs a number: LinuxCNC takes `" + std::string(value) + "` for 0, which is off");
       f.help = "write `1`";
       f.interpreter = "invalid [TRAJ] NO_FORCE_HOMING in " + std::string(name_of(text_.source(line)->path())) + " (" +
           std::string(value) + "); using default 0";

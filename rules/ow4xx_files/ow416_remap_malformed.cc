@@ -20,9 +20,9 @@ void word(const RemapLine& remap, Finding& f) {
       break;
     case Problem::kNoEquals:
       f.message = remap.at.starts_with(';') ? "`;` begins no comment in a `REMAP` line: LinuxCNC does not start with it"
-                                           : at + " is no option of `REMAP`: LinuxCNC does not start with this line";
+                                            : at + " is no option of `REMAP`: LinuxCNC does not start with this line";
       f.help = remap.at.starts_with(';') ? "begin the comment with `#`"
-                                        : "write `option=value` without blanks around the `=`";
+                                         : "write `option=value` without blanks around the `=`";
       break;
     case Problem::kNoValue:
       f.message = at + " has no value: LinuxCNC does not start with this line";
@@ -82,8 +82,9 @@ void check_setup(const SetupInput& in, Reporter& out) {
       refuses(f, "code '" + std::string(remap.read.code) + "' already remapped : " + place);
     }
     for (const std::string_view unknown : remap.read.unknown) {
-      Finding& f = add_at(in, out, *remap.line, span_in(text, *remap.line, unknown),
-                          "`REMAP` has no option " + quoted(unknown) + ": LinuxCNC says so on the console and ignores it");
+      Finding& f =
+          add_at(in, out, *remap.line, span_in(text, *remap.line, unknown),
+                 "`REMAP` has no option " + quoted(unknown) + ": LinuxCNC says so on the console and ignores it");
       f.help = "the options are `modalgroup`, `argspec`, `ngc`, `python`, `prolog` and `epilog`";
     }
   }
@@ -99,7 +100,8 @@ extern const Rule kOw416{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A `REMAP` line that the interpreter refuses: an option without `=` or without a value, a modal group
+            .what =
+                R"(A `REMAP` line that the interpreter refuses: an option without `=` or without a value, a modal group
 that the code cannot be in, a letter that `argspec` does not take, no `ngc=` and no `python=` or both, a
 code that is remapped twice. A file of `ngc=` that is nowhere is OW208's.)",
             .why = R"(The interpreter reads all `REMAP` lines when LinuxCNC starts. For one that it refuses it prints a
@@ -127,11 +129,13 @@ o<greet> sub
   G4 P0
 o<greet> endsub
 )",
-            .fix = R"(Write `REMAP = M400 modalgroup=10 argspec=P ngc=name`: options without blanks around the `=`, M codes in a
+            .fix =
+                R"(Write `REMAP = M400 modalgroup=10 argspec=P ngc=name`: options without blanks around the `=`, M codes in a
 group from 4 to 10, G codes in group 1, T, S and F without a group. A comment begins with `#`, not with `;`.)",
             .level_reason = "Error: LinuxCNC does not start. Warning for an unknown option, which it ignores.",
-            .interpreter = "error: code 'M400' : invalid modalgroup=<int> given (currently valid: 4..10) : 2:REMAP = M400 "
-                           "modalgroup=3 ngc=greet",
+            .interpreter =
+                "error: code 'M400' : invalid modalgroup=<int> given (currently valid: 4..10) : 2:REMAP = M400 "
+                "modalgroup=3 ngc=greet",
             .options = "--ini machine.ini",
         },
     .check = nothing_in_programs,

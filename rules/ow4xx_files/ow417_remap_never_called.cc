@@ -10,7 +10,23 @@ namespace {
 
 constexpr std::array kBuiltInM{2, 3, 4, 5, 7, 8, 19, 30, 48, 49, 50, 51, 52, 53, 70, 71, 72, 73, 98, 99};
 /// The modal groups of those that have one in which a REMAP is possible.
-constexpr std::array<std::pair<int, int>, 17> kGroups{{{2, 4}, {30, 4}, {3, 7}, {4, 7}, {5, 7}, {19, 7}, {7, 8}, {8, 8}, {48, 9}, {49, 9}, {50, 9}, {51, 9}, {52, 9}, {53, 9}, {99, 4}, {70, 5}, {73, 5}}};
+constexpr std::array<std::pair<int, int>, 17> kGroups{{{2, 4},
+                                                       {30, 4},
+                                                       {3, 7},
+                                                       {4, 7},
+                                                       {5, 7},
+                                                       {19, 7},
+                                                       {7, 8},
+                                                       {8, 8},
+                                                       {48, 9},
+                                                       {49, 9},
+                                                       {50, 9},
+                                                       {51, 9},
+                                                       {52, 9},
+                                                       {53, 9},
+                                                       {99, 4},
+                                                       {70, 5},
+                                                       {73, 5}}};
 
 constexpr int kFirstUserCode = 100;
 constexpr int kLastUserCode = 199;
@@ -19,9 +35,9 @@ constexpr int kLastMCode = 999;
 /// Built-in G codes, ten times.
 constexpr std::array kMotion{0,   10,  20,  30,  50,  51,  52,  53,  330, 331, 382, 383, 384, 385, 700, 710, 711, 712,
                              720, 721, 722, 730, 740, 750, 760, 800, 810, 820, 830, 840, 850, 860, 870, 880, 890};
-constexpr std::array kOtherG{40,  70,  80,  100, 170, 171, 180, 181, 190, 191, 200, 210, 280, 281, 300, 301, 400, 410, 411, 420,
-                             421, 430, 431, 432, 490, 530, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 900, 901,
-                             910, 911, 920, 921, 922, 923, 930, 940, 950, 960, 970, 980, 990};
+constexpr std::array kOtherG{40,  70,  80,  100, 170, 171, 180, 181, 190, 191, 200, 210, 280, 281, 300, 301, 400, 410,
+                             411, 420, 421, 430, 431, 432, 490, 530, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610,
+                             611, 640, 900, 901, 910, 911, 920, 921, 922, 923, 930, 940, 950, 960, 970, 980, 990};
 
 template <typename List>
 bool has(const List& list, int number) {
@@ -33,13 +49,16 @@ std::string of_m_code(const RemapLine& remap, const std::string& code, bool stri
   if (strict && (number == 7 || number == 8)) return {};
   const bool user = number >= kFirstUserCode && number <= kLastUserCode;
   if (!has(kBuiltInM, number) && !user && number <= kLastMCode) return {};
-  if (number > kLastMCode) return code + " is remapped, but LinuxCNC has no M codes above 999: a program that uses it stops";
+  if (number > kLastMCode)
+    return code + " is remapped, but LinuxCNC has no M codes above 999: a program that uses it stops";
   const int group = remap.group.value_or(-1) == -1 ? 10 : *remap.group;
   const auto own = std::ranges::find(kGroups, number, &std::pair<int, int>::first);
   if (number == 98 || (own != kGroups.end() && own->second == group))
     return "LinuxCNC never calls the sub: " + code + " stays what it is";
-  if (user && group == 10) return "LinuxCNC never calls the sub: " + code + " runs the program of that name, as without the `REMAP`";
-  if (group == 4) return "LinuxCNC never calls the sub: " + code + " stops the program, `Bug code not m0 m1 m2 m30 m60 m99`";
+  if (user && group == 10)
+    return "LinuxCNC never calls the sub: " + code + " runs the program of that name, as without the `REMAP`";
+  if (group == 4)
+    return "LinuxCNC never calls the sub: " + code + " stops the program, `Bug code not m0 m1 m2 m30 m60 m99`";
   if (group == 10) return "LinuxCNC never calls the sub: " + code + " stops the program or crashes LinuxCNC";
   return "LinuxCNC never calls the sub, and " + code + " does nothing any more";
 }
@@ -50,7 +69,8 @@ std::string of_g_code(const RemapLine& remap, const std::string& code) {
   if (has(kMotion, number)) return "LinuxCNC never calls the sub: " + code + " stays what it is";
   if (has(kOtherG, number))
     return "LinuxCNC never calls the sub: " + code + " stops the program, `All axes missing with motion code`";
-  return number > kMost ? code + " is remapped, but a program that uses it stops with `G-code out of range`" : std::string();
+  return number > kMost ? code + " is remapped, but a program that uses it stops with `G-code out of range`"
+                        : std::string();
 }
 
 void check_setup(const SetupInput& in, Reporter& out) {
@@ -82,9 +102,11 @@ extern const Rule kOw417{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A `REMAP` of a code that is built in and not made for it, of a user code M100 to M199, of an M code above
+            .what =
+                R"(A `REMAP` of a code that is built in and not made for it, of a user code M100 to M199, of an M code above
 999, or of another letter than M, G, T, S and F.)",
-            .why = R"(LinuxCNC accepts the line and gives no message, but hands over only these codes: M0, M1, M6, M9, M60
+            .why =
+                R"(LinuxCNC accepts the line and gives no message, but hands over only these codes: M0, M1, M6, M9, M60
 to M68 (from 2.10 on M7 and M8, too), M and G codes that are not built in, T, S and F. What a program
 then does with the others depends on the modal group: in its own group such a code is as if it were not
 remapped, in groups 5 to 9 it does nothing (`M3` starts no spindle), elsewhere it stops the program.)",

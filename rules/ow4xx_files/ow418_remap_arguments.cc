@@ -9,7 +9,8 @@ namespace owlint::rules {
 namespace {
 
 /// The group in which a code is the built-in one inside its own sub.
-constexpr std::array<std::pair<int, int>, 12> kInside{{{0, 4}, {1, 4}, {60, 4}, {6, 6}, {61, 6}, {62, 5}, {63, 5}, {64, 5}, {65, 5}, {66, 5}, {67, 5}, {68, 5}}};
+constexpr std::array<std::pair<int, int>, 12> kInside{
+    {{0, 4}, {1, 4}, {60, 4}, {6, 6}, {61, 6}, {62, 5}, {63, 5}, {64, 5}, {65, 5}, {66, 5}, {67, 5}, {68, 5}}};
 
 class Checker {
  public:
@@ -22,18 +23,22 @@ class Checker {
     for (size_t i = 0; i < argspec.size(); ++i) {
       const char c = argspec[i];
       if (std::isalpha(static_cast<unsigned char>(c)) == 0) continue;
-      const char other = static_cast<char>(std::isupper(static_cast<unsigned char>(c)) != 0 ? std::tolower(c) : std::toupper(c));
+      const char other =
+          static_cast<char>(std::isupper(static_cast<unsigned char>(c)) != 0 ? std::tolower(c) : std::toupper(c));
       const std::string_view before = argspec.substr(0, i);
-      if (const bool same = before.find(c) != std::string_view::npos; same || before.find(other) != std::string_view::npos) {
-        Finding& f = add(argspec.substr(i, 1), same ? "`" + std::string(1, c) + "` is in the `argspec` already"
-                                                   : "`" + std::string(1, c) + "` and `" + std::string(1, other) +
+      if (const bool same = before.find(c) != std::string_view::npos;
+          same || before.find(other) != std::string_view::npos) {
+        Finding& f = add(argspec.substr(i, 1),
+                         same ? "`" + std::string(1, c) + "` is in the `argspec` already"
+                              : "`" + std::string(1, c) + "` and `" + std::string(1, other) +
                                  "` in one `argspec`: the word is required then");
         f.help = "write the letter once: in capitals if it is required, small if it may be left out";
         return;
       }
       if (positional && omittable && c != 'N' && c != 'n') {
-        Finding& f = add(argspec, "with `@`, a word that is left out moves those behind it: `" + std::string(1, c) +
-                                      "` is then in another parameter");
+        Finding& f = add(argspec,
+                         "with `@`, a word that is left out moves those behind it: `" + std::string(1, c) +
+                             "` is then in another parameter");
         f.help = "put the words that may be left out, in small letters, last; or pass them by name, without `@`";
         return;
       }
@@ -60,8 +65,9 @@ class Checker {
     const std::shared_ptr<const Program> program = in_.library.load_called(path, in_.profile);
     for (const Statement& s : program->syntax.statements) {
       if (!has_code(program->source->slice(s.whole()), number)) continue;
-      Finding& f = add(remap_.read.code, "the sub uses `" + std::string(remap_.read.code) +
-                                             "` itself, and there it calls the sub again, until LinuxCNC gives up");
+      Finding& f = add(remap_.read.code,
+                       "the sub uses `" + std::string(remap_.read.code) +
+                           "` itself, and there it calls the sub again, until LinuxCNC gives up");
       const auto own = std::ranges::find(kInside, number, &std::pair<int, int>::first);
       f.help = own == kInside.end() ? "use another code in the sub"
                                     : "write `modalgroup=" + std::to_string(own->second) + "` and the code as `M" +
@@ -75,7 +81,10 @@ class Checker {
   static bool has_code(std::string_view line, int number) {
     line = line.substr(0, line.find_first_of("(;"));
     for (size_t at = line.find_first_of("Mm"); at != std::string_view::npos; at = line.find_first_of("Mm", at + 1)) {
-      if (at > 0 && (std::isalnum(static_cast<unsigned char>(line[at - 1])) != 0 && std::isdigit(static_cast<unsigned char>(line[at - 1])) == 0)) continue;
+      if (at > 0 &&
+          (std::isalnum(static_cast<unsigned char>(line[at - 1])) != 0 &&
+           std::isdigit(static_cast<unsigned char>(line[at - 1])) == 0))
+        continue;
       if (at > 0 && (line[at - 1] == '<' || line[at - 1] == '_')) continue;
       size_t end = at + 1;
       while (end < line.size() && line[end] >= '0' && line[end] <= '9') ++end;
@@ -107,9 +116,11 @@ extern const Rule kOw418{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(An `argspec` with a letter twice, or with `@` and words that may be left out before others; a code that is
+            .what =
+                R"(An `argspec` with a letter twice, or with `@` and words that may be left out before others; a code that is
 used in its own sub and calls that sub again.)",
-            .why = R"(With `@` the values are in #1, #2 … in the order of `argspec`: if an optional one is left out, those
+            .why =
+                R"(With `@` the values are in #1, #2 … in the order of `argspec`: if an optional one is left out, those
 behind it move up. In its own sub a code is the built-in one only for M0, M1 and M60 in group 4, M6 and
 M61 in group 6, M62 to M68 in group 5, T, S and F. Every other one, also M6 in group 10, calls its sub
 until LinuxCNC stops with `maximum nesting of remapped blocks exceeded`.)",
@@ -135,7 +146,8 @@ o<greet> sub
   G4 P0
 o<greet> endsub
 )",
-            .fix = R"(Put optional words last, or pass them by name. Use the group in which the built-in code can be used.)",
+            .fix =
+                R"(Put optional words last, or pass them by name. Use the group in which the built-in code can be used.)",
             .level_reason = "Warning: LinuxCNC starts; the sub gets other values, or stops.",
             .interpreter = "",
             .options = "--ini machine.ini",

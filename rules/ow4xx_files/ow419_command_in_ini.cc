@@ -21,7 +21,8 @@ std::string bare(std::string_view code) {
   for (const char c : code) {
     if (c == ';' && !inside) break;
     inside = c == '(' || (inside && c != ')');
-    if (!inside && c != ')' && c != ' ' && c != '\t') out += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (!inside && c != ')' && c != ' ' && c != '\t')
+      out += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
   return out;
 }
@@ -32,7 +33,8 @@ bool has_code(std::string_view line, char letter, int number) {
     if (at > 0 && (std::isalpha(static_cast<unsigned char>(line[at - 1])) != 0 || line[at - 1] == '<')) continue;
     size_t end = at + 1;
     int value = 0;
-    while (end < line.size() && line[end] >= '0' && line[end] <= '9' && value < 1000) value = value * 10 + (line[end++] - '0');
+    while (end < line.size() && line[end] >= '0' && line[end] <= '9' && value < 1000)
+      value = value * 10 + (line[end++] - '0');
     if (end > at + 1 && value == number) return true;
   }
   return false;
@@ -85,8 +87,10 @@ class Checker {
     const auto has = [&](char letter, int number) { return has_code(words, letter, number); };
     const std::string start = "the start-up code ";
     for (const int number : {6, 61, 66}) {
-      if (has('M', number)) return hang(line, start + "changes the tool or waits for an input, `M" + std::to_string(number) +
-                                                  "`: LinuxCNC waits for ever before it starts");
+      if (has('M', number))
+        return hang(line,
+                    start + "changes the tool or waits for an input, `M" + std::to_string(number) +
+                        "`: LinuxCNC waits for ever before it starts");
     }
     if (has('G', 38)) return hang(line, start + "probes: LinuxCNC waits for ever before it starts");
     if (has('M', 99)) return hang(line, start + "has `M99`: LinuxCNC crashes when it starts");
@@ -99,15 +103,25 @@ class Checker {
     }
     for (int number = 100; number <= 199; ++number) {
       if (!has('M', number)) continue;
-      Finding& f = add(line, line.value, start + "uses `M" + std::to_string(number) +
-                                             "`, which LinuxCNC does not know yet at that time: it does not start");
+      Finding& f = add(line, line.value,
+                       start + "uses `M" + std::to_string(number) +
+                           "`, which LinuxCNC does not know yet at that time: it does not start");
       f.help = "run it by a program or a button";
       refuses(f, "Unknown m code used: M" + std::to_string(number));
       return;
     }
+    if (code.starts_with('%')) {
+      Finding& f = add(line, line.value, "LinuxCNC does not start with this start-up code: `%` belongs into files");
+      f.help = "remove the `%`";
+      refuses(f, "Bad character '%' used");
+      return;
+    }
     for (const Finding& found : findings_in(code)) {
-      Finding& f = add(line, inside(line, 0, found.span), "LinuxCNC does not start with this start-up code: " + found.message);
-      f.help = code.find('#') == std::string::npos ? found.help : "put the comment onto a line of its own; only `;` and `( )` are comments here";
+      Finding& f =
+          add(line, inside(line, 0, found.span), "LinuxCNC does not start with this start-up code: " + found.message);
+      f.help = code.find('#') == std::string::npos
+          ? found.help
+          : "put the comment onto a line of its own; only `;` and `( )` are comments here";
       refuses(f, found.interpreter);
       return;
     }
@@ -132,7 +146,9 @@ class Checker {
     const std::vector<Finding> found = findings_in(code + " [1]");
     const bool calls = small_letters(bare(code)).ends_with("call") || small_letters(bare(code)).ends_with(']');
     if (found.empty() && calls && code.find(';') == std::string::npos) return;
-    Finding& f = add(line, line.value, "LinuxCNC runs this with the reason behind it, `" + code + " [1]`, and that stops with an error each time");
+    Finding& f =
+        add(line, line.value,
+            "LinuxCNC runs this with the reason behind it, `" + code + " [1]`, and that stops with an error each time");
     f.help = "call a sub, as `O<on_abort> call`, with nothing behind it";
     if (!found.empty()) f.interpreter = found[0].interpreter;
   }
@@ -140,9 +156,11 @@ class Checker {
   void check_command(const IniLine& line, Span span, const char* who) {
     const std::string code(text_.slice(line, span));
     for (const Finding& found : findings_in(code)) {
-      const bool reading = found.code.starts_with("OW3") || std::ranges::find(kOfReading, found.code) != kOfReading.end();
+      const bool reading =
+          found.code.starts_with("OW3") || std::ranges::find(kOfReading, found.code) != kOfReading.end();
       if (!reading) continue;
-      Finding& f = add(line, inside(line, span.begin - line.value.begin, found.span), std::string(who) + ", and it stops each time: " + found.message);
+      Finding& f = add(line, inside(line, span.begin - line.value.begin, found.span),
+                       std::string(who) + ", and it stops each time: " + found.message);
       f.help = found.help;
       f.interpreter = found.interpreter;
       return;
@@ -178,9 +196,11 @@ extern const Rule kOw419{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A mistake in the lines that LinuxCNC runs from the INI: `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`,
+            .what =
+                R"(A mistake in the lines that LinuxCNC runs from the INI: `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`,
 `MDI_COMMAND` of `[HALUI]` and of `[MDI_COMMAND_LIST]`.)",
-            .why = R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and `M30`.
+            .why =
+                R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and `M30`.
 With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands when their time
 comes, and stop with a message each time. `#` begins no comment there. To `ON_ABORT_COMMAND` LinuxCNC
 appends the reason, as ` [1]`, so that only a call can be there.)",

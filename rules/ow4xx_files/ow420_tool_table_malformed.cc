@@ -41,14 +41,14 @@ class Checker {
   void add_skipped(const ToolLine& line, size_t count) {
     const std::string_view word = source_->slice(line.bad);
     const bool carriage = word.empty() || word == "\r";
-    Finding& f = out_.add(source_, carriage ? line.row.span : line.bad,
-                          carriage ? "a blank at the end of the line, before the carriage return: LinuxCNC skips the line"
-                                   : "`" + std::string(word) + "` is no word of a tool table: LinuxCNC skips the line");
+    Finding& f =
+        out_.add(source_, carriage ? line.row.span : line.bad,
+                 carriage ? "a blank at the end of the line, before the carriage return: LinuxCNC skips the line"
+                          : "`" + std::string(word) + "` is no word of a tool table: LinuxCNC skips the line");
     if (count > 1) f.message += ", and " + std::to_string(count - 1) + " more like it";
-    f.help = carriage ? "remove the blank"
-        : names_tool(line)
-        ? "write words such as `T1 P1 D6 Z41.5`, separated by blanks, and comments behind `;`"
-        : "begin comments with `;`";
+    f.help = carriage      ? "remove the blank"
+        : names_tool(line) ? "write words such as `T1 P1 D6 Z41.5`, separated by blanks, and comments behind `;`"
+                           : "begin comments with `;`";
     f.interpreter = "File: " + std::string(name_of(source_->path())) + " Unrecognized line skipped:";
     if (!names_tool(line)) f.weight = Weight::kAside;
   }
@@ -56,15 +56,17 @@ class Checker {
   void check(const ToolLine& line) {
     const std::string tool = "tool " + std::to_string(line.row.number);
     if (line.hidden.end > 0) {
-      Finding& f = out_.add(source_, line.hidden,
-                            "a tab separates no words: LinuxCNC does not read `" + std::string(source_->slice(line.hidden)) + "`");
+      Finding& f = out_.add(
+          source_, line.hidden,
+          "a tab separates no words: LinuxCNC does not read `" + std::string(source_->slice(line.hidden)) + "`");
       f.help = "write a blank instead of the tab";
       return;
     }
     if (line.no_place) {
-      Finding& f = out_.add(source_, line.row.span,
-                            random_ ? "there is no pocket " + std::to_string(line.row.pocket) + ": LinuxCNC skips " + tool
-                                    : "LinuxCNC reads 1000 tools and skips " + tool);
+      Finding& f =
+          out_.add(source_, line.row.span,
+                   random_ ? "there is no pocket " + std::to_string(line.row.pocket) + ": LinuxCNC skips " + tool
+                           : "LinuxCNC reads 1000 tools and skips " + tool);
       f.help = random_ ? "pockets go from 0, the spindle, to 1000" : "remove tools that are not used";
       return;
     }
@@ -74,8 +76,9 @@ class Checker {
       return;
     }
     if (!line.has_pocket) {
-      Finding& f = out_.add(source_, line.row.span,
-                            tool + " has no `P`: LinuxCNC takes it for what is in the spindle, and loads it without length");
+      Finding& f =
+          out_.add(source_, line.row.span,
+                   tool + " has no `P`: LinuxCNC takes it for what is in the spindle, and loads it without length");
       f.help = "write its pocket, as `P1`";
       return;
     }
@@ -117,9 +120,11 @@ extern const Rule kOw420{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(In the file that `[EMCIO]TOOL_TABLE` names: a line with a word that LinuxCNC does not know, a tab between
+            .what =
+                R"(In the file that `[EMCIO]TOOL_TABLE` names: a line with a word that LinuxCNC does not know, a tab between
 words, a line without `T` or without `P`, a tool that is there twice.)",
-            .why = R"(LinuxCNC skips a line with an unknown word, with a message on the console only, and the tool is not
+            .why =
+                R"(LinuxCNC skips a line with an unknown word, with a message on the console only, and the tool is not
 found when a program asks for it. Only blanks separate words: behind a tab nothing is read, so that a
 tool has no length. A line without `P` is about the spindle. Of two lines for one tool the first counts.)",
             .bad = R"(G21 G90
@@ -143,8 +148,9 @@ T1 P1 D6 Z41.5
 T2 P2 D8 Z40 ;end mill
 )",
             .fix = R"(Write one tool in each line, `T1 P1 D6 Z41.5 ;comment`, with blanks between the words.)",
-            .level_reason = "Warning: LinuxCNC starts without the tool or with another one. Info for text that was never "
-                            "meant as a tool.",
+            .level_reason =
+                "Warning: LinuxCNC starts without the tool or with another one. Info for text that was never "
+                "meant as a tool.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

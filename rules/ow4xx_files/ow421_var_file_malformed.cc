@@ -9,8 +9,8 @@ namespace {
 void check_setup(const SetupInput& in, Reporter& out) {
   const IniLine* key = find_line(in.setup.text, "RS274NGC", "PARAMETER_FILE");
   const std::string folder(folder_of(in.setup.path));
-  const std::string path = joined_path(folder.empty() ? "." : folder,
-                                       key == nullptr ? "rs274ngc.var" : std::string(in.setup.text.value(*key)));
+  const std::string path =
+      normal_path(joined_path(folder, key == nullptr ? "rs274ngc.var" : std::string(in.setup.text.value(*key))));
   std::string error;
   const auto source = in.library.files().is_file(path) ? in.library.files().read(path, &error) : nullptr;
   if (source == nullptr) return;
@@ -23,7 +23,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
     Finding& f = out.add(source, problem.row.span,
                          twice       ? number + " is there twice: LinuxCNC does not start with this file"
                              : order ? number + " is below #" + std::to_string(problem.before.number) +
-                                     ": numbers must rise, or LinuxCNC does not start with this file"
+                                 ": numbers must rise, or LinuxCNC does not start with this file"
                                      : "there is no parameter " + number + ": LinuxCNC does not start with this file");
     f.help = twice ? "remove one of the two lines"
         : order    ? "put the lines in the order of their numbers"
@@ -49,9 +49,11 @@ extern const Rule kOw421{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A line of the file that `PARAMETER_FILE` names, whose number is not above the one before it, or not from 1
+            .what =
+                R"(A line of the file that `PARAMETER_FILE` names, whose number is not above the one before it, or not from 1
 to 5601; or whose number has a point.)",
-            .why = R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text are
+            .why =
+                R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text are
 ignored. The numbers must rise; the first that does not refuses the start with `Parameter file out of
 order`.)",
             .bad = R"(G21 G90

@@ -26,13 +26,24 @@ class Checker {
   }
 
  private:
-  /// Where to say that something is missing: at its section, else at `[EMC]`.
-  const IniLine* place_of(std::string_view wanted) const {
-    for (const std::string_view name : {wanted, std::string_view("EMC")}) {
-      const auto found = std::ranges::find(text_.sections(), name, &IniText::Section::name);
-      if (found != text_.sections().end()) return &text_.lines()[found->line];
+  const IniLine* section_line(std::string_view name) const {
+    const auto found = std::ranges::find(text_.sections(), name, &IniText::Section::name);
+    return found == text_.sections().end() ? nullptr : &text_.lines()[found->line];
+  }
+
+  /// Where to say that a key is missing: where it is empty, else at its section, else at `[EMC]`.
+  const IniLine* place_of(std::string_view section, std::string_view key) const {
+    for (const IniLine* line : lines_of(text_, section)) {
+      if (text_.name(*line) == key) return line;
     }
-    return nullptr;
+    const IniLine* const line = section_line(section);
+    return line == nullptr ? section_line("EMC") : line;
+  }
+
+  /// What is missing may be in a file that the INI includes and that is not here.
+  void refuse(Finding& f, std::string message) const {
+    refuses(f, std::move(message));
+    f.unproven = !in_.setup.ini.missing_includes().empty();
   }
 
   void check_start() {
@@ -51,12 +62,12 @@ class Checker {
   }
 
   void add_missing(const std::string& key, const std::string& message) {
-    const IniLine* line = place_of("KINS");
+    const IniLine* line = place_of("KINS", key);
     if (line == nullptr) return;
     Finding& f = add_at(in_, out_, *line, "this INI has no `[KINS]" + key + "`: LinuxCNC does not start without it");
     f.help = key == "JOINTS" ? "add `JOINTS = ` with the number of joints to `[KINS]`"
                              : "add `KINEMATICS = trivkins coordinates=XYZ`, or what your machine has, to `[KINS]`";
-    refuses(f, message);
+    refuse(f, message);
   }
 
   void add_limit(const StartRefusal& refusal) {
@@ -65,26 +76,30 @@ class Checker {
     const bool min = refusal.kind == StartRefusal::Kind::kMinLimit;
     const std::string key = min ? "MIN_LIMIT" : "MAX_LIMIT";
     const std::string joint = "`[" + refusal.joint_name + "]" + key + "` of " + std::string(value);
-    Finding& f = add_at(in_, out_, *refusal.line,
-                        refusal.axis == nullptr
-                            ? joint + " needs the same in `[" + refusal.axis_name + "]`, which has none: LinuxCNC does not start"
-                            : joint + " is inside `[" + refusal.axis_name + "]" + key + "` of " +
+    const IniLine* place = refusal.axis == nullptr ? section_line(refusal.axis_name) : nullptr;
+    Finding& f = add_at(in_, out_, place == nullptr ? *refusal.line : *place,
+                        refusal.axis == nullptr ? joint + " needs the same in `[" + refusal.axis_name +
+                                "]`, which has none: LinuxCNC does not start"
+                                                : joint + " is inside `[" + refusal.axis_name + "]" + key + "` of " +
                                 std::string(text_.value(*refusal.axis)) + ": LinuxCNC does not start");
     f.help = refusal.axis == nullptr ? "add `" + key + " = " + std::string(value) + "` to `[" + refusal.axis_name + "]`"
                                      : "give the axis a limit that its joint can reach";
+    if (place != nullptr)
+      f.related.push_back({refusal.line->span, "the limit of the joint",
+                           refusal.line->source == place->source ? nullptr : text_.source(*refusal.line)});
     if (refusal.axis != nullptr)
       f.related.push_back({refusal.axis->span, "the limit of the axis",
                            refusal.axis->source == refusal.line->source ? nullptr : text_.source(*refusal.axis)});
-    refuses(f, refusal.message);
+    refuse(f, refusal.message);
   }
 
   void check_unit(const std::string& key, const std::string& example) {
     if (find_line(text_, "TRAJ", key) != nullptr) return;
-    const IniLine* line = place_of("TRAJ");
+    const IniLine* line = place_of("TRAJ", key);
     if (line == nullptr) return;
     Finding& f = add_at(in_, out_, *line, "this INI has no `[TRAJ]" + key + "`: LinuxCNC's task ends when it starts");
     f.help = "add `" + key + " = " + example + "` to `[TRAJ]`";
-    refuses(f, "emcTrajSetUnits failed to set [TRAJ]LINEAR_UNITS or [TRAJ]ANGULAR_UNITS");
+    refuse(f, "emcTrajSetUnits failed to set [TRAJ]LINEAR_UNITS or [TRAJ]ANGULAR_UNITS");
   }
 
   void check_order(const std::string& section) {
@@ -126,8 +141,9 @@ class Checker {
     Finding& f = add_at(in_, out_, *coordinates,
                         "`COORDINATES = " + std::string(traj) + "` and `coordinates=" + std::string(kins) +
                             "` of `[KINS]KINEMATICS` name different axes");
-    f.help = "name the same axes in both: an axis without a joint never moves, and a program cannot use one that "
-             "`COORDINATES` lacks";
+    f.help =
+        "name the same axes in both: an axis without a joint never moves, and a program cannot use one that "
+        "`COORDINATES` lacks";
     f.interpreter = "INCONSISTENT coordinates specifications:";
     f.related.push_back({kinematics->span, "the axes of the joints",
                          kinematics->source == coordinates->source ? nullptr : text_.source(*kinematics)});
@@ -154,7 +170,8 @@ extern const Rule kOw422{
         {
             .what = R"(A joint whose limit is inside that of its axis, a maximum below the minimum, other axes in
 `[TRAJ]COORDINATES` than in `[KINS]KINEMATICS`, an INI without `KINEMATICS`, `JOINTS` or units.)",
-            .why = R"(With `trivkins` LinuxCNC compares the limits before it starts, and does not start if a joint cannot
+            .why =
+                R"(With `trivkins` LinuxCNC compares the limits before it starts, and does not start if a joint cannot
 reach what its axis allows: `[JOINT_0]MAX_LIMIT < [AXIS_X]MAX_LIMIT (50 < 100)`. An axis without the
 limit counts as one that may go anywhere. With a maximum below the minimum each move is refused, with
 `Linear move on line 5 would exceed X's positive limit`.)",

@@ -30,9 +30,10 @@ class Checker {
     for (const Remap& remap : remaps_of(text_)) {
       if (remap.read.problem != RemapLine::Problem::kNone || remap.earlier != nullptr) continue;
       if (!remap.read.python.empty()) check_function(remap);
-      check_hook(remap, "prolog", remap.read.prolog);
-      check_hook(remap, "epilog", remap.read.epilog);
+      if (!remap.read.prolog.empty()) note_hook(remap, "prolog", remap.read.prolog);
+      if (!remap.read.epilog.empty()) note_hook(remap, "epilog", remap.read.epilog);
     }
+    if (plugin_ == Plugin::kNoKey) return add_missing();
     if (plugin_ == Plugin::kNoFile && !said_) {
       Finding& f = add_at(in_, out_, *toplevel_, toplevel_->value,
                           "the file `" + std::string(text_.value(*toplevel_)) + "` of `TOPLEVEL` does not exist");
@@ -50,7 +51,8 @@ class Checker {
 
   std::string in_folder(std::string_view path) const {
     const std::string folder(folder_of(in_.setup.path));
-    return joined_path(folder.empty() ? "." : folder, expand_home(path));
+    const std::string found = normal_path(joined_path(folder, expand_home(path)));
+    return found.empty() ? "." : found;
   }
 
   void find_plugin() {
@@ -62,7 +64,8 @@ class Checker {
     const std::string_view value = text_.value(*toplevel_);
     if (files_.is_file(in_folder(value))) return;
     // What begins at the root or at somebody's home may be on the machine only.
-    plugin_ = value.starts_with('/') || value.starts_with('~') || value.starts_with("..") ? Plugin::kUnknown : Plugin::kNoFile;
+    plugin_ = value.starts_with('/') || value.starts_with('~') || value.starts_with("..") ? Plugin::kUnknown
+                                                                                          : Plugin::kNoFile;
   }
 
   /// The text of the module `remap`, as far as it is here and says all of itself.
@@ -88,38 +91,57 @@ class Checker {
     const std::string message = "'" + name + "' is not a Python callable function - " + place(text_, *remap.line);
     const Span span = span_in(text_, *remap.line, remap.read.python);
     if (plugin_ == Plugin::kNoKey) {
-      Finding& f = add_at(in_, out_, *remap.line, span,
-                          "`python=" + name + "` needs `[PYTHON]TOPLEVEL`, which this INI does not have: LinuxCNC does not start");
-      f.help = "add `[PYTHON]` with `TOPLEVEL = toplevel.py`";
-      refuses(f, message);
+      functions_.push_back({remap.line, span, "python=" + name, message});
     } else if (plugin_ == Plugin::kNoFile) {
+      if (said_) return;
       said_ = true;
-      Finding& f = add_at(in_, out_, *toplevel_, toplevel_->value,
-                          "the file `" + std::string(text_.value(*toplevel_)) +
-                              "` of `TOPLEVEL` does not exist, and `python=" + name + "` needs it: LinuxCNC does not start");
+      Finding& f =
+          add_at(in_, out_, *toplevel_, toplevel_->value,
+                 "the file `" + std::string(text_.value(*toplevel_)) +
+                     "` of `TOPLEVEL` does not exist, and `python=" + name + "` needs it: LinuxCNC does not start");
       f.help = "correct the name";
       f.related.push_back({remap.line->span, "needed here",
                            remap.line->source == toplevel_->source ? nullptr : text_.source(*remap.line)});
       refuses(f, message_of_file());
+      f.unproven = !files_.is_folder(in_folder(folder_of(text_.value(*toplevel_))));  // nor is anything beside it
     } else if (const auto source = plugin_ == Plugin::kThere ? module() : nullptr;
                source != nullptr && !is_word_in(source->bytes(), name)) {
-      Finding& f = add_at(in_, out_, *remap.line, span,
-                          "`remap.py` has no function `" + name + "`: LinuxCNC does not start");
+      Finding& f =
+          add_at(in_, out_, *remap.line, span, "`remap.py` has no function `" + name + "`: LinuxCNC does not start");
       f.help = "write `def " + name + "(self, **words):` in " + source->path();
       refuses(f, message);
     }
   }
 
-  void check_hook(const Remap& remap, std::string_view option, std::string_view name) {
-    if (name.empty() || plugin_ != Plugin::kNoKey) return;
-    const std::string code(remap.read.code);
-    Finding& f = add_at(in_, out_, *remap.line, span_in(text_, *remap.line, name),
-                        "`" + std::string(option) + "=" + std::string(name) +
-                            "` needs `[PYTHON]TOPLEVEL`, which this INI does not have: LinuxCNC starts, and `" + code +
-                            "` stops the program");
-    f.help = "add `[PYTHON]` with `TOPLEVEL = toplevel.py`, or remove the option";
-    f.interpreter = "call(remap." + std::string(name) + "): ";
+  void note_hook(const Remap& remap, const std::string& option, std::string_view name) {
+    hooks_.push_back({remap.line, span_in(text_, *remap.line, name), option + "=" + std::string(name),
+                      "call(remap." + std::string(name) + "): "});
   }
+
+  /// One finding for all of them: they lack the same thing.
+  void add_missing() {
+    const bool start = !functions_.empty();
+    const std::vector<Need>& needs = start ? functions_ : hooks_;
+    if (needs.empty()) return;
+    Finding& f = add_at(in_, out_, *needs[0].line, needs[0].span,
+                        "`" + needs[0].option + "` needs `[PYTHON]TOPLEVEL`, which this INI does not have: LinuxCNC " +
+                            (start ? "does not start" : "starts, and the code stops the program"));
+    f.help = "add `[PYTHON]` with `TOPLEVEL = python/toplevel.py`" + std::string(start ? "" : ", or remove the option");
+    constexpr size_t kMostShown = 10;
+    for (size_t i = 1; i < std::min(needs.size(), kMostShown); ++i)
+      f.related.push_back({needs[i].span, "needed here as well",
+                           needs[i].line->source == needs[0].line->source ? nullptr : text_.source(*needs[i].line)});
+    f.interpreter = needs[0].message;
+    if (start) refuses(f, needs[0].message);
+  }
+
+  /// What needs Python, and what LinuxCNC prints without it.
+  struct Need {
+    const IniLine* line;
+    Span span;
+    std::string option;
+    std::string message;
+  };
 
   const SetupInput& in_;
   Reporter& out_;
@@ -128,6 +150,7 @@ class Checker {
   Plugin plugin_ = Plugin::kThere;
   const IniLine* toplevel_ = nullptr;
   bool said_ = false;
+  std::vector<Need> functions_, hooks_;
 };
 
 void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); }
@@ -142,9 +165,11 @@ extern const Rule kOw423{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A `REMAP` with `python=`, `prolog=` or `epilog=` in an INI without `[PYTHON]TOPLEVEL`; a `TOPLEVEL`
+            .what =
+                R"(A `REMAP` with `python=`, `prolog=` or `epilog=` in an INI without `[PYTHON]TOPLEVEL`; a `TOPLEVEL`
 that does not exist; a function that `remap.py` does not have.)",
-            .why = R"(The functions of `REMAP` lines come from the module `remap`, which `TOPLEVEL` imports. LinuxCNC looks
+            .why =
+                R"(The functions of `REMAP` lines come from the module `remap`, which `TOPLEVEL` imports. LinuxCNC looks
 for `python=` when it starts and gives up if the function is not there. For `prolog=` and `epilog=` it
 looks when a program uses the code: then the program stops.)",
             .bad = R"(G21 G90
@@ -169,7 +194,8 @@ o<greet> sub
   G4 P0
 o<greet> endsub
 )",
-            .fix = R"(Add `[PYTHON]` with `TOPLEVEL = python/toplevel.py` and `PATH_PREPEND = python`, and write the functions in
+            .fix =
+                R"(Add `[PYTHON]` with `TOPLEVEL = python/toplevel.py` and `PATH_PREPEND = python`, and write the functions in
 `remap.py` there. owlint reads `remap.py` and runs nothing; where it says `import *`, nothing is reported.)",
             .level_reason = "Error for `python=`, with which LinuxCNC does not start; else warning.",
             .interpreter = "",

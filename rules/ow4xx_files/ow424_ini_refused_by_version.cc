@@ -13,9 +13,10 @@ std::string code(std::string_view text) {
   return "`" + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "…`" : "`");
 }
 
-/// Those that 2.8 and 2.9 do not read as they look either: OW412 reports them for these versions.
+/// Those that 2.8 and 2.9 do not read as they look either: OW412 reports them for these versions, and a note the includes.
 bool said_before(Kind kind) {
-  return kind == Kind::kNoEquals || kind == Kind::kOpenSection || kind == Kind::kBeforeSection || kind == Kind::kOpenEnd;
+  return kind == Kind::kNoEquals || kind == Kind::kOpenSection || kind == Kind::kBeforeSection ||
+      kind == Kind::kOpenEnd || kind == Kind::kNoInclude;
 }
 
 void word(const StrictRefusal& refusal, std::string_view text, Finding& f) {
@@ -62,13 +63,18 @@ void word(const StrictRefusal& refusal, std::string_view text, Finding& f) {
 
 void check_strict(const SetupInput& in, Reporter& out) {
   const bool strict = reads_strictly(in);
-  for (const StrictRefusal& refusal : strict_refusals(in.setup.text)) {
-    if (!strict && said_before(refusal.kind)) continue;
+  std::vector<StrictRefusal> refusals = strict_refusals(in.setup.text);
+  if (!strict) std::erase_if(refusals, [](const StrictRefusal& r) { return said_before(r.kind); });
+  const size_t count = refusals.size();
+  if (!strict && count > 1) refusals.resize(1);
+  for (const StrictRefusal& refusal : refusals) {
     Finding& f = add_at(in, out, *refusal.line, refusal.span, "");
     word(refusal, in.setup.text.slice(*refusal.line, refusal.span), f);
     if (strict) {
       refuses(f, refusal.message);
     } else {
+      if (count > 1)
+        f.message += ", for this and " + std::to_string(count - 1) + (count > 2 ? " more lines" : " more line");
       f.weight = in.profile.version_given ? Weight::kRemark : Weight::kAside;
     }
   }
@@ -89,9 +95,11 @@ void check_age(const SetupInput& in, Reporter& out) {
     }
   }
   if (line == nullptr) return;
-  Finding& f = add_at(in, out, *line,
-                      version == nullptr ? "`[EMC]` has no `VERSION`: LinuxCNC 2.8 and 2.9 convert this INI before they start"
-                                         : "`VERSION = " + version->value + "`: LinuxCNC 2.8 and 2.9 convert this INI before they start");
+  Finding& f =
+      add_at(in, out, *line,
+             version == nullptr
+                 ? "`[EMC]` has no `VERSION`: LinuxCNC 2.8 and 2.9 convert this INI before they start"
+                 : "`VERSION = " + version->value + "`: LinuxCNC 2.8 and 2.9 convert this INI before they start");
   f.help = "let LinuxCNC convert it, or run `update_ini` on a copy; on a machine with 2.7 leave it as it is";
   f.interpreter = "INI file [EMC]VERSION indicates update is needed, but the update GUI can't run without an X display";
   if (!in.profile.version_given) f.weight = Weight::kAside;
@@ -112,10 +120,12 @@ extern const Rule kOw424{
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A line that LinuxCNC 2.10 cannot read: without `=`, a key or section with other characters than letters,
+            .what =
+                R"(A line that LinuxCNC 2.10 cannot read: without `=`, a key or section with other characters than letters,
 digits and `_`, `\U` in a value such as `C:\User`, text that is not UTF-8. An INI of 2.7 or older, which later
 versions convert before they start.)",
-            .why = R"(LinuxCNC 2.10 reads the whole INI when it starts, and refuses it for one bad line. 2.8 and 2.9 ignore
+            .why =
+                R"(LinuxCNC 2.10 reads the whole INI when it starts, and refuses it for one bad line. 2.8 and 2.9 ignore
 such lines. They start only from an INI with `VERSION = 1.1` in `[EMC]`; from another one they ask to
 convert it, or without a screen give up.)",
             .bad = R"(G21 G90
