@@ -48,12 +48,32 @@ class Fixer {
   RunResult check(const std::vector<size_t>& which) {
     std::vector<std::string> files;
     std::vector<const Settings*> settings;
+    const std::map<const MachineSetup*, std::shared_ptr<const MachineSetup>> machines = fixed_machines();
+    std::vector<Settings> with_fixed;  // for files of machines whose INI was fixed
+    with_fixed.reserve(which.size());
     for (const size_t i : which) {
       files.push_back(files_[i]);
       settings.push_back(settings_[i]);
+      const auto fixed = settings_[i] == nullptr ? machines.end() : machines.find(settings_[i]->profile.setup.get());
+      if (fixed == machines.end()) continue;
+      with_fixed.push_back(*settings_[i]);
+      with_fixed.back().profile.setup = fixed->second;
+      settings.back() = &with_fixed.back();
     }
     Library library(texts_);
     return run_checks(files, settings, library, called_);
+  }
+
+  /// The machines whose INI was fixed, as it is now.
+  std::map<const MachineSetup*, std::shared_ptr<const MachineSetup>> fixed_machines() const {
+    std::map<const MachineSetup*, std::shared_ptr<const MachineSetup>> machines;
+    for (const Settings* one : settings_) {
+      const MachineSetup* setup = one == nullptr ? nullptr : one->profile.setup.get();
+      if (setup == nullptr || machines.contains(setup) || fixed_text(setup->path) == nullptr) continue;
+      std::string error;  // it could be read before
+      machines.emplace(setup, read_setup(texts_, setup->path, &error, one->profile.sub_path));
+    }
+    return machines;
   }
 
   std::shared_ptr<const Source> fixed_text(const std::string& path) const {

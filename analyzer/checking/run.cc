@@ -137,7 +137,9 @@ RunResult run_checks(const std::vector<std::string>& files, const std::vector<co
       checked(done++);
     }
     if (settings[i] == nullptr) return;
-    if (const auto source = library.files().read(files[i], &errors[i]))
+    if (settings[i]->of_ini) {
+      all[i].report.own.source = settings[i]->profile.setup->ini.source();  // what is found in it: check_machines()
+    } else if (const auto source = library.files().read(files[i], &errors[i]))
       all[i] = check_file(source, *settings[i], library, by_machines.contains(file_key(files[i])));
   });
   RunResult result = put_together(files, std::move(all), check_machines(settings, library), called_elsewhere);

@@ -93,17 +93,6 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
   return true;
 }
 
-namespace {
-
-/// Whether a file is the INI of a LinuxCNC machine, and not another program's.
-bool is_machine_ini(const Files& files, const std::string& path) {
-  std::string error;
-  Ini ini;
-  return ini.read(files, path, &error) && (ini.has_section("RS274NGC") || ini.has_section("EMC"));
-}
-
-}  // namespace
-
 /// The INIs of machines in a folder, sorted.
 std::vector<std::string> Configuration::machine_inis(const std::string& folder) const {
   std::vector<std::string> out;
@@ -231,7 +220,12 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   const auto line_of = [&](std::string_view key) { return file->place_of(key); };
   std::optional<std::string> ini = request_.ini;
   if (ini && request_.absolute) ini = file_key(*ini);
-  if (ini) note("ini", *ini, "command line");
+  settings->of_ini = request_.walk.takes_inis && small_letters(ending_of(path)) == ".ini";
+  if (settings->of_ini) {
+    ini = path;
+  } else if (ini) {
+    note("ini", *ini, "command line");
+  }
   std::optional<std::string> version = request_.linuxcnc;
   Profile& profile = settings->profile;
   LintOptions& options = settings->options;

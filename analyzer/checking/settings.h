@@ -43,6 +43,7 @@ struct Settings {
   Profile profile;
   LintOptions options;
   std::vector<Origin> origins;  ///< in their order; only for `owlint config`
+  bool of_ini = false;          ///< the file is the machine's INI, and no program
 };
 
 /// Finds and reads configuration files and machine INIs, each once. Not thread-safe.

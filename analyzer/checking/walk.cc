@@ -7,6 +7,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "analyzer/machine/ini.h"
 #include "analyzer/text/parallel.h"
 #include "analyzer/text/paths.h"
 #include "analyzer/text/source.h"
@@ -231,7 +232,7 @@ class Walker {
   void take(const Folder& folder, const FolderEntry& entry, Content* content) const {
     if (entry.kind == FileKind::kOther) return;
     std::string path = folder.path + entry.name;
-    if (entry.kind == FileKind::kFile && !is_program(path, *folder.views)) return;
+    if (entry.kind == FileKind::kFile && !is_program(path, *folder.views) && !is_ini(path)) return;
     if (!folder.takes(path, entry.kind == FileKind::kFolder)) return;
     if (entry.kind == FileKind::kFolder) {
       content->folders.push_back({path + '/', folder.views, folder.ignored,
@@ -241,6 +242,10 @@ class Walker {
     } else if (const FileInfo info = files_.info(path); info.kind == FileKind::kFile) {
       content->files.push_back({std::move(path), info.stamp, info.bytes});
     }
+  }
+
+  bool is_ini(const std::string& path) const {
+    return options_.takes_inis && ending_of(path) == ".ini" && is_machine_ini(files_, path);
   }
 
   std::shared_ptr<const Ignored> ignored_in(const Folder& folder) const {

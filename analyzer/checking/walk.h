@@ -18,6 +18,7 @@ struct WalkOptions {
   bool ignore_files = true;    ///< `.gitignore` and `.owlintignore` in the folders are heeded
   bool allow_empty = false;    ///< a folder without programs is no problem
   bool force_exclude = false;  ///< what is excluded is left out also where it is named
+  bool takes_inis = false;     ///< `*.ini` is a machine's INI, and no program; folders are searched for them as well
   /// Patterns as in an ignore file, seen from the folder that is walked and from the working folder: what is left out, and
   /// which files are programs as well.
   std::vector<std::string> exclude, include;

@@ -123,6 +123,7 @@ void add_check(CLI::App& app, CommandLine& line) {
       ->required();
   add_settings_options(check, line);
   add_walk_options(check, line.walk);
+  line.walk.takes_inis = true;
   check.add_flag("--fix", line.fix, "make the safe fixes: a program that ran does exactly the same afterwards")
       ->group("Fix");
   check.add_flag("--unsafe", line.unsafe, "also make fixes that may change what the program does; check the result")

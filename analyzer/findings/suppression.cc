@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analyzer/text/paths.h"
+
 namespace owlint {
 namespace {
 
@@ -89,6 +91,7 @@ std::vector<Edit> suppression_comments(const Source& source, const std::vector<F
   for (const Finding& f : findings) {
     if (f.source == nullptr) codes[source.position(f.span.begin).line].insert(f.code);
   }
+  const bool ini = small_letters(ending_of(source.path())) == ".ini";
   // A reason with brackets would end the other kind of comment.
   const bool brackets = reason.find_first_of("()") != std::string::npos;
   std::vector<Edit> edits;
@@ -104,7 +107,10 @@ std::vector<Edit> suppression_comments(const Source& source, const std::vector<F
     const std::string words =
         fmt::format("owlint: {} {} because {}", below ? "ignore-file" : "ignore", fmt::join(list, " "), reason);
     edits.push_back({{at, at},
-                     fmt::format("{}{}{}", indent, brackets ? "; " + words : "(" + words + ")",
+                     fmt::format("{}{}{}", indent,
+                                 ini            ? "# " + words
+                                     : brackets ? "; " + words
+                                                : "(" + words + ")",
                                  text.ends_with('\r') ? "\r\n" : "\n")});
   }
   return edits;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <unordered_set>
 
+#include "analyzer/machine/ini_text.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint {
@@ -21,10 +22,16 @@ std::string_view trim(std::string_view text) {
 }
 
 // Measured: the rest after this many bytes counts as a line of its own, and a line can be continued this often.
-constexpr size_t kLongestLine = 255;
-constexpr size_t kMaxContinued = 20;
+constexpr size_t kLongestLine = kLongestIniLine;
+constexpr size_t kMaxContinued = kMostContinued;
 
 }  // namespace
+
+bool is_machine_ini(const Files& files, const std::string& path) {
+  std::string error;
+  Ini ini;
+  return ini.read(files, path, &error) && (ini.has_section("RS274NGC") || ini.has_section("EMC"));
+}
 
 std::string expand_home(std::string_view path) {
   const char* home = std::getenv("HOME");
@@ -44,7 +51,7 @@ bool Ini::read(const Files& files, const std::string& path, std::string* error) 
 void Ini::read_lines(const Files& files, const std::shared_ptr<const Source>& source, bool included,
                      std::vector<Line>& lines) {
   const std::string_view bytes = source->bytes();
-  for (size_t at = 0; at < bytes.size();) {
+  for (size_t at = 0; at < bytes.size() && lines.size() < kMostIniLines;) {
     std::string_view text = bytes.substr(at, kLongestLine);
     const size_t feed = text.find('\n');
     text = text.substr(0, feed);
@@ -70,6 +77,12 @@ void Ini::parse(const Files& files, const std::shared_ptr<const Source>& source)
   source_ = source;
   std::vector<Line> lines;
   read_lines(files, source, false, lines);
+  // Measured: at a carriage return inside a line LinuxCNC gives up.
+  const auto stray = std::ranges::find_if(lines, [](const Line& line) {
+    const size_t first = line.text.find('\r');
+    return first != std::string_view::npos && line.text.find_first_not_of('\r', first) != std::string_view::npos;
+  });
+  lines.erase(stray, lines.end());
   // LinuxCNC looks for the line of a section first, where a continued line is no different from others, and reads on
   // from there; it knows only the first section of a name.
   std::unordered_set<std::string_view> seen;
@@ -140,7 +153,9 @@ const Ini::Entry* Ini::find(std::string_view section, std::string_view key) cons
 std::vector<const Ini::Entry*> Ini::all(std::string_view section, std::string_view key) const {
   std::vector<const Entry*> found;
   for (const Entry& e : entries_) {
-    if (e.section == section && e.key == key && !e.value.empty()) found.push_back(&e);
+    if (e.section != section || e.key != key) continue;
+    if (e.value.empty()) break;
+    found.push_back(&e);
   }
   return found;
 }

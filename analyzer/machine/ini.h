@@ -29,7 +29,7 @@ class Ini {
 
   /// The value that LinuxCNC uses: the first of a key in the first section of that name. Null if there is none.
   const Entry* find(std::string_view section, std::string_view key) const;
-  /// All values of a key that may repeat, in file order.
+  /// All values of a key that may repeat, in file order, up to an empty one: measured, it ends the list.
   std::vector<const Entry*> all(std::string_view section, std::string_view key) const;
   bool has_section(std::string_view section) const;
   bool has_sections() const { return !sections_.empty(); }
@@ -54,6 +54,9 @@ class Ini {
   std::vector<Entry> missing_includes_;
   std::vector<std::string> sections_;
 };
+
+/// Whether a file is the INI of a LinuxCNC machine, and not another program's.
+bool is_machine_ini(const Files& files, const std::string& path);
 
 /// Replaces `~` and `~/…` by the home folder, as LinuxCNC does in paths of an INI; leaves other text.
 std::string expand_home(std::string_view path);

@@ -50,7 +50,7 @@ class SetupReader {
     m_.counts_arguments = is_number(rs274("OWORD_NARGS"), 1);
     m_.reads_ini = !is_number(rs274("INI_VARS"), 0);
     m_.reads_hal = !is_number(rs274("HAL_PIN_VARS"), 0);
-    m_.no_fanuc = is_number(rs274("DISABLE_FANUC_STYLE_SUB"), 1);
+    m_.no_fanuc = integer_of(rs274("DISABLE_FANUC_STYLE_SUB")).value_or(0) != 0;
     m_.has_remaps = !m_.ini.all("RS274NGC", "REMAP").empty();
     m_.has_python = m_.ini.has_section("PYTHON");
     m_.spindles = integer_of(m_.ini.find("TRAJ", "SPINDLES")).value_or(1);
@@ -103,6 +103,10 @@ class SetupReader {
     if (const Ini::Entry* prefix = m_.ini.find("DISPLAY", "PROGRAM_PREFIX")) {
       const IniFolder& folder = add_folder("PROGRAM_PREFIX", *prefix, 0, prefix->value.size());
       if (folder.exists) add(folder.path);
+      // Measured: for called files, not for user M codes, the value ends at the first blank.
+      const std::string word = prefix->value.substr(0, prefix->value.find_first_of(" \t"));
+      if (!folder.exists && word != prefix->value && files_.is_folder(seen_from_ini(word)))
+        add(normal_path(seen_from_ini(word)));
     }
     const size_t first = m_.folders.size();
     add_list("SUBROUTINE_PATH", m_.ini.find("RS274NGC", "SUBROUTINE_PATH"));
@@ -179,7 +183,7 @@ class SetupReader {
   void read_tools() {
     if (m_.ini.find("EMCIO", "DB_PROGRAM") != nullptr) return;
     const Ini::Entry* table = m_.ini.find("EMCIO", "TOOL_TABLE");
-    const std::string path = joined_path(folder_, table == nullptr ? "tool.tbl" : table->value);
+    const std::string path = normal_path(joined_path(folder_, table == nullptr ? "tool.tbl" : table->value));
     std::string error;
     m_.tools_source = files_.read(path, &error);
     if (m_.tools_source == nullptr) return;
@@ -226,6 +230,7 @@ std::shared_ptr<const MachineSetup> read_setup(const Files& files, const std::st
   auto setup = std::make_shared<MachineSetup>();
   setup->path = path;
   if (!setup->ini.read(files, path, error)) return nullptr;
+  setup->text.parse(files, setup->ini.source());
   SetupReader(files, *setup, path, sub_path).run();
   return setup;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "analyzer/machine/ini.h"
+#include "analyzer/machine/ini_text.h"
 #include "analyzer/machine/search_path.h"
 #include "analyzer/machine/tool_table.h"
 
@@ -65,6 +66,7 @@ struct MachineSetup {
   std::optional<ToolTable> tools;  ///< none if there is no file of them, or if a program keeps them: DB_PROGRAM
   std::shared_ptr<const Source> tools_source;  ///< the file of `tools`
   Ini ini;
+  IniText text;  ///< the same files line by line, with what no reader sees
 };
 
 /// Whether there is a file for a sub that the INI calls; ngcgui also looks in NGCGUI_SUBFILE_PATH.

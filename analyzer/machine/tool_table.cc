@@ -1,4 +1,4 @@
-#include "analyzer/machine/tool_table.h"
+#include "analyzer/machine/tool_lines.h"
 
 #include <algorithm>
 #include <charconv>
@@ -85,6 +85,8 @@ class TableReader {
     }
   }
 
+  std::vector<ToolLine> lines() && { return std::move(lines_); }
+
   ToolTable table() const {
     ToolTable table;
     std::unordered_set<int32_t> known = {ToolRow::kNoNumber};
@@ -101,6 +103,7 @@ class TableReader {
   struct Line {
     ToolRow row;
     size_t place = kSpindle;
+    ToolLine said;
   };
 
   void read_line(std::string_view text, uint32_t number) {
@@ -115,13 +118,34 @@ class TableReader {
          at = text.find_first_not_of(' ', at)) {
       const std::string_view word = text.substr(at, text.find(' ', at) - at);
       at += word.size();
-      valid = read_word(word, &line) && valid;  // behind a bad word, P still takes a place
+      const bool good = read_word(word, &line);
+      if (!good && valid) line.said.bad = span_of(word);
+      if (line.said.hidden.end == 0) line.said.hidden = hidden_in(word);
+      valid = good && valid;  // behind a bad word, P still takes a place
     }
-    if (!valid) return;
     line.row.has_offset = std::ranges::any_of(line.row.offset, [](double offset) { return offset != 0; });
     line.row.span = span_of(text);
+    note(line, valid);
+    if (!valid) return;
     if (line.place >= places_.size()) places_.resize(line.place + 1);
     places_[line.place] = line.row;
+  }
+
+  void note(const Line& line, bool valid) {
+    if (line.row.span.begin == line.row.span.end) return;
+    lines_.push_back(line.said);
+    lines_.back().row = line.row;
+    lines_.back().skipped = !valid && !line.said.no_place;
+  }
+
+  /// What a word has behind a tab and looks like one of its own.
+  Span hidden_in(std::string_view word) const {
+    const size_t tab = word.find('\t', 1);
+    if (tab == std::string_view::npos) return {};
+    const size_t first = word.find_first_not_of("\t\r", tab);
+    if (first == std::string_view::npos || first + 1 >= word.size()) return {};
+    const bool letter = std::string_view("tpdxyzabcuvwijqTPDXYZABCUVWIJQ").find(word[first]) != std::string_view::npos;
+    return letter && Number(word.substr(first + 1)).first() != '\0' ? span_of(word.substr(first)) : Span{};
   }
 
   bool read_word(std::string_view word, Line* line) {
@@ -129,6 +153,7 @@ class TableReader {
     if (letter == 't' || letter == 'p' || letter == 'q') {
       const std::optional<int32_t> number = integer_in(word.substr(1));
       if (!number) return false;
+      line->said.has_tool = line->said.has_tool || letter == 't';
       if (letter == 'p') return take_place(*number, line);
       (letter == 't' ? line->row.number : line->row.orientation) = *number;
       return true;
@@ -145,12 +170,15 @@ class TableReader {
   /// P is the place only for a random changer; otherwise each P takes the next one.
   bool take_place(int32_t pocket, Line* line) {
     line->row.pocket = pocket;
+    line->said.has_pocket = true;
+    line->said.no_place = changer_ == ToolChanger::kRandom ? pocket < 0 || static_cast<size_t>(pocket) > kMostPlaces
+                                                           : taken_ == kMostPlaces;
     if (changer_ == ToolChanger::kRandom) {
-      if (pocket < 0 || static_cast<size_t>(pocket) > kMostPlaces) return false;
+      if (line->said.no_place) return false;
       line->place = static_cast<size_t>(pocket);
       return true;
     }
-    if (taken_ == kMostPlaces) return false;
+    if (line->said.no_place) return false;
     line->place = ++taken_;
     return true;
   }
@@ -167,6 +195,7 @@ class TableReader {
   std::string_view bytes_;
   ToolChanger changer_;
   std::vector<ToolRow> places_;
+  std::vector<ToolLine> lines_;
   size_t taken_ = 0;
 };
 
@@ -181,6 +210,12 @@ ToolTable read_tool_table(std::string_view bytes, ToolChanger changer) {
   TableReader reader(bytes, changer);
   reader.run();
   return reader.table();
+}
+
+std::vector<ToolLine> read_tool_lines(std::string_view bytes, ToolChanger changer) {
+  TableReader reader(bytes, changer);
+  reader.run();
+  return std::move(reader).lines();
 }
 
 }  // namespace owlint

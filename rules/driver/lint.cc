@@ -83,13 +83,13 @@ bool selected(const Rule& rule, const LintOptions& options) {
   return wanted >= 0 && longest_fit(rule.code, options.ignore) < std::max(wanted, 1);
 }
 
-namespace {
-
 SeverityPolicy policy_of(const Profile& profile, const LintOptions& options) {
   SeverityPolicy policy{profile.warn_only(), options.severity, options.select};
   policy.selected.insert(policy.selected.end(), options.extend_select.begin(), options.extend_select.end());
   return policy;
 }
+
+namespace {
 
 std::vector<Suppression> suppressions_of(const Program& program) {
   std::vector<Suppression> suppressions;
@@ -250,27 +250,6 @@ FileReport lint(std::shared_ptr<const Source> source, const Profile& profile, co
   static const MemoryFiles none;
   Library library(none);
   return lint(library.load(std::move(source), profile), profile, options, library).own;
-}
-
-std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& options, Library& library) {
-  std::vector<Finding> findings;
-  const SeverityPolicy policy = policy_of(profile, options);
-  for (const Rule* rule : catalogue()) {
-    if (rule->check_setup == nullptr || !selected(*rule, options)) continue;
-    const size_t first = findings.size();
-    Reporter reporter(*rule, findings);
-    rule->check_setup({*profile.setup, profile, library}, reporter);
-    for (size_t i = first; i < findings.size(); ++i)
-      findings[i].severity = decide_severity(findings[i], rule->level, false, policy);
-  }
-  std::vector<FileReport> reports;
-  for (Finding& f : findings) {
-    auto file = std::ranges::find(reports, f.source, &FileReport::source);
-    if (file == reports.end()) file = reports.insert(reports.end(), {f.source, {}, {}});
-    file->findings.push_back(std::move(f));
-  }
-  for (FileReport& report : reports) put_in_order(report.findings);
-  return reports;
 }
 
 void merge_findings(FileReport& into, std::vector<Finding> findings) {

@@ -63,6 +63,9 @@ std::vector<FileReport> lint_setup(const Profile& profile, const LintOptions& op
 /// gets the other's call as one more related line.
 void merge_findings(FileReport& into, std::vector<Finding> findings);
 
+/// What severities depend on, for a profile and options.
+SeverityPolicy policy_of(const Profile& profile, const LintOptions& options);
+
 /// Whether a rule's findings are wanted.
 bool selected(const Rule& rule, const LintOptions& options);
 

@@ -56,7 +56,8 @@ bool worse(const Finding& a, const Finding& b) {
 }
 bool as_bad(const Finding& a, const Finding& b) { return a.severity == b.severity && a.stops == b.stops; }
 
-/// Puts together what the versions say of one file: a finding is reported once, with the versions in which it is worst.
+}  // namespace
+
 std::vector<Finding> join_versions(const Source&, Lists by_version) {
   std::vector<Finding> findings;
   std::vector<std::vector<size_t>> versions;
@@ -86,6 +87,8 @@ std::vector<Finding> join_versions(const Source&, Lists by_version) {
   put_in_order(findings);
   return findings;
 }
+
+namespace {
 
 bool on_deleted_line(const Source& source, const Finding& f) {
   const std::string_view bytes = source.bytes();

@@ -14,6 +14,9 @@ inline FindingPlace place_of(const Finding& f) { return {f.span.begin, f.span.en
 /// Orders findings by place, and drops those that are turned off.
 void put_in_order(std::vector<Finding>& findings);
 
+/// Puts together what each of kAllVersions says of one file: a finding is reported once, with the versions in which it is worst.
+std::vector<Finding> join_versions(const Source&, std::vector<std::vector<Finding>> by_version);
+
 /// Checks a program under the profile's version and its setting of block delete.
 ProgramReport lint_one_way(const std::shared_ptr<const Program>& program, const Profile& profile,
                            const LintOptions& options, Library& library);

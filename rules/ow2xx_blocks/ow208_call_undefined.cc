@@ -164,6 +164,10 @@ void check_setup(const SetupInput& in, Reporter& out) {
         f.stops = true;
         f.reach = Reach::kAlways;
         f.interpreter = "INTERP_REMAP: NGC file not found: ngc=" + call.name;
+      } else if (call.key == "RS274NGC_STARTUP_CODE") {  // nor with this
+        f.stops = true;
+        f.reach = Reach::kAlways;
+        f.interpreter = "File not open";
       }
       const std::string near = nearest(name, in.setup.search_path->names(), 2);
       f.help = !near.empty() ? "did you mean `" + (named ? near : label_text(near)) + "`?"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "rules/driver/machine_rules.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
@@ -19,6 +20,8 @@ std::string words_of(const IniFolder& folder) { return "`" + folder.text + "` of
 void check_setup(const SetupInput& in, Reporter& out) {
   std::vector<const IniFolder*> missing;
   for (const IniFolder& folder : in.setup.folders) {
+    if (comment_in(folder.text) != std::string_view::npos || folder.text.find(',') != std::string::npos)
+      continue;  // OW415
     if (!folder.exists && (folder.key == "PROGRAM_PREFIX" || folder.key == "SUBROUTINE_PATH"))
       missing.push_back(&folder);
   }

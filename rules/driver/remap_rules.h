@@ -1,0 +1,27 @@
+// The REMAP lines of an INI, for the rules about them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analyzer/machine/remap_line.h"
+#include "rules/driver/machine_rules.h"
+
+namespace owlint::rules {
+
+struct Remap {
+  const IniLine* line = nullptr;
+  RemapLine read;
+  const IniLine* earlier = nullptr;  ///< the line that remaps the same code
+};
+
+/// Those that the interpreter reads, up to an empty one. Values that go on in the next line are left out.
+std::vector<Remap> remaps_of(const IniText& text);
+
+/// A part of the line's value as a span of its file.
+Span span_in(const IniText& text, const IniLine& line, std::string_view part);
+
+/// The file of an `ngc=`; empty if it is nowhere.
+std::string remap_file(const MachineSetup& setup, std::string_view ngc);
+
+}  // namespace owlint::rules

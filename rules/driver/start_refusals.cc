@@ -1,0 +1,115 @@
+#include "rules/driver/start_refusals.h"
+
+#include <algorithm>
+
+#include "analyzer/machine/ini_keys.h"
+#include "rules/driver/machine_rules.h"
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+std::string trimmed(std::string_view text) {
+  const size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
+}
+
+bool is_bracket(const IniLine& line) {
+  return line.kind == IniLine::Kind::kSection || line.kind == IniLine::Kind::kOpenSection;
+}
+
+/// The line that was meant to open a section, where none opens it for the check.
+const IniLine* meant_line(const IniText& text, std::string_view section, bool* misspelt) {
+  for (const IniLine& line : text.lines()) {
+    if (is_bracket(line) && !is_checked_section(text, line) && trimmed(text.name(line)) == section) return &line;
+  }
+  for (const IniLine& line : text.lines()) {
+    if (!is_bracket(line)) continue;
+    const std::string name = trimmed(text.name(line));
+    if (name == section && name.size() != text.name(line).size()) return &line;
+    if (name != section && meant_section(text, name) == section) {
+      *misspelt = true;
+      return &line;
+    }
+  }
+  return nullptr;
+}
+
+bool has_checked(const IniText& text, std::string_view section) {
+  return std::ranges::any_of(
+      text.lines(), [&](const IniLine& line) { return is_checked_section(text, line) && text.name(line) == section; });
+}
+
+/// Above the first line with `=`: a section's line that is none for the check.
+const IniLine* first_bracket_above(const IniText& text, const IniLine& before) {
+  for (const IniLine& line : text.lines()) {
+    if (&line == &before) return nullptr;
+    if (is_bracket(line)) return &line;
+  }
+  return nullptr;
+}
+
+/// Whether a section has a key that LinuxCNC reads in another one.
+bool has_key_of(const IniText& text, std::string_view section, std::string_view other) {
+  return std::ranges::any_of(lines_of(text, section), [&](const IniLine* line) {
+    return line->kind == IniLine::Kind::kKey && find_ini_key(other, text.name(*line)) != nullptr;
+  });
+}
+
+}  // namespace
+
+std::string meant_section(const IniText& text, std::string_view name) {
+  const auto is_there = [&](std::string_view wanted) {
+    return std::ranges::any_of(text.sections(), [&](const IniText::Section& s) { return s.name == wanted; });
+  };
+  if (name.size() < 3 || is_known_section(name)) return {};
+  std::string letters(name);
+  std::ranges::transform(letters, letters.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::ranges::replace(letters, '-', '_');
+  std::vector<std::string> candidates;
+  for (const std::string_view section : machine_sections()) {
+    if (!section.ends_with('_') && !is_there(section)) candidates.emplace_back(section);
+  }
+  // `[JOINT0]` and `[axis_x]`
+  for (const std::string_view family : {"JOINT", "AXIS"}) {
+    if (!letters.starts_with(family)) continue;
+    std::string end = letters.substr(family.size());
+    if (end.starts_with('_')) end.erase(0, 1);
+    const std::string wanted = std::string(family) + "_" + end;
+    const bool fits = end.size() == 1 &&
+        (family == "JOINT" ? std::isdigit(static_cast<unsigned char>(end[0])) != 0
+                           : std::string_view("XYZABCUVW").find(end[0]) != std::string_view::npos);
+    if (fits && !is_there(wanted)) return wanted;
+  }
+  if (std::ranges::find(candidates, letters) != candidates.end()) return letters;
+  if (letters.size() < 5) return {};
+  const std::string near = nearest(letters, candidates, 1);
+  return !near.empty() && has_key_of(text, name, near) ? near : std::string();
+}
+
+std::vector<BlamedRefusal> start_refusals(const SetupInput& in) {
+  std::vector<BlamedRefusal> out;
+  if (!is_whole_machine(in)) return out;
+  const IniText& text = in.setup.text;
+  for (StartRefusal& refusal : check_config(text)) {
+    BlamedRefusal& blamed = out.emplace_back();
+    switch (refusal.kind) {
+      case StartRefusal::Kind::kBeforeSection: blamed.cause = first_bracket_above(text, *refusal.line); break;
+      case StartRefusal::Kind::kNoKinematics:
+      case StartRefusal::Kind::kNoJoints:
+        if (!has_checked(text, "KINS")) blamed.cause = meant_line(text, "KINS", &blamed.misspelt);
+        break;
+      case StartRefusal::Kind::kMinLimit:
+      case StartRefusal::Kind::kMaxLimit:
+        if (refusal.axis == nullptr && !has_checked(text, refusal.axis_name))
+          blamed.cause = meant_line(text, refusal.axis_name, &blamed.misspelt);
+        break;
+      case StartRefusal::Kind::kEndlessJoints: break;
+    }
+    blamed.refusal = std::move(refusal);
+  }
+  return out;
+}
+
+}  // namespace owlint::rules

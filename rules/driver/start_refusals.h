@@ -1,0 +1,24 @@
+// What the check before the start refuses in an INI, with the line that is the cause. Three rules share it: OW412 reports causes in
+// the lines' form, OW414 misspelt sections, OW422 the rest.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/machine/check_config.h"
+#include "rules/driver/rule.h"
+
+namespace owlint::rules {
+
+struct BlamedRefusal {
+  StartRefusal refusal;
+  const IniLine* cause = nullptr;  ///< a section's line that the check does not read as one; null: as written
+  bool misspelt = false;           ///< `cause` is another name that was meant for the section's
+};
+
+/// Empty if LinuxCNC does not make that check with this INI: see is_whole_machine().
+std::vector<BlamedRefusal> start_refusals(const SetupInput& in);
+
+/// The section of LinuxCNC that a name was meant for, if the INI has none of that name: `KINS` for `kins` and `KIN`. Empty if none.
+std::string meant_section(const IniText& text, std::string_view name);
+
+}  // namespace owlint::rules

@@ -1,0 +1,347 @@
+// OW412 ini-malformed: a line of the INI that LinuxCNC does not read as it looks.
+// Depends on: what LinuxCNC takes for a section, a key, a continuation and a line (measured with `inivar` and with the check
+// before the start).
+#include <algorithm>
+#include <map>
+
+#include "analyzer/machine/ini_keys.h"
+#include "rules/driver/machine_rules.h"
+#include "rules/driver/start_refusals.h"
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+using Kind = IniLine::Kind;
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+std::string code(std::string_view text) {
+  constexpr size_t kShown = 40;
+  const char quote = text.find('`') == std::string_view::npos ? '`' : '"';
+  return quote + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "…" : "") + quote;
+}
+
+class Checker {
+ public:
+  Checker(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text), strict_(reads_strictly(in)) {
+    for (const BlamedRefusal& blamed : start_refusals(in)) {
+      const IniLine* cause = blamed.misspelt ? nullptr : blamed.cause;
+      if (blamed.refusal.kind == StartRefusal::Kind::kBeforeSection && cause == nullptr) cause = blamed.refusal.line;
+      if (cause != nullptr) refused_.try_emplace(cause, blamed.refusal.message);
+    }
+  }
+
+  void run() {
+    check_marks();
+    for (size_t i = 0; i < text_.lines().size(); ++i) check(i);
+    check_end();
+  }
+
+ private:
+  Finding& add(const IniLine& line, Span span, std::string message) {
+    return add_at(in_, out_, line, span, std::move(message));
+  }
+
+  /// Whether the start is refused because of the line; then says so.
+  bool refuse(const IniLine& line, Finding& finding) const {
+    const auto refused = refused_.find(&line);
+    if (refused == refused_.end()) return false;
+    refuses(finding, refused->second);
+    return true;
+  }
+
+  /// Of the bytes, before any line is one.
+  void check_marks() {
+    for (const auto& source : text_.sources()) {
+      const std::string_view bytes = source->bytes();
+      const IniLine* first = text_.lines().empty() ? nullptr : &text_.lines()[0];
+      if (bytes.starts_with(kByteOrderMark) && first != nullptr && text_.source(*first) == source) {
+        const std::string_view line = text_.text(*first);
+        const bool section = line.substr(kByteOrderMark.size()).starts_with('[');
+        if (section || refused_.contains(first)) {
+          Finding& f = add(*first, {0, kByteOrderMark.size()},
+                           section ? "the file begins with a byte order mark, so LinuxCNC does not find the section in "
+                                     "its first line"
+                                   : "the file begins with a byte order mark, so its first line is no comment");
+          f.help = "remove the mark: save the file as UTF-8 without BOM";
+          f.fixes.push_back({"remove the byte order mark", true, {{{0, kByteOrderMark.size()}, ""}}});
+          if (!refuse(*first, f) && line.substr(kByteOrderMark.size()).starts_with("[EMC]") && !strict_)
+            refuses(f,
+                    "INI file [EMC]VERSION indicates update is needed, but the update GUI can't run without an X "
+                    "display");
+          marked_ = first;
+        }
+      }
+      check_bytes(source);
+    }
+  }
+
+  void check_bytes(const std::shared_ptr<const Source>& source) {
+    const std::string_view bytes = source->bytes();
+    for (size_t at = bytes.find('\r'); at != std::string_view::npos; at = bytes.find('\r', at + 1)) {
+      const size_t behind = bytes.find_first_not_of('\r', at);
+      if (behind == std::string_view::npos || bytes[behind] == '\n') {
+        at = behind == std::string_view::npos ? bytes.size() : behind;
+        continue;
+      }
+      Finding& f = out_.add(source, {at, at + 1},
+                            "a carriage return inside a line: LinuxCNC finds no key that stands on it or below");
+      f.help = "end every line with a line feed; an editor does it when it saves with Unix line ends";
+      f.interpreter = "inifile: error: File contains ambiguous carriage returns";
+      const IniLine* units = find_line(text_, "TRAJ", "LINEAR_UNITS");
+      if (is_whole_machine(in_) && units != nullptr && text_.source(*units) == source && units->span.end > at)
+        refuses(f, f.interpreter);
+      break;
+    }
+    if (const size_t at = bytes.find('\0'); at != std::string_view::npos) {
+      Finding& f = out_.add(source, {at, at + 1}, "a NUL byte: for LinuxCNC the line ends before it");
+      f.help = "remove it; the file may be damaged, or saved as UTF-16";
+    }
+  }
+
+  void check(size_t index) {
+    const IniLine& line = text_.lines()[index];
+    if (&line == marked_) return;
+    check_continuation(index);
+    if (line.continuation) return;
+    switch (line.kind) {
+      case Kind::kComment: check_comment(line); break;
+      case Kind::kOpenSection: check_open_section(line); break;
+      case Kind::kSection: check_section(line); break;
+      case Kind::kKey: check_key(line); break;
+      case Kind::kText: check_text(line); break;
+    }
+  }
+
+  void check_comment(const IniLine& line) {
+    const std::string_view text = text_.text(line);
+    if (refused_.contains(&line)) {
+      Finding& f = add(line, line.span,
+                       "a comment with `;` and `=` before the first section: LinuxCNC's check before the start takes "
+                       "it for a key");
+      f.help = "begin the comment with `#`";
+      f.fixes.push_back({"write `#`", true, {{{line.span.begin, line.span.begin + 1}, "#"}}});
+      refuse(line, f);
+    }
+    const std::string_view name = ini_include(text);
+    if (name.empty() || strict_) return;
+    const bool indented = text_.source(line)->position(line.span.begin).column > 1;
+    if (line.source == 0 && !indented) return check_include(line, name);
+    Finding& f = add(line, line.span,
+                     line.source == 0 ? "a blank before `#INCLUDE`: for LinuxCNC the line is a comment"
+                                      : "`#INCLUDE` in a file that is included itself: for LinuxCNC a comment");
+    f.help = line.source == 0 ? "begin the line with `#INCLUDE`" : "include the file in the machine's INI";
+  }
+
+  void check_include(const IniLine& line, std::string_view name) {
+    if (name.find_first_of("`;|&<>") == std::string_view::npos && name.find("$(") == std::string_view::npos) return;
+    Finding& f =
+        add(line, line.span, "LinuxCNC hands the file name of `#INCLUDE` to a shell, which would run " + code(name));
+    f.help = "write the plain name of a file; owlint runs nothing and did not read it";
+  }
+
+  void check_open_section(const IniLine& line) {
+    if (strict_) return;
+    open_ = true;
+    const std::string_view name = text_.name(line);
+    Finding& f = add(line, line.span,
+                     "`]` is missing behind " + code(text_.text(line)) +
+                         ": LinuxCNC ends the section above here and does not find the keys below");
+    f.help = "write `[" + std::string(name.substr(0, name.find_first_of(" \t#;"))) + "]`";
+    refuse(line, f);
+  }
+
+  void check_section(const IniLine& line) {
+    if (strict_) return;
+    const std::string_view name = text_.name(line);
+    const std::string_view behind = text_.value(line);
+    const bool comment = behind.starts_with('#') || behind.starts_with(';');
+    if (name.empty() || name.front() == ' ' || name.back() == ' ' || name.front() == '\t' || name.back() == '\t') {
+      Finding& f = add(line, line.name, "blanks inside the brackets: LinuxCNC finds no section " + code(name));
+      const size_t first = std::min(name.find_first_not_of(" \t"), name.size());
+      const std::string plain(name.substr(first, name.find_last_not_of(" \t") + 1 - first));
+      f.help = "write `[" + plain + "]`";
+      f.fixes.push_back({"remove the blanks", false, {{line.name, plain}}});
+      refuse(line, f);
+    } else if (!behind.empty() &&
+               (refused_.contains(&line) || (!comment && behind.find('=') != std::string_view::npos))) {
+      const bool refused = refused_.contains(&line);
+      Finding& f = add(line, line.value,
+                       refused ? "text behind `[" + std::string(name) +
+                               "]`: LinuxCNC's check before the start does not take the line for a section"
+                               : "text behind `[" + std::string(name) + "]`: LinuxCNC ignores the rest of the line");
+      f.help = comment ? "put the comment onto a line of its own" : "put it onto a line of its own";
+      f.fixes.push_back(own_line(line, comment));
+      refuse(line, f);
+    } else if (!behind.empty()) {
+      Finding& f = add(line, line.value,
+                       "text behind `[" + std::string(name) +
+                           "]`: LinuxCNC reads the section, but its check before the start does not");
+      f.help = "put it onto a line of its own";
+      f.fixes.push_back(own_line(line, comment));
+      f.weight = Weight::kRemark;
+    }
+  }
+
+  /// Puts what follows `]` above the line, if it is a comment, else below.
+  Fix own_line(const IniLine& line, bool comment) const {
+    const Source& source = *text_.source(line);
+    const std::string end = source.slice(source.line(line.number)).ends_with('\r') ? "\r\n" : "\n";
+    const uint64_t close = line.name.end + 1;
+    const std::string behind(text_.value(line));
+    if (!comment) return {"put it onto a line of its own", false, {{{close, line.value.end}, end + behind}}};
+    const std::string section(source.slice({line.span.begin, close}));
+    return {
+        "put the comment onto a line of its own", true, {{{line.span.begin, line.value.end}, behind + end + section}}};
+  }
+
+  void check_key(const IniLine& line) {
+    const std::string_view value = text_.value(line);
+    if (line.section < 0 && !strict_) {
+      if (open_) return;  // the section was meant to be open
+      Finding& f = add(line, line.span, "a key before the first section: LinuxCNC does not find it");
+      f.help = "move it below the `[SECTION]` that it belongs to, or make it a comment with `#`";
+      if (refuse(line, f)) f.message += ", and its check before the start ends there";
+      return;
+    }
+    const Source& source = *text_.source(line);
+    const Span whole = source.line(line.number);
+    if (!strict_ && whole.end - whole.begin > kLongestIniLine && line.value.end > whole.begin + kLongestIniLine) {
+      const uint64_t cut = whole.begin + kLongestIniLine;
+      Finding& f = add(line, {cut, line.value.end},
+                       "the line has more than 255 bytes: LinuxCNC cuts it here and takes the rest for the next line");
+      f.help = "shorten it, or end it with `\\` and go on in the next line";
+    }
+    if (value.ends_with('\\') && !line.continued) {
+      const bool carriage = source.slice(whole).ends_with('\r');
+      Finding& f = add(line, {line.value.end - 1, whole.end},
+                       carriage ? "a carriage return behind `\\`: LinuxCNC does not read on in the next line"
+                                : "a blank behind `\\`: LinuxCNC does not read on in the next line");
+      f.help = "end the line with `\\` itself";
+    }
+  }
+
+  /// Whether the key is there once more: LinuxCNC stops looking at a key with a blank behind it.
+  bool hides_another(const IniLine& line) const {
+    if (line.name.end == line.span.end) return false;
+    return std::ranges::any_of(lines_of(text_, text_.section_of(line)), [&](const IniLine* other) {
+      return other > &line && other->kind == Kind::kKey && text_.name(*other) == text_.name(line);
+    });
+  }
+
+  void check_text(const IniLine& line) {
+    if (strict_ || line.section < 0) return;
+    Finding& f = add(line, line.span,
+                     "LinuxCNC ignores " + code(text_.text(line)) + ": a line without `=` sets nothing" +
+                         (hides_another(line) ? ", and hides the same key below" : ""));
+    f.help = "write `KEY = value`, or begin the line with `#` if it is a comment";
+    if (!is_known_section(text_.section_of(line))) f.weight = Weight::kRemark;
+  }
+
+  /// What a `\` at the end of a line makes of the next one.
+  void check_continuation(size_t index) {
+    const std::vector<IniLine>& lines = text_.lines();
+    const IniLine& line = lines[index];
+    if (!line.continued) continued_ = 0;
+    if (!line.continued || strict_) return;
+    if (++continued_ == kMostContinued + 1) {
+      Finding& f = add(line, {line.span.end - 1, line.span.end},
+                       "more than 20 lines are continued with `\\`: LinuxCNC gives up and finds no key from here on");
+      f.help = "make the value shorter";
+      f.interpreter = "Too many backslash line extends (limit=20)";
+    }
+    if (index + 1 == lines.size()) {
+      Finding& f = add(line, {line.span.end - 1, line.span.end},
+                       "`\\` in the last line: LinuxCNC reads on, finds nothing, and does not see the line");
+      f.help = "remove the `\\`";
+      return;
+    }
+    const IniLine& next = lines[index + 1];
+    const bool lost = next.kind == Kind::kSection ||
+        (next.kind == Kind::kKey &&
+         (line.kind == Kind::kComment || find_ini_key(text_.section_of(next), text_.name(next)) != nullptr));
+    if (!next.continuation || !lost) return;
+    Finding& f =
+        add(line, {line.span.end - 1, line.span.end},
+            std::string(line.kind == Kind::kComment ? "`\\` at the end of a comment" : "`\\` at the end of the line") +
+                ": LinuxCNC takes the next line, " + code(text_.text(next)) + ", for a part of this one");
+    f.help = "remove the `\\`";
+    f.related.push_back({next.span, "this line is not read", nullptr});
+    if (next.source != line.source) f.related.clear();
+    f.fixes.push_back({"remove the `\\`", false, {{{line.span.end - 1, line.span.end}, ""}}});
+  }
+
+  void check_end() {
+    const std::vector<IniLine>& lines = text_.lines();
+    if (lines.empty()) return;
+    const IniLine& last = lines.back();
+    if (text_.cut_short()) {
+      Finding& f = add(last, last.span, "owlint reads the first 200000 lines of an INI: what follows is not checked");
+      f.help = "check whether this is the INI of a machine, and whether it includes itself";
+    }
+    if (!strict_ && text_.sources().size() > 1 && last.source == 0 && !last.ended && last.kind == Kind::kKey) {
+      Finding& f = add(last, last.span,
+                       "the last line has no line feed: in a file with `#INCLUDE` LinuxCNC's start script drops it");
+      f.help = "end the line with a line feed";
+      f.fixes.push_back({"end the line", false, {{{last.span.end, last.span.end}, "\n"}}});
+    }
+  }
+
+  const SetupInput& in_;
+  Reporter& out_;
+  const IniText& text_;
+  bool strict_;
+  std::map<const IniLine*, std::string> refused_;  // what LinuxCNC prints, by the line that is the cause
+  const IniLine* marked_ = nullptr;                // the line with the byte order mark, if it was reported
+  size_t continued_ = 0;
+  bool open_ = false;  // a section above has no `]`
+};
+
+void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); }
+
+}  // namespace
+
+extern const Rule kOw412{
+    .code = "OW412",
+    .name = "ini-malformed",
+    .summary = "a line of the INI that LinuxCNC does not read as it looks",
+    .group = Group::kFiles,
+    .level = Severity::kWarning,
+    .page =
+        {
+            .what =
+                R"(A line of the machine's INI whose form LinuxCNC reads otherwise than people do: `[NAME` without `]`,
+blanks inside the brackets, text behind `]`, a line without `=`, a key before the first section, a line
+of more than 255 bytes, a `\` that makes the next key or section a part of the line, a carriage return
+inside a line, a byte order mark, an `#INCLUDE` that is a comment or would run a command.)",
+            .why = R"(LinuxCNC looks for each key on its own and says nothing about lines that it does not understand:
+the key is not found, and its default is used. The check before the start reads the file in another
+way. For it, `[KINS] # my machine` is no section, and a line with `=` before the first section ends
+it with `can't read "section": no such variable`.)",
+            .bad = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC
+RETAIN_G43 = 1
+)",
+            .good = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+RETAIN_G43 = 1
+)",
+            .fix = R"(Write each section, key and comment on a line of its own: `[NAME]`, `KEY = value`, `# comment`.)",
+            .level_reason =
+                "Warning: LinuxCNC starts, without what the line was meant to set. Error where LinuxCNC then "
+                "refuses to start.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
+    .check = nothing_in_programs,
+    .check_setup = check_setup,
+};
+
+}  // namespace owlint::rules

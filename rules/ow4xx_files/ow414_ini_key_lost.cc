@@ -1,0 +1,224 @@
+// OW414 ini-key-lost: a key of the INI whose value LinuxCNC never uses.
+// Depends on: LinuxCNC uses the first value of a key; an empty one hides those below; names count letter by letter (measured).
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "analyzer/machine/ini_keys.h"
+#include "rules/driver/machine_rules.h"
+#include "rules/driver/start_refusals.h"
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+using Kind = IniLine::Kind;
+
+/// Keys that LinuxCNC reads in one section, and people write into another one.
+struct Home {
+  std::string_view key;
+  std::string_view section;
+};
+constexpr Home kHomes[] = {{"PROGRAM_PREFIX", "DISPLAY"},
+                           {"SUBROUTINE_PATH", "RS274NGC"},
+                           {"USER_M_PATH", "RS274NGC"},
+                           {"PARAMETER_FILE", "RS274NGC"},
+                           {"REMAP", "RS274NGC"},
+                           {"RS274NGC_STARTUP_CODE", "RS274NGC"},
+                           {"ON_ABORT_COMMAND", "RS274NGC"},
+                           {"OWORD_NARGS", "RS274NGC"},
+                           {"OWORD_WARNONLY", "RS274NGC"},
+                           {"RETAIN_G43", "RS274NGC"},
+                           {"DISABLE_FANUC_STYLE_SUB", "RS274NGC"},
+                           {"DISABLE_G92_PERSISTENCE", "RS274NGC"},
+                           {"ORIENT_OFFSET", "RS274NGC"},
+                           {"CENTER_ARC_RADIUS_TOLERANCE_INCH", "RS274NGC"},
+                           {"CENTER_ARC_RADIUS_TOLERANCE_MM", "RS274NGC"},
+                           {"RANDOM_TOOLCHANGER", "EMCIO"},
+                           {"TOOL_CHANGE_WITH_SPINDLE_ON", "EMCIO"},
+                           {"TOOL_CHANGE_QUILL_UP", "EMCIO"},
+                           {"TOOL_CHANGE_AT_G30", "EMCIO"},
+                           {"SPINDLES", "TRAJ"},
+                           {"NO_FORCE_HOMING", "TRAJ"}};
+
+bool ends_lists(std::string_view section, std::string_view key) {
+  return (section == "RS274NGC" && key == "REMAP") || (section == "HALUI" && key == "MDI_COMMAND") ||
+      (section == "HAL" && key == "HALFILE") || (section == "FILTER" && key == "PROGRAM_EXTENSION");
+}
+
+class Checker {
+ public:
+  Checker(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text) {}
+
+  void run() {
+    check_sections();
+    for (const IniText::Section& section : text_.sections()) {
+      if (section.first) check_section(section.name);
+    }
+  }
+
+ private:
+  void check_sections() {
+    std::map<const IniLine*, std::string> refused;
+    for (const BlamedRefusal& blamed : start_refusals(in_)) {
+      if (blamed.misspelt) refused.try_emplace(blamed.cause, blamed.refusal.message);
+    }
+    for (const IniText::Section& section : text_.sections()) {
+      const std::string meant = meant_section(text_, section.name);
+      if (meant.empty()) continue;
+      const IniLine& line = text_.lines()[section.line];
+      Finding& f = add_at(in_, out_, line, line.name,
+                          "LinuxCNC reads no section `[" + section.name + "]`, and this INI has no `[" + meant + "]`");
+      f.help = "if `[" + meant + "]` is meant, write it so: capitals count";
+      f.fixes.push_back({"write `" + meant + "`", false, {{line.name, meant}}});
+      if (const auto found = refused.find(&line); found != refused.end()) refuses(f, found->second);
+    }
+  }
+
+  void check_section(const std::string& section) {
+    std::map<std::string_view, const IniLine*> values;  // by key, the first
+    std::map<std::string_view, const IniLine*> empty;
+    std::set<std::string_view> hidden;
+    const std::vector<const IniLine*> lines = lines_of(text_, section);
+    for (const IniLine* line : lines) {
+      if (line->kind == Kind::kKey) values.try_emplace(text_.name(*line), line);
+    }
+    std::set<std::string_view> seen;
+    for (const IniLine* line : lines) {
+      const std::string_view name = text_.name(*line);
+      if (line->kind != Kind::kKey) {
+        if (line->name.end != line->span.end) empty.try_emplace(name, line);
+        continue;
+      }
+      const IniKey* key = find_ini_key(section, name);
+      const bool first = seen.insert(name).second;
+      const bool has_value = line->value.begin != line->value.end;
+      if (const auto before = empty.find(name); before != empty.end() && has_value && hidden.insert(name).second) {
+        check_hidden(section, *line, *before->second);
+      } else if (key != nullptr && !key->several && !first && before == empty.end()) {
+        check_twice(*line, *values[name]);
+      } else if (key == nullptr && first && before == empty.end()) {
+        check_name(section, *line, values);
+      }
+      if (!has_value) empty.try_emplace(name, line);
+    }
+  }
+
+  void check_hidden(const std::string& section, const IniLine& line, const IniLine& before) {
+    const std::string_view name = text_.name(line);
+    const bool list = ends_lists(section, name);
+    const IniKey* key = find_ini_key(section, name);
+    if (!list && (key == nullptr || key->several)) return;
+    Finding& f =
+        add_at(in_, out_, line,
+               "`" + std::string(name) + "` is empty further up: LinuxCNC stops looking there and does not find " +
+                   (list ? "this line, nor those of the list below" : "this value"));
+    f.help = "remove the empty line, or begin it with `#`";
+    f.related.push_back({before.span, "the empty one", before.source == line.source ? nullptr : text_.source(before)});
+  }
+
+  void check_twice(const IniLine& line, const IniLine& first) {
+    if (text_.value(line) == text_.value(first)) return;
+    const std::string name(text_.name(line));
+    const bool kinematics = name == "KINEMATICS";
+    Finding& f = add_at(in_, out_, line,
+                        "`" + name + "` is there already: LinuxCNC uses `" + std::string(text_.value(first)) +
+                            "` and ignores this value");
+    if (kinematics) f.message += ", but checks it before the start";
+    f.help = "keep one of the two lines";
+    f.related.push_back(
+        {first.span, "the value that is used", first.source == line.source ? nullptr : text_.source(first)});
+  }
+
+  /// A key that LinuxCNC itself does not read.
+  void check_name(const std::string& section, const IniLine& line,
+                  const std::map<std::string_view, const IniLine*>& values) {
+    const std::string name(text_.name(line));
+    if (!is_known_section(section) || is_display_key(section, name)) return;
+    for (const Home& home : kHomes) {
+      if (name != home.key) continue;
+      if (find_line(text_, home.section, home.key) != nullptr) return;
+      Finding& f = add_at(in_, out_, line, line.name,
+                          "LinuxCNC looks for `" + name + "` in `[" + std::string(home.section) +
+                              "]` and does not find it in `[" + section + "]`");
+      f.help = "move the line into `[" + std::string(home.section) + "]`";
+      return;
+    }
+    const std::string near = near_key(section, name);
+    if (near.empty() || values.contains(near)) return;
+    Finding& f =
+        add_at(in_, out_, line, line.name,
+               "LinuxCNC reads no `" + name + "` in `[" + section + "]`, and this section has no `" + near + "`");
+    f.help = "if `" + near + "` is meant, write it so" +
+        (small_letters(near) == small_letters(name) ? ": capitals count" : "");
+    f.fixes.push_back({"write `" + near + "`", false, {{line.name, near}}});
+  }
+
+  /// The key of the section that a name was meant for: in another case, or with one letter wrong, or two of a long one.
+  static std::string near_key(const std::string& section, const std::string& name) {
+    constexpr size_t kShort = 5;
+    constexpr size_t kLong = 10;
+    std::vector<std::string> candidates;
+    for (const IniKey& key : ini_keys()) {
+      if (key.section != section_family(section)) continue;
+      if (small_letters(key.name) == small_letters(name)) return std::string(key.name);
+      // Displays have many keys of their own.
+      if (section == "DISPLAY" && key.name != "PROGRAM_PREFIX" && key.name != "NGCGUI_SUBFILE_PATH") continue;
+      candidates.emplace_back(key.name);
+    }
+    if (name.size() < kShort) return {};
+    return nearest(name, candidates, name.size() < kLong ? 1 : 2);
+  }
+
+  const SetupInput& in_;
+  Reporter& out_;
+  const IniText& text_;
+};
+
+void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); }
+
+}  // namespace
+
+extern const Rule kOw414{
+    .code = "OW414",
+    .name = "ini-key-lost",
+    .summary = "a key of the INI whose value LinuxCNC never uses",
+    .group = Group::kFiles,
+    .level = Severity::kWarning,
+    .page =
+        {
+            .what =
+                R"(A key or section whose name differs in a letter or in its case from one that LinuxCNC reads and that is
+not there; a key in another section than the one where LinuxCNC looks for it; a key that is there twice with
+two values; a value behind an empty one of the same key.)",
+            .why =
+                R"(LinuxCNC asks for each value by section and key, letter by letter, and takes the first. It does not
+say that it found none, but uses the default, and it does not say which keys nobody asked for. A line
+with the key and without a value ends the search: of a list such as `REMAP` or `MDI_COMMAND`, all lines
+below are lost.)",
+            .bad = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+RETAIN_G34 = 1
+)",
+            .good = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+RETAIN_G43 = 1
+)",
+            .fix =
+                R"(Write the name as LinuxCNC reads it, in its section, once. Keys that only a display, a driver or your
+own HAL files read are not judged, whatever their names.)",
+            .level_reason = "Warning: LinuxCNC starts, without this value. Error for a section that LinuxCNC needs.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
+    .check = nothing_in_programs,
+    .check_setup = check_setup,
+};
+
+}  // namespace owlint::rules

@@ -1,0 +1,264 @@
+// OW415 value-malformed: a value of the INI that is not what it says.
+// Depends on: LinuxCNC converts a value as a whole or not at all, and a comment behind it is a part of it (measured for each kind
+// of key, with `rs274 -i` and with LinuxCNC itself).
+#include <algorithm>
+
+#include "analyzer/machine/ini_keys.h"
+#include "rules/driver/ini_values.h"
+#include "rules/driver/start_refusals.h"
+
+namespace owlint::rules {
+namespace {
+
+using Type = IniKey::Type;
+
+/// A number at the beginning of a value, with what follows.
+bool begins_with_number(std::string_view value) {
+  const size_t first = value.find_first_not_of("+-.");
+  return first != std::string_view::npos && value[first] >= '0' && value[first] <= '9';
+}
+
+class Checker {
+ public:
+  Checker(const SetupInput& in, Reporter& out)
+      : in_(in), out_(out), text_(in.setup.text), strict_(reads_strictly(in)) {}
+
+  void run() {
+    refusals_ = start_refusals(in_);
+    for (const IniText::Section& section : text_.sections()) {
+      if (!section.first) continue;
+      for (const IniLine* line : lines_of(text_, section.name)) {
+        if (line->kind == IniLine::Kind::kKey && find_line(text_, section.name, text_.name(*line)) == line)
+          check(section.name, *line);
+      }
+    }
+  }
+
+ private:
+  void check(const std::string& section, const IniLine& line) {
+    if (line.continued) return;
+    const IniKey* key = find_ini_key(section, text_.name(line));
+    const std::string_view value = text_.value(line);
+    if (key != nullptr && (key->type == Type::kPath || key->type == Type::kPaths)) return check_path(*key, line);
+    if (strict_) return;
+    const size_t comment = comment_in(value);
+    if (key == nullptr || key->type == Type::kText) {
+      check_text(section, line, comment);
+      return;
+    }
+    if (key->type == Type::kGcode || key->type == Type::kRemap || is_good(*key, value)) return;
+    const std::string_view plain =
+        comment == std::string_view::npos ? value : value.substr(0, value.find_last_not_of(" \t", comment - 1) + 1);
+    const bool read = reads_section(text_, section);
+    if (harmless(*key, plain) || (!read && comment == std::string_view::npos)) return;
+    Finding& f = add_at(in_, out_, line, line.value, message_of(*key, line, comment, plain));
+    if (comment != std::string_view::npos) {
+      f.help = "put the comment onto a line of its own";
+      f.fixes.push_back(comment_above(text_, line, comment));
+    } else if (const std::optional<bool> meant = ini_truth(value); meant && wants_number(*key)) {
+      f.help = std::string("write `") + (*meant ? "1" : "0") + "`";
+      f.fixes.push_back(write_value(line, *meant ? "1" : "0", true));
+    } else if (!ini_real(value) && begins_with_number(value) &&
+               (key->type == Type::kNumber || key->type == Type::kInteger)) {
+      f.help =
+          key->type == Type::kInteger ? "write a whole number and nothing else" : "write the number and nothing else";
+    } else {
+      f.help = help_of(*key);
+    }
+    if (key->refuses && read) say_refused(f, line);
+  }
+
+  static bool wants_number(const IniKey& key) { return key.type == Type::kSwitch || key.type == Type::kInteger; }
+
+  static bool is_good(const IniKey& key, std::string_view value) {
+    switch (key.type) {
+      case Type::kSwitch: return ini_switch(value).has_value();
+      case Type::kTruth: return is_truth(value);
+      case Type::kJointType: return small_letters(value) == "linear" || small_letters(value) == "angular";
+      case Type::kInteger:
+        return ini_integer(value).has_value() && (key.name != "SPINDLES" || is_spindle_count(*ini_integer(value)));
+      case Type::kNumber: return ini_real(value).has_value() && in_range(key, *ini_real(value));
+      case Type::kUnits: return key.name == "LINEAR_UNITS" ? is_linear_unit(value) : is_angular_unit(value);
+      default: return true;
+    }
+  }
+
+  static bool is_spindle_count(int count) { return count >= 1 && count <= 8; }
+
+  /// `on` and `off` are none (measured).
+  static bool is_truth(std::string_view value) {
+    const std::string word = small_letters(value);
+    return word == "true" || word == "yes" || word == "false" || word == "no" || ini_integer(value);
+  }
+
+  static bool in_range(const IniKey& key, double value) {
+    if (key.name == "CENTER_ARC_RADIUS_TOLERANCE_INCH") return value >= 0.00004 && value <= 0.00282842713;
+    if (key.name == "CENTER_ARC_RADIUS_TOLERANCE_MM") return value >= 0.001 && value <= 0.0282842713;
+    return true;
+  }
+
+  /// Where the default is what the value says.
+  static bool harmless(const IniKey& key, std::string_view plain) {
+    if (key.type != Type::kSwitch && (key.type != Type::kInteger || key.refuses)) return false;
+    const std::optional<bool> meant = ini_truth(plain);
+    return meant && *meant == key.on && key.name != "LOCKING_INDEXER_JOINT";
+  }
+
+  std::string message_of(const IniKey& key, const IniLine& line, size_t comment, std::string_view plain) const {
+    const std::string value(text_.value(line));
+    const std::string name(key.name);
+    std::string message;
+    if (comment != std::string_view::npos) {
+      message = "the comment is a part of the value: LinuxCNC reads `" + value + "` as `" + name + "`";
+    } else if (ini_real(value) && key.type == Type::kNumber) {
+      return "`" + name + "` of " + value + " is out of range: LinuxCNC uses its default";
+    } else {
+      message = "`" + value + "` is no value that LinuxCNC understands for `" + name + "`";
+    }
+    if (key.refuses) return message;
+    if (key.name == "LOCKING_INDEXER_JOINT") return message + ", and takes joint 0";
+    const bool off = key.type == Type::kSwitch || (key.type == Type::kInteger && ini_truth(plain).has_value());
+    return message + (off ? key.on ? ", so that it stays on" : ", so that it stays off" : ", and it uses the default");
+  }
+
+  static std::string help_of(const IniKey& key) {
+    switch (key.type) {
+      case Type::kSwitch: return "write `1` for on, `0` for off";
+      case Type::kTruth: return "write `YES` or `NO`";
+      case Type::kJointType: return "write `LINEAR` or `ANGULAR`";
+      case Type::kInteger: return key.name == "SPINDLES" ? "write a number from 1 to 8" : "write a whole number";
+      case Type::kUnits: return key.name == "LINEAR_UNITS" ? "write `mm` or `inch`" : "write `degree`";
+      default:
+        if (key.name == "CENTER_ARC_RADIUS_TOLERANCE_INCH") return "write a number from 0.00004 to 0.002828427";
+        if (key.name == "CENTER_ARC_RADIUS_TOLERANCE_MM") return "write a number from 0.001 to 0.028284271";
+        return "write a number";
+    }
+  }
+
+  void say_refused(Finding& f, const IniLine& line) const {
+    for (const BlamedRefusal& blamed : refusals_) {
+      if (blamed.refusal.line != &line && blamed.refusal.axis != &line) continue;
+      const bool endless = blamed.refusal.kind == StartRefusal::Kind::kEndlessJoints;
+      refuses(f, blamed.refusal.message);
+      f.message += endless ? ", and its check before the start never ends" : ", and does not start";
+      f.stops = !endless;
+      f.never_ends = endless;
+      return;
+    }
+    const std::string value(text_.value(line));
+    refuses_machine(in_, f,
+                    text_.name(line) == "SPINDLES" && ini_integer(value)
+                        ? "emcTrajSetSpindles failing: spindles=" + value
+                        : conversion_error(text_, line));
+    if (f.stops) f.message += ", and it does not start";
+  }
+
+  void check_path(const IniKey& key, const IniLine& line) {
+    const std::string value(text_.value(line));
+    const std::string name(key.name);
+    if (name == "SUBROUTINE_PATH" && value.find_first_not_of(':') == std::string::npos) {
+      Finding& f = add_at(in_, out_, line, line.value,
+                          "`SUBROUTINE_PATH` has `:` and no folder: LinuxCNC crashes when it starts");
+      f.help = "name a folder, or remove the line";
+      f.never_ends = true;
+      f.reach = Reach::kAlways;
+      return;
+    }
+    if (const size_t comment = comment_in(value); comment != std::string_view::npos) {
+      Finding& f = add_at(in_, out_, line, line.value,
+                          "the comment is a part of the value: LinuxCNC looks for " +
+                              std::string(key.type == Type::kPaths ? "the folders" : "the file") + " `" + value + "`");
+      if (name == "PROGRAM_PREFIX")
+        f.message = "the comment is a part of the value: LinuxCNC finds no user M codes in `" + value + "`";
+      f.help = "put the comment onto a line of its own";
+      f.fixes.push_back(comment_above(text_, line, comment));
+    } else if (key.type == Type::kPaths && value.find(',') != std::string::npos) {
+      Finding& f =
+          add_at(in_, out_, line, line.value, "`,` separates no folders: for LinuxCNC it is a part of the name");
+      f.help = "separate the folders with `:`";
+    }
+  }
+
+  /// Keys with any text as their value, and those that LinuxCNC itself does not read.
+  void check_text(const std::string& section, const IniLine& line, size_t comment) {
+    const std::string_view value = text_.value(line);
+    const std::string_view name = text_.name(line);
+    if (section == "TRAJ" && name == "NO_FORCE_HOMING" && !begins_with_number(value)) {
+      const bool on = ini_truth(value).value_or(false);
+      if (!on) return;
+      Finding& f =
+          add_at(in_, out_, line, line.value,
+                 "`NO_FORCE_HOMING` needs a number: LinuxCNC takes `" + std::string(value) + "` for 0, which is off");
+      f.help = "write `1`";
+      f.interpreter = "invalid [TRAJ] NO_FORCE_HOMING in " + std::string(name_of(text_.source(line)->path())) + " (" +
+          std::string(value) + "); using default 0";
+      f.fixes.push_back(write_value(line, "1", true));
+      return;
+    }
+    if (section == "DISPLAY" && name == "LATHE" && !ini_truth(value).value_or(true)) {
+      Finding& f = add_at(in_, out_, line, line.value,
+                          "`LATHE = " + std::string(value) + "` is on for AXIS and QtVCP: for them any text is true");
+      f.help = "remove the line";
+      return;
+    }
+    if (comment == std::string_view::npos || !begins_with_number(value)) return;
+    const std::string_view plain = value.substr(0, value.find_last_not_of(" \t", comment - 1) + 1);
+    const bool in_machine = section_family(section).ends_with('_') || section == "TRAJ" || section == "EMCMOT";
+    if (!in_machine || !ini_real(plain)) return;
+    Finding& f = add_at(in_, out_, line, line.value,
+                        "the comment is a part of the value `" + std::string(value) +
+                            "`: a HAL file that uses it stops the start, as one with too many words");
+    f.help = "put the comment onto a line of its own";
+    f.fixes.push_back(comment_above(text_, line, comment));
+  }
+
+  const SetupInput& in_;
+  Reporter& out_;
+  const IniText& text_;
+  bool strict_;
+  std::vector<BlamedRefusal> refusals_;
+};
+
+void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); }
+
+}  // namespace
+
+extern const Rule kOw415{
+    .code = "OW415",
+    .name = "value-malformed",
+    .summary = "a value of the INI that LinuxCNC does not read as it looks",
+    .group = Group::kFiles,
+    .level = Severity::kWarning,
+    .page =
+        {
+            .what = R"(A value with a comment behind it, `YES` where LinuxCNC reads a number, `7mm`, an unknown unit, a
+tolerance out of its range, a search path with `,` or without a folder.)",
+            .why = R"(A comment is one only on a line of its own: behind a value it is a part of it. LinuxCNC converts
+the whole value or nothing. In `[RS274NGC]` and `[EMCIO]` it then uses the default and gives no
+message. In `[TRAJ]`, `[KINS]`, `[JOINT_…]` and `[AXIS_…]` it ends with `ERR_CONVERSION`, and
+`JOINTS = 3 # three` makes the start hang. A HAL file that uses such a value gets the comment, too.)",
+            .bad = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+RETAIN_G43 = YES
+)",
+            .good = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+RETAIN_G43 = 1
+)",
+            .fix = R"(Write the value and nothing else. Comments go onto lines of their own, above.)",
+            .level_reason = "Warning: LinuxCNC starts with its default instead of the value. Error where it refuses to "
+                            "start, hangs or crashes.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
+    .check = nothing_in_programs,
+    .check_setup = check_setup,
+};
+
+}  // namespace owlint::rules

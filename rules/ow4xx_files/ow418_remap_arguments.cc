@@ -1,0 +1,159 @@
+// OW418 remap-arguments: what a REMAP line passes to its sub is not what it looks like.
+// Depends on: how `argspec` is read, and which codes run the built-in one inside their sub (measured with `rs274 -i`).
+#include <algorithm>
+#include <array>
+
+#include "rules/driver/remap_rules.h"
+
+namespace owlint::rules {
+namespace {
+
+/// The group in which a code is the built-in one inside its own sub.
+constexpr std::array<std::pair<int, int>, 12> kInside{
+    {{0, 4}, {1, 4}, {60, 4}, {6, 6}, {61, 6}, {62, 5}, {63, 5}, {64, 5}, {65, 5}, {66, 5}, {67, 5}, {68, 5}}};
+
+class Checker {
+ public:
+  Checker(const SetupInput& in, Reporter& out, const Remap& remap) : in_(in), out_(out), remap_(remap) {}
+
+  void run() {
+    const std::string_view argspec = remap_.read.argspec;
+    const bool positional = argspec.find('@') != std::string_view::npos;
+    bool omittable = false;
+    for (size_t i = 0; i < argspec.size(); ++i) {
+      const char c = argspec[i];
+      if (std::isalpha(static_cast<unsigned char>(c)) == 0) continue;
+      const char other =
+          static_cast<char>(std::isupper(static_cast<unsigned char>(c)) != 0 ? std::tolower(c) : std::toupper(c));
+      const std::string_view before = argspec.substr(0, i);
+      if (const bool same = before.find(c) != std::string_view::npos;
+          same || before.find(other) != std::string_view::npos) {
+        Finding& f = add(argspec.substr(i, 1),
+                         same ? "`" + std::string(1, c) + "` is in the `argspec` already"
+                              : "`" + std::string(1, c) + "` and `" + std::string(1, other) +
+                                 "` in one `argspec`: the word is required then");
+        f.help = "write the letter once: in capitals if it is required, small if it may be left out";
+        return;
+      }
+      if (positional && omittable && c != 'N' && c != 'n') {
+        Finding& f = add(argspec,
+                         "with `@`, a word that is left out moves those behind it: `" + std::string(1, c) +
+                             "` is then in another parameter");
+        f.help = "put the words that may be left out, in small letters, last; or pass them by name, without `@`";
+        return;
+      }
+      omittable = omittable || std::islower(static_cast<unsigned char>(c)) != 0;
+    }
+    check_itself();
+  }
+
+ private:
+  Finding& add(std::string_view part, std::string message) {
+    return add_at(in_, out_, *remap_.line, span_in(in_.setup.text, *remap_.line, part), std::move(message));
+  }
+
+  /// A code in its own sub, where it calls that sub again.
+  void check_itself() {
+    const int number = remap_.read.m_number();
+    const int group = remap_.read.group.value_or(-1) == -1 ? 10 : *remap_.read.group;
+    if (number < 0 || remap_.read.ngc.empty()) return;
+    const bool plain = remap_.read.code.size() == std::to_string(number).size() + 1;
+    if (plain && std::ranges::find(kInside, std::pair(number, group)) != kInside.end()) return;
+    if (plain && in_.profile.version >= Version::k2_10 && group == 8 && number >= 7 && number <= 9) return;
+    const std::string path = remap_file(in_.setup, remap_.read.ngc);
+    if (path.empty()) return;
+    const std::shared_ptr<const Program> program = in_.library.load_called(path, in_.profile);
+    for (const Statement& s : program->syntax.statements) {
+      if (!has_code(program->source->slice(s.whole()), number)) continue;
+      Finding& f = add(remap_.read.code,
+                       "the sub uses `" + std::string(remap_.read.code) +
+                           "` itself, and there it calls the sub again, until LinuxCNC gives up");
+      const auto own = std::ranges::find(kInside, number, &std::pair<int, int>::first);
+      f.help = own == kInside.end() ? "use another code in the sub"
+                                    : "write `modalgroup=" + std::to_string(own->second) + "` and the code as `M" +
+              std::to_string(number) + "`: then the sub uses the built-in one";
+      f.related.push_back({s.whole(), "used here", program->source});
+      f.interpreter = "maximum nesting of remapped blocks exceeded";
+      return;
+    }
+  }
+
+  static bool has_code(std::string_view line, int number) {
+    line = line.substr(0, line.find_first_of("(;"));
+    for (size_t at = line.find_first_of("Mm"); at != std::string_view::npos; at = line.find_first_of("Mm", at + 1)) {
+      if (at > 0 &&
+          (std::isalnum(static_cast<unsigned char>(line[at - 1])) != 0 &&
+           std::isdigit(static_cast<unsigned char>(line[at - 1])) == 0))
+        continue;
+      if (at > 0 && (line[at - 1] == '<' || line[at - 1] == '_')) continue;
+      size_t end = at + 1;
+      while (end < line.size() && line[end] >= '0' && line[end] <= '9') ++end;
+      const std::string_view digits = line.substr(at + 1, end - at - 1);
+      const size_t first = std::min(digits.find_first_not_of('0'), digits.empty() ? 0 : digits.size() - 1);
+      if (!digits.empty() && digits.substr(first) == std::to_string(number)) return true;
+    }
+    return false;
+  }
+
+  const SetupInput& in_;
+  Reporter& out_;
+  const Remap& remap_;
+};
+
+void check_setup(const SetupInput& in, Reporter& out) {
+  for (const Remap& remap : remaps_of(in.setup.text)) {
+    if (remap.read.problem == RemapLine::Problem::kNone && remap.earlier == nullptr) Checker(in, out, remap).run();
+  }
+}
+
+}  // namespace
+
+extern const Rule kOw418{
+    .code = "OW418",
+    .name = "remap-arguments",
+    .summary = "a REMAP line that passes something else to its sub than it looks like",
+    .group = Group::kFiles,
+    .level = Severity::kWarning,
+    .page =
+        {
+            .what =
+                R"(An `argspec` with a letter twice, or with `@` and words that may be left out before others; a code that is
+used in its own sub and calls that sub again.)",
+            .why =
+                R"(With `@` the values are in #1, #2 … in the order of `argspec`: if an optional one is left out, those
+behind it move up. In its own sub a code is the built-in one only for M0, M1 and M60 in group 4, M6 and
+M61 in group 6, M62 to M68 in group 5, T, S and F. Every other one, also M6 in group 10, calls its sub
+until LinuxCNC stops with `maximum nesting of remapped blocks exceeded`.)",
+            .bad = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+REMAP = M400 modalgroup=10 argspec=@pQ ngc=greet
+; file: greet.ngc
+o<greet> sub
+  G4 P0
+o<greet> endsub
+)",
+            .good = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[RS274NGC]
+REMAP = M400 modalgroup=10 argspec=@Qp ngc=greet
+; file: greet.ngc
+o<greet> sub
+  G4 P0
+o<greet> endsub
+)",
+            .fix =
+                R"(Put optional words last, or pass them by name. Use the group in which the built-in code can be used.)",
+            .level_reason = "Warning: LinuxCNC starts; the sub gets other values, or stops.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
+    .check = nothing_in_programs,
+    .check_setup = check_setup,
+};
+
+}  // namespace owlint::rules

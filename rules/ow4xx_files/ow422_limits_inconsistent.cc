@@ -1,0 +1,208 @@
+// OW422 limits-inconsistent: limits, joints, coordinates and units of the INI that contradict each other, or are not there.
+// Depends on: LinuxCNC's check before the start, and what task needs (measured with LinuxCNC without a screen).
+#include <algorithm>
+#include <set>
+
+#include "rules/driver/ini_values.h"
+#include "rules/driver/start_refusals.h"
+
+namespace owlint::rules {
+namespace {
+
+class Checker {
+ public:
+  Checker(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text) {}
+
+  void run() {
+    check_start();
+    if (is_whole_machine(in_)) {
+      check_unit("LINEAR_UNITS", "mm");
+      check_unit("ANGULAR_UNITS", "degree");
+    }
+    for (const IniText::Section& section : text_.sections()) {
+      if (section.first && section_family(section.name).ends_with('_')) check_order(section.name);
+    }
+    check_coordinates();
+  }
+
+ private:
+  const IniLine* section_line(std::string_view name) const {
+    const auto found = std::ranges::find(text_.sections(), name, &IniText::Section::name);
+    return found == text_.sections().end() ? nullptr : &text_.lines()[found->line];
+  }
+
+  /// Where to say that a key is missing: where it is empty, else at its section, else at `[EMC]`.
+  const IniLine* place_of(std::string_view section, std::string_view key) const {
+    for (const IniLine* line : lines_of(text_, section)) {
+      if (text_.name(*line) == key) return line;
+    }
+    const IniLine* const line = section_line(section);
+    return line == nullptr ? section_line("EMC") : line;
+  }
+
+  /// What is missing may be in a file that the INI includes and that is not here.
+  void refuse(Finding& f, std::string message) const {
+    refuses(f, std::move(message));
+    f.unproven = !in_.setup.ini.missing_includes().empty();
+  }
+
+  void check_start() {
+    for (const BlamedRefusal& blamed : start_refusals(in_)) {
+      if (blamed.cause != nullptr) continue;
+      const StartRefusal& refusal = blamed.refusal;
+      switch (refusal.kind) {
+        case StartRefusal::Kind::kNoKinematics: add_missing("KINEMATICS", refusal.message); break;
+        case StartRefusal::Kind::kNoJoints: add_missing("JOINTS", refusal.message); break;
+        case StartRefusal::Kind::kMinLimit:
+        case StartRefusal::Kind::kMaxLimit: add_limit(refusal); break;
+        case StartRefusal::Kind::kBeforeSection:
+        case StartRefusal::Kind::kEndlessJoints: break;  // OW412 and OW415
+      }
+    }
+  }
+
+  void add_missing(const std::string& key, const std::string& message) {
+    const IniLine* line = place_of("KINS", key);
+    if (line == nullptr) return;
+    Finding& f = add_at(in_, out_, *line, "this INI has no `[KINS]" + key + "`: LinuxCNC does not start without it");
+    f.help = key == "JOINTS" ? "add `JOINTS = ` with the number of joints to `[KINS]`"
+                             : "add `KINEMATICS = trivkins coordinates=XYZ`, or what your machine has, to `[KINS]`";
+    refuse(f, message);
+  }
+
+  void add_limit(const StartRefusal& refusal) {
+    const std::string_view value = text_.value(*refusal.line);
+    if (!ini_real(value) || (refusal.axis != nullptr && !ini_real(text_.value(*refusal.axis)))) return;  // OW415
+    const bool min = refusal.kind == StartRefusal::Kind::kMinLimit;
+    const std::string key = min ? "MIN_LIMIT" : "MAX_LIMIT";
+    const std::string joint = "`[" + refusal.joint_name + "]" + key + "` of " + std::string(value);
+    const IniLine* place = refusal.axis == nullptr ? section_line(refusal.axis_name) : nullptr;
+    Finding& f = add_at(in_, out_, place == nullptr ? *refusal.line : *place,
+                        refusal.axis == nullptr ? joint + " needs the same in `[" + refusal.axis_name +
+                                "]`, which has none: LinuxCNC does not start"
+                                                : joint + " is inside `[" + refusal.axis_name + "]" + key + "` of " +
+                                std::string(text_.value(*refusal.axis)) + ": LinuxCNC does not start");
+    f.help = refusal.axis == nullptr ? "add `" + key + " = " + std::string(value) + "` to `[" + refusal.axis_name + "]`"
+                                     : "give the axis a limit that its joint can reach";
+    if (place != nullptr)
+      f.related.push_back({refusal.line->span, "the limit of the joint",
+                           refusal.line->source == place->source ? nullptr : text_.source(*refusal.line)});
+    if (refusal.axis != nullptr)
+      f.related.push_back({refusal.axis->span, "the limit of the axis",
+                           refusal.axis->source == refusal.line->source ? nullptr : text_.source(*refusal.axis)});
+    refuse(f, refusal.message);
+  }
+
+  void check_unit(const std::string& key, const std::string& example) {
+    if (find_line(text_, "TRAJ", key) != nullptr) return;
+    const IniLine* line = place_of("TRAJ", key);
+    if (line == nullptr) return;
+    Finding& f = add_at(in_, out_, *line, "this INI has no `[TRAJ]" + key + "`: LinuxCNC's task ends when it starts");
+    f.help = "add `" + key + " = " + example + "` to `[TRAJ]`";
+    refuse(f, "emcTrajSetUnits failed to set [TRAJ]LINEAR_UNITS or [TRAJ]ANGULAR_UNITS");
+  }
+
+  void check_order(const std::string& section) {
+    const IniLine* min = find_line(text_, section, "MIN_LIMIT");
+    const IniLine* max = find_line(text_, section, "MAX_LIMIT");
+    if (min == nullptr || max == nullptr || !reads_section(text_, section)) return;
+    const std::optional<double> low = ini_real(text_.value(*min));
+    const std::optional<double> high = ini_real(text_.value(*max));
+    if (!low || !high || *low <= *high) return;
+    Finding& f = add_at(in_, out_, *max,
+                        "`MAX_LIMIT` of " + std::string(text_.value(*max)) + " is below `MIN_LIMIT` of " +
+                            std::string(text_.value(*min)) + ": LinuxCNC refuses every move of `[" + section + "]`");
+    f.help = "exchange the two values";
+    f.related.push_back({min->span, "the other limit", min->source == max->source ? nullptr : text_.source(*min)});
+  }
+
+  static std::set<char> letters_of(std::string_view text) {
+    std::set<char> letters;
+    for (const char c : small_letters(text)) {
+      if (std::string_view("xyzabcuvw").find(c) != std::string_view::npos) letters.insert(c);
+    }
+    return letters;
+  }
+
+  /// Of trivkins: LinuxCNC says that the two differ, and starts.
+  void check_coordinates() {
+    constexpr std::string_view kOption = "coordinates=";
+    const IniLine* kinematics = find_line(text_, "KINS", "KINEMATICS");
+    const IniLine* coordinates = find_line(text_, "TRAJ", "COORDINATES");
+    if (kinematics == nullptr || coordinates == nullptr || !is_whole_machine(in_)) return;
+    const std::string_view value = text_.value(*kinematics);
+    const size_t at = value.find(kOption);
+    if (!value.starts_with("trivkins") || at == std::string_view::npos) return;
+    std::string_view kins = value.substr(at + kOption.size());
+    kins = kins.substr(0, kins.find_first_of(" \t"));
+    std::string_view traj = text_.value(*coordinates);
+    traj = traj.substr(0, traj.find_first_of("#;"));
+    if (letters_of(kins) == letters_of(traj)) return;
+    Finding& f = add_at(in_, out_, *coordinates,
+                        "`COORDINATES = " + std::string(traj) + "` and `coordinates=" + std::string(kins) +
+                            "` of `[KINS]KINEMATICS` name different axes");
+    f.help =
+        "name the same axes in both: an axis without a joint never moves, and a program cannot use one that "
+        "`COORDINATES` lacks";
+    f.interpreter = "INCONSISTENT coordinates specifications:";
+    f.related.push_back({kinematics->span, "the axes of the joints",
+                         kinematics->source == coordinates->source ? nullptr : text_.source(*kinematics)});
+  }
+
+  const SetupInput& in_;
+  Reporter& out_;
+  const IniText& text_;
+};
+
+void check_setup(const SetupInput& in, Reporter& out) {
+  if (!reads_strictly(in)) Checker(in, out).run();
+}
+
+}  // namespace
+
+extern const Rule kOw422{
+    .code = "OW422",
+    .name = "limits-inconsistent",
+    .summary = "limits, joints, coordinates or units of the INI that contradict each other or are missing",
+    .group = Group::kFiles,
+    .level = Severity::kWarning,
+    .page =
+        {
+            .what = R"(A joint whose limit is inside that of its axis, a maximum below the minimum, other axes in
+`[TRAJ]COORDINATES` than in `[KINS]KINEMATICS`, an INI without `KINEMATICS`, `JOINTS` or units.)",
+            .why =
+                R"(With `trivkins` LinuxCNC compares the limits before it starts, and does not start if a joint cannot
+reach what its axis allows: `[JOINT_0]MAX_LIMIT < [AXIS_X]MAX_LIMIT (50 < 100)`. An axis without the
+limit counts as one that may go anywhere. With a maximum below the minimum each move is refused, with
+`Linear move on line 5 would exceed X's positive limit`.)",
+            .bad = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[TRAJ]
+COORDINATES = XYZ
+[AXIS_X]
+MIN_LIMIT = 100
+MAX_LIMIT = -100
+)",
+            .good = R"(G21 G90
+G0 X10
+M2
+; file: machine.ini
+[TRAJ]
+COORDINATES = XYZ
+[AXIS_X]
+MIN_LIMIT = -100
+MAX_LIMIT = 100
+)",
+            .fix = R"(Give each axis and its joint limits, those of the joint equal or wider.)",
+            .level_reason = "Error where LinuxCNC does not start, else warning. An INI without `[EMC]VERSION = 1.1` is "
+                            "a part of one, or of LinuxCNC 2.7: what it lacks is not reported.",
+            .interpreter = "",
+            .options = "--ini machine.ini",
+        },
+    .check = nothing_in_programs,
+    .check_setup = check_setup,
+};
+
+}  // namespace owlint::rules
