@@ -273,7 +273,9 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   stopped_ = !ModeRun(machine_, *words).run(&after, &faults_);
   set_feed(*words, &after.now);
   leave_out_asked();
-  if (faults_.size() == 1 && faults_.front().fault.certain) {
+  // What M72 writes depends on modes that only the flow knows.
+  const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;
+  if (faults_.size() == 1 && faults_.front().fault.certain && !quotes_all) {
     statement.error = parser_.add_error(faults_.front().fault);
     if (statement.block_delete) forget();
     return true;

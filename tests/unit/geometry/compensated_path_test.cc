@@ -7,11 +7,11 @@ using namespace owlint;
 
 namespace {
 
-constexpr ArcUnits kMillimetres{false, {'X', 'Y'}};
+constexpr ArcUnits kMetricUnits{false, {'X', 'Y'}};
 
 CompensatedPath left_of_path(double radius, int orientation = 0) {
   CompensatedPath path;
-  path.start({Side::kLeft, radius, orientation}, kMillimetres, {0, 0});
+  path.start({Side::kLeft, radius, orientation}, kMetricUnits, {0, 0});
   return path;
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("G40 goes back to the programmed point, and then forbids an arc", "[ge
   path.straight_begins();
   CHECK_FALSE(path.arc_forbidden());
 
-  path.start({Side::kLeft, 2, 0}, kMillimetres, {0, 0});
+  path.start({Side::kLeft, 2, 0}, kMetricUnits, {0, 0});
   REQUIRE_FALSE(path.off().stops());
   CHECK_FALSE(path.arc_forbidden());
 }
@@ -167,7 +167,7 @@ TEST_CASE("units scale the path, and what waits scales the corner that is left b
   for (int others : {0, 1}) {
     CAPTURE(others);
     CompensatedPath path;
-    path.start({Side::kRight, 0.01, 0}, kMillimetres, {0, 20});
+    path.start({Side::kRight, 0.01, 0}, kMetricUnits, {0, 20});
     feed(path, 10, 20);
     feed(path, 10, 10);
     path.append(others);

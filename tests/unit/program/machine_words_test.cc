@@ -94,7 +94,8 @@ TEST_CASE("a machine says how many spindles it has, and whether M6 stops them", 
 TEST_CASE("machines whose lines may run otherwise have other keys", "[machine]") {
   const Machine machine("");
   CHECK(key_of(machine) == key_of(Machine("")));
-  CHECK(key_of(machine) == key_of(Machine("", "T1 P7 Z41 D6 ;mill\n\nT2 P2 D-1 Q3\n")));
+  CHECK(key_of(machine) == key_of(Machine("", "T1 P7 Z40 D6 ;mill\n\nT2 P2 D-1 Q3\n")));
+  CHECK(key_of(machine) != key_of(Machine("", "T1 P7 Z41 D6\nT2 P2 D-1 Q3\n")));
   CHECK(key_of(machine) != key_of(Machine("[EMCIO]\nDB_PROGRAM = x\n")));
   CHECK(key_of(machine) != key_of(Machine("[TRAJ]\nSPINDLES = 2\n")));
   CHECK(key_of(machine) != key_of(Machine("[EMCIO]\nTOOL_CHANGE_WITH_SPINDLE_ON = 1\n")));
