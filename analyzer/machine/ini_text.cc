@@ -1,7 +1,6 @@
 #include "analyzer/machine/ini_text.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "analyzer/machine/ini.h"
 #include "analyzer/text/paths.h"
@@ -39,8 +38,7 @@ std::string_view section_family(std::string_view section) {
 
 void IniText::parse(const Files& files, const std::shared_ptr<const Source>& source) {
   read(files, source, false);
-  std::unordered_set<std::string_view> seen;
-  for (Section& section : sections_) section.first = seen.insert(section.name).second;
+  for (size_t i = 0; i < sections_.size(); ++i) sections_[i].first = first_.emplace(sections_[i].name, i).second;
 }
 
 void IniText::read(const Files& files, const std::shared_ptr<const Source>& source, bool included) {

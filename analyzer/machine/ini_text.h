@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,7 +16,7 @@
 namespace owlint {
 
 /// Lines beyond these are not read. The largest INI of a real machine has a few thousand.
-inline constexpr size_t kMostIniLines = 200'000;
+inline constexpr size_t kMostIniLines = 100'000;
 /// Measured: what follows this many bytes of a line counts as a line of its own.
 inline constexpr size_t kLongestIniLine = 255;
 /// Measured: so many lines may be continued in a row.
@@ -67,6 +69,11 @@ class IniText {
   std::string_view section_of(const IniLine& line) const {
     return line.section < 0 ? std::string_view() : std::string_view(sections_[static_cast<size_t>(line.section)].name);
   }
+  /// The first section of a name; null if there is none.
+  const Section* find_section(std::string_view name) const {
+    const auto found = first_.find(name);
+    return found == first_.end() ? nullptr : &sections_[found->second];
+  }
   /// Whether a line is one that LinuxCNC 2.8 and 2.9 find: in the first section of its name, and no continuation.
   bool is_read(const IniLine& line) const {
     return line.section >= 0 && sections_[static_cast<size_t>(line.section)].first && !line.continuation;
@@ -80,6 +87,7 @@ class IniText {
 
   std::vector<IniLine> lines_;
   std::vector<Section> sections_;
+  std::map<std::string, size_t, std::less<>> first_;  // sections, by name
   std::vector<std::shared_ptr<const Source>> sources_;
   bool cut_short_ = false;
   bool continued_ = false;  // the line before

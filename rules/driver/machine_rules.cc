@@ -37,8 +37,8 @@ bool reads_strictly(const SetupInput& in) { return in.profile.version >= Version
 
 std::vector<const IniLine*> lines_of(const IniText& text, std::string_view section) {
   std::vector<const IniLine*> lines;
-  const auto found = std::ranges::find_if(text.sections(), [&](const auto& s) { return s.name == section; });
-  if (found == text.sections().end()) return lines;
+  const IniText::Section* found = text.find_section(section);
+  if (found == nullptr) return lines;
   for (size_t i = found->line + 1; i < text.lines().size(); ++i) {
     const IniLine& line = text.lines()[i];
     const bool bracket = line.kind == IniLine::Kind::kSection || line.kind == IniLine::Kind::kOpenSection;

@@ -11,6 +11,8 @@ std::vector<Remap> remaps_of(const IniText& text) {
     if (text.name(*line) != "REMAP") continue;
     if (line->value.begin == line->value.end) break;
     if (line->continued) continue;
+    constexpr size_t kMost = 1000;  // a machine has a few dozen
+    if (out.size() == kMost) break;
     Remap remap{line, read_remap(text.value(*line), line->number), nullptr};
     const auto [entry, added] = known.try_emplace(small_letters(remap.read.code), line);
     if (!added) remap.earlier = entry->second;

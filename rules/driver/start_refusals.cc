@@ -60,9 +60,7 @@ bool has_key_of(const IniText& text, std::string_view section, std::string_view 
 }  // namespace
 
 std::string meant_section(const IniText& text, std::string_view name) {
-  const auto is_there = [&](std::string_view wanted) {
-    return std::ranges::any_of(text.sections(), [&](const IniText::Section& s) { return s.name == wanted; });
-  };
+  const auto is_there = [&](std::string_view wanted) { return text.find_section(wanted) != nullptr; };
   if (name.size() < 3 || is_known_section(name)) return {};
   std::string letters(name);
   std::ranges::transform(letters, letters.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });

@@ -1,5 +1,5 @@
-// What the check before the start refuses in an INI, with the line that is the cause. Three rules share it: OW412 reports causes in
-// the lines' form, OW414 misspelt sections, OW422 the rest.
+// What the check before the start refuses in an INI, with the line that is the cause. Three rules share it: OW412 reports causes
+// in the form of lines, OW414 misspelt sections, OW422 the rest.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,8 @@ struct BlamedRefusal {
 /// Empty if LinuxCNC does not make that check with this INI: see is_whole_machine().
 std::vector<BlamedRefusal> start_refusals(const SetupInput& in);
 
-/// The section of LinuxCNC that a name was meant for, if the INI has none of that name: `KINS` for `kins` and `KIN`. Empty if none.
+/// The section of LinuxCNC that a name was meant for, if the INI has none of that name: `TRAJ` for `traj`, `RS274NGC` for
+/// `RS274NCG`. Empty if there is none.
 std::string meant_section(const IniText& text, std::string_view name);
 
 }  // namespace owlint::rules

@@ -14,6 +14,9 @@ namespace {
 
 using Kind = IniLine::Kind;
 
+constexpr size_t kManyLines = 10'000;  // no machine has so many: then not all is said
+constexpr size_t kMostFindings = 200;  // likewise
+
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string code(std::string_view text) {
@@ -34,12 +37,13 @@ class Checker {
 
   void run() {
     check_marks();
-    for (size_t i = 0; i < text_.lines().size(); ++i) check(i);
+    for (size_t i = 0; i < text_.lines().size() && found_ < kMostFindings; ++i) check(i);
     check_end();
   }
 
  private:
   Finding& add(const IniLine& line, Span span, std::string message) {
+    ++found_;
     return add_at(in_, out_, line, span, std::move(message));
   }
 
@@ -224,7 +228,7 @@ class Checker {
 
   /// Whether the key is there once more: LinuxCNC stops looking at a key with a blank behind it.
   bool hides_another(const IniLine& line) const {
-    if (line.name.end == line.span.end) return false;
+    if (line.name.end == line.span.end || text_.lines().size() > kManyLines) return false;
     return std::ranges::any_of(lines_of(text_, text_.section_of(line)), [&](const IniLine* other) {
       return other > &line && other->kind == Kind::kKey && text_.name(*other) == text_.name(line);
     });
@@ -277,7 +281,7 @@ class Checker {
     if (lines.empty()) return;
     const IniLine& last = lines.back();
     if (text_.cut_short()) {
-      Finding& f = add(last, last.span, "owlint reads the first 200000 lines of an INI: what follows is not checked");
+      Finding& f = add(last, last.span, "owlint reads the first 100000 lines of an INI: what follows is not checked");
       f.help = "check whether this is the INI of a machine, and whether it includes itself";
     }
     if (!strict_ && text_.sources().size() > 1 && last.source == 0 && !last.ended && last.kind == Kind::kKey) {
@@ -295,6 +299,7 @@ class Checker {
   std::map<const IniLine*, std::string> refused_;  // what LinuxCNC prints, by the line that is the cause
   const IniLine* marked_ = nullptr;                // the line with the byte order mark, if it was reported
   size_t continued_ = 0;
+  size_t found_ = 0;
   bool open_ = false;  // a section above has no `]`
 };
 
@@ -323,6 +328,8 @@ it with `can't read "section": no such variable`.)",
 G0 X10
 M2
 ; file: machine.ini
+[TRAJ]
+COORDINATES = XYZ
 [RS274NGC
 RETAIN_G43 = 1
 )",
@@ -330,6 +337,8 @@ RETAIN_G43 = 1
 G0 X10
 M2
 ; file: machine.ini
+[TRAJ]
+COORDINATES = XYZ
 [RS274NGC]
 RETAIN_G43 = 1
 )",

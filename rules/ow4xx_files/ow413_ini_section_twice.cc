@@ -35,7 +35,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
         lost.emplace_back(text.name(key));
     }
     if (lost.empty()) continue;
-    const auto first = std::ranges::find(sections, sections[i].name, &IniText::Section::name);
+    const IniText::Section* first = text.find_section(sections[i].name);
     const IniLine& earlier = text.lines()[first->line];
     const uint32_t number = earlier.number;
     const bool same_file = text.source(earlier) == text.source(line);

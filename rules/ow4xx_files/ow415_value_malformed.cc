@@ -2,6 +2,7 @@
 // Depends on: LinuxCNC converts a value as a whole or not at all, and a comment behind it is a part of it (measured for each kind
 // of key, with `rs274 -i` and with LinuxCNC itself).
 #include <algorithm>
+#include <set>
 
 #include "analyzer/machine/ini_keys.h"
 #include "rules/driver/ini_values.h"
@@ -27,9 +28,12 @@ class Checker {
     refusals_ = start_refusals(in_);
     for (const IniText::Section& section : text_.sections()) {
       if (!section.first) continue;
+      std::set<std::string_view> seen;  // only the first value counts
       for (const IniLine* line : lines_of(text_, section.name)) {
-        if (line->kind == IniLine::Kind::kKey && find_line(text_, section.name, text_.name(*line)) == line)
-          check(section.name, *line);
+        const bool key = line->kind == IniLine::Kind::kKey;
+        if (!key && line->name.end == line->span.end) continue;
+        if (!seen.insert(text_.name(*line)).second || !key || line->value.begin == line->value.end) continue;
+        check(section.name, *line);
       }
     }
   }

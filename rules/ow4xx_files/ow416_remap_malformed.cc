@@ -51,12 +51,12 @@ void word(const RemapLine& remap, Finding& f) {
       f.help = letter == 'M' ? "write a code such as `M400`" : "write a code such as `G88.1`";
       break;
     case Problem::kLetterOnly:
-      f.message = std::string(1, letter) + " is remapped as a whole, " + at +
+      f.message = quoted(std::string(1, letter)) + " is remapped as a whole, " + at +
           " cannot be: LinuxCNC does not start with this line";
       f.help = "write `" + std::string(1, letter) + "`";
       break;
     case Problem::kFixedGroup:
-      f.message = std::string(1, letter) + " takes no modal group: LinuxCNC does not start with this line";
+      f.message = quoted(std::string(1, letter)) + " takes no modal group: LinuxCNC does not start with this line";
       f.help = "remove " + at;
       break;
     case Problem::kNone: break;

@@ -174,7 +174,7 @@ class Checker {
     for (size_t at = 0; at < code.size();) {
       const size_t end = std::min(code.find(';', at), code.size());
       if (code.find_first_not_of(" \t", at) < end)
-        check_command(line, {line.value.begin + at, line.value.begin + end}, "QtVCP runs it as an MDI command");
+        check_command(line, {line.value.begin + at, line.value.begin + end}, "a button runs it as an MDI command");
       at = end + 1;
     }
   }

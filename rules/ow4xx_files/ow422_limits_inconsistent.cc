@@ -15,7 +15,7 @@ class Checker {
 
   void run() {
     check_start();
-    if (is_whole_machine(in_)) {
+    if (is_whole_machine(in_) && has_most()) {
       check_unit("LINEAR_UNITS", "mm");
       check_unit("ANGULAR_UNITS", "degree");
     }
@@ -26,9 +26,17 @@ class Checker {
   }
 
  private:
+  /// Whether an INI is more than a part of one, so that what it lacks is a mistake.
+  bool has_most() const {
+    static constexpr std::string_view kOfMachines[] = {"TRAJ", "KINS", "HAL", "TASK", "EMCMOT", "EMCIO", "JOINT_0"};
+    constexpr int kEnough = 2;
+    return std::ranges::count_if(kOfMachines, [&](std::string_view name) { return section_line(name) != nullptr; }) >=
+        kEnough;
+  }
+
   const IniLine* section_line(std::string_view name) const {
-    const auto found = std::ranges::find(text_.sections(), name, &IniText::Section::name);
-    return found == text_.sections().end() ? nullptr : &text_.lines()[found->line];
+    const IniText::Section* section = text_.find_section(name);
+    return section == nullptr ? nullptr : &text_.lines()[section->line];
   }
 
   /// Where to say that a key is missing: where it is empty, else at its section, else at `[EMC]`.
@@ -63,7 +71,7 @@ class Checker {
 
   void add_missing(const std::string& key, const std::string& message) {
     const IniLine* line = place_of("KINS", key);
-    if (line == nullptr) return;
+    if (line == nullptr || !has_most()) return;
     Finding& f = add_at(in_, out_, *line, "this INI has no `[KINS]" + key + "`: LinuxCNC does not start without it");
     f.help = key == "JOINTS" ? "add `JOINTS = ` with the number of joints to `[KINS]`"
                              : "add `KINEMATICS = trivkins coordinates=XYZ`, or what your machine has, to `[KINS]`";

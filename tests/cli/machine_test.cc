@@ -276,4 +276,64 @@ TEST_CASE("subs that the INI calls are looked for in the folders of --sub-path a
   CHECK(check(folder, "--isolated --ini machine.ini --sub-path macros p.ngc").out.empty());
 }
 
+TEST_CASE("an INI is checked as a file of its own, with the exit status of programs", "[machine][ini]") {
+  const Scratch folder;
+  folder.write("machine.ini", "[RS274NGC]\nREMAP = M400 modalgroup=3 ngc=r\nRETAIN_G43 = YES\n");
+  folder.write("r.ngc", "o<r> sub\no<r> endsub\n");
+  const Run run = check(folder, "--isolated machine.ini");
+  CHECK(run.status == 1);
+  CHECK(contains(run.out, "machine.ini:2:14: error: `M400` cannot be in modal group 3"));
+  CHECK(contains(run.out, "machine.ini:3:14: warning: "));
+  CHECK_FALSE(contains(run.out, "r.ngc"));
+  CHECK(check(folder, "--isolated --ignore OW416 machine.ini").status == 0);
+  const Run json = check(folder, "--isolated --format json machine.ini");
+  const auto files = nlohmann::json::parse(json.out)["files"];
+  REQUIRE(files.size() == 1);
+  CHECK(files[0]["path"] == "machine.ini");
+  CHECK(files[0]["findings"].size() == 2);
+}
+
+TEST_CASE("folders are searched for INIs of machines as well, and each is reported once", "[machine][ini]") {
+  const Scratch folder;
+  folder.write("mill/machine.ini", "[RS274NGC]\nRETAIN_G43 = YES\n");
+  folder.write("mill/p.ngc", "G0 X1\nM2\n");
+  folder.write("other/desktop.ini", "[ViewState]\nMode\n");  // no machine
+  const Run run = check(folder, "--isolated --format json mill");
+  const auto files = nlohmann::json::parse(run.out)["files"];
+  REQUIRE(files.size() == 2);
+  CHECK(files[0]["path"] == "mill/machine.ini");
+  CHECK(files[0]["findings"].size() == 1);
+  CHECK(files[1]["findings"].empty());
+  CHECK(check(folder, "--isolated other").status == 2);  // no programs
+  CHECK(check(folder, "--isolated --exclude machine.ini --no-find-ini mill").out.empty());
+}
+
+TEST_CASE("what is wrong with an INI is fixed in the INI", "[machine][ini][fix]") {
+  const Scratch folder;
+  const std::string path = folder.write(
+      "machine.ini", "[RS274NGC]\n  RETAIN_G43 = YES\nOWORD_NARGS = 1 # on\n[JOINT_0]\nSCALE = 100 ; steps\n");
+  folder.write("p.ngc", "G0 X1\nM2\n");
+  CHECK(check(folder, "--isolated --fix .").status == 0);
+  CHECK(read_file(path) == "[RS274NGC]\n  RETAIN_G43 = 1\n# on\nOWORD_NARGS = 1\n[JOINT_0]\n; steps\nSCALE = 100\n");
+  CHECK(check(folder, "--isolated .").out.empty());
+}
+
+TEST_CASE("findings of an INI are suppressed by comments in it", "[machine][ini][suppression]") {
+  const Scratch folder;
+  const std::string path = folder.write("machine.ini", "[RS274NGC]\nRETAIN_G43 = YES\n");
+  CHECK(check(folder, "--isolated --add-suppressions --reason as-it-was machine.ini").status == 0);
+  CHECK(read_file(path) == "[RS274NGC]\n# owlint: ignore OW415 because as-it-was\nRETAIN_G43 = YES\n");
+  CHECK(check(folder, "--isolated machine.ini").out.empty());
+}
+
+TEST_CASE("an INI that includes itself without end is read to a limit", "[machine][ini]") {
+  const Scratch folder;
+  std::string text = "[RS274NGC]\n";
+  for (int i = 0; i < 20'000; ++i) text += "#INCLUDE machine.ini\n";
+  folder.write("machine.ini", text);
+  const Run run = check(folder, "--isolated machine.ini");
+  CHECK(run.status == 0);
+  CHECK(contains(run.out, "owlint reads the first 100000 lines"));
+}
+
 }  // namespace machine_test
