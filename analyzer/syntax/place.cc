@@ -1,5 +1,7 @@
 #include "analyzer/syntax/place.h"
 
+#include <cmath>
+
 #include "analyzer/geometry/plane.h"
 
 namespace owlint {
@@ -37,9 +39,10 @@ CoordinateSystem join(const CoordinateSystem& a, const CoordinateSystem& b) {
   return {join(a.origin, b.origin), join(a.rotation, b.rotation)};
 }
 
+/// What is not turned, or is the origin, stays there, though another number is unknown.
 Flat turned_by(double x, double y, double degrees) {
-  // What does not turn stays what it is, though one of the two may be unknown.
-  if (degrees == 0 || (x == 0 && y == 0)) return {x, y};
+  const bool unknown = std::isnan(x) || std::isnan(y) || std::isnan(degrees);
+  if (unknown && (degrees == 0 || (x == 0 && y == 0))) return {x, y};
   return turned({x, y}, degrees);
 }
 
