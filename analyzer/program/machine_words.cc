@@ -120,6 +120,15 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   words.units_per_mm = units_per_mm(ini);
   set_tolerance(ini, "CENTER_ARC_RADIUS_TOLERANCE_MM", 0.001, &words.arc_tolerance_mm);
   set_tolerance(ini, "CENTER_ARC_RADIUS_TOLERANCE_INCH", 0.00004, &words.arc_tolerance_inch);
+  for (const char axis : std::string_view("ABC")) {
+    const std::string section = std::string("AXIS_") + axis;
+    const char letter = static_cast<char>(axis - 'A' + 'a');
+    if (const Ini::Entry* const wraps = ini.find(section, "WRAPPED_ROTARY"); wraps != nullptr && wraps->value == "1")
+      words.wrapped |= letter_set({&letter, 1});
+    if (const Ini::Entry* const locks = ini.find(section, "LOCKING_INDEXER_JOINT");
+        locks != nullptr && locks->value != "-1")
+      words.indexing |= letter_set({&letter, 1});
+  }
   words.spindles = profile.setup->spindles;
   words.change_keeps_spindle = profile.setup->change_keeps_spindle;
   if (profile.setup->tools) {
@@ -141,6 +150,7 @@ std::string WordsOfMachine::key() const {
   key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "");
   key += " =" + std::to_string(words.units_per_mm) + ',' + std::to_string(words.arc_tolerance_mm) + ',' +
       std::to_string(words.arc_tolerance_inch);
+  key += ',' + std::to_string(words.wrapped) + ',' + std::to_string(words.indexing);
   for (const ValueSet values : start.now.may) key += ',' + std::to_string(values);
   if (words.tools) key += " T" + std::to_string(tools.size()) + ':' + std::to_string(hash_of(tools));
   return key;

@@ -242,6 +242,14 @@ void ModesInEffect::forget() {
   stopped_ = false;
 }
 
+/// Whether the line sets a number that may be one of the machine's positions and offsets.
+bool ModesInEffect::writes_offsets(const Statement& statement) const {
+  return std::ranges::any_of(out_.items_of(statement), [this](const Item& item) {
+    double number = 0;
+    return item.target != kNoExpr && (!literal_value(out_.exprs, item.target, &number) || is_place_parameter(number));
+  });
+}
+
 /// Whether the line moves at the rapid rate, if it moves.
 bool ModesInEffect::stays_rapid(const WordLine& words) const {
   return words.motion(static_cast<Motion>(std::countr_zero(state_.now[Mode::kMotion]))) == Motion::kG0;
@@ -250,6 +258,7 @@ bool ModesInEffect::stays_rapid(const WordLine& words) const {
 bool ModesInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
   asks_ = asks_place_ = false;
+  if (statement.item_count > 0 && writes_offsets(statement)) places_.leave();
   const WordLine* words = parser_.words();
   if (words == nullptr || statement.has_error()) {
     if (const WordLine* of_call = parser_.words_of_call(); of_call != nullptr && !statement.has_error()) {

@@ -90,6 +90,9 @@ struct Place {
   static Place unknown();
 };
 
+/// Whether a parameter is one of the numbers that a place has: #5161 to #5390.
+constexpr bool is_place_parameter(double number) { return number > 5160 && number < 5391; }
+
 /// What is known in both.
 Place join(const Place& a, const Place& b);
 

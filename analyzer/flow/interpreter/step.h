@@ -57,6 +57,8 @@ struct AbstractMachine::Step {
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
     out.successor(std::move(next));
   }
+  /// Numbers that the line sets may be the machine's positions and offsets.
+  void write_offsets();
   void next_line() { go(std::move(state), here + 1); }
 
   void stop(StopKind kind, std::string message, StatementId other = kNoStatement, std::string detail = {}) {

@@ -59,6 +59,7 @@ void AbstractMachine::Step::plain() {
   report_reads();
   if (!settle(e)) return;
   state.parameters = std::move(after);
+  if (m.mode_uses_.follows_place(here)) write_offsets();
   if (may_end(s)) out.end(state);
   if (error() != nullptr && error()->first_value != kNoExpr) return repeated_word(*error());
   if (error() != nullptr) return stop_error();

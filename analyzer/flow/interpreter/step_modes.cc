@@ -1,5 +1,6 @@
 // A line of words in the modes that are in effect: what it stops with, and what it leaves in effect.
 #include "analyzer/flow/interpreter/step.h"
+#include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
@@ -60,11 +61,35 @@ bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
     const bool mixed = state.mixed;
     state.mixed = mixed || !fault.certain || found.from_start;
     const auto arc = found.arc ? std::make_shared<const ArcNumbers>(*found.arc) : nullptr;
-    out.stop(state, {fault.kind, kNoStatement, fault.message, {}, {fault.word, fault.other, found.decided_by, found.from_start, arc}});
+    out.stop(state,
+             {fault.kind,
+              kNoStatement,
+              fault.message,
+              {},
+              {fault.word, fault.other, found.decided_by, found.from_start, arc}});
     state.mixed = mixed;
     if (fault.certain) return false;
   }
   return true;
+}
+
+void AbstractMachine::Step::write_offsets() {
+  for (const Item& item : m.program_.syntax.items_of(s)) {
+    if (item.target == kNoExpr) continue;
+    double number = 0;
+    const bool known = literal_value(m.program_.syntax.exprs, item.target, &number);
+    if (known && !is_place_parameter(number)) continue;
+    Place place = m.modes_.place(state.parameters);
+    const ValueId value = m.evaluator_.evaluate(item.value, state.parameters).value;
+    if (!known) {
+      place.lose_parameters();
+    } else {
+      place.write_parameter(
+          static_cast<int32_t>(number + 0.5),
+          KnownValues::is_constant(value) ? Coordinate::of(m.values_.value(value)) : Coordinate::unknown());
+    }
+    m.modes_.set_place(state.parameters, place);
+  }
 }
 
 /// A line of words. Of one with M98 this is asked when its values are known: see refuses_words().
