@@ -123,15 +123,15 @@ bool is_below(ModeLine& line, const CyclePlane& in, Verdict verdict) {
 /// Whether the first hole would lie above R. In G90 both are on the line, or one of them is not known here; in G91 the depth
 /// counts from R on.
 bool is_above(ModeLine& line, const CyclePlane& in, BadMode plane) {
-  const double* const depth = line.value(in.axis);
-  if (depth == nullptr || line.mover() == kNoWord) return false;
+  const std::optional<Coordinate> depth = axis_word(line, static_cast<size_t>(in.hole.along));
+  if (!depth || depth->is_unknown() || line.mover() == kNoWord) return false;
   const double* const r = line.value('r');
   const auto stops = [&](modes::Distance distance) {
     return line.stop_in({plane, {Mode::kDistance, value_bit(distance)}}, kWords, in.below, line.at(in.axis),
                         line.at('r'));
   };
-  if (r != nullptr && *r < *depth && stops(modes::kG90)) return true;
-  return *depth > 0 && stops(modes::kG91);
+  if (r != nullptr && *r < depth->value && stops(modes::kG90)) return true;
+  return depth->value > 0 && stops(modes::kG91);
 }
 
 /// The axis words, in one plane.

@@ -128,7 +128,7 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
   }
   ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
-  if (stops || (moves && !contains(kStraightMoves, motion))) out_.asks_place = true;
+  if (stops || words.has_polar_words() || (moves && !contains(kStraightMoves, motion))) out_.asks_place = true;
   return true;
 }
 
