@@ -20,8 +20,8 @@ class PlacesInEffect {
   PlacesInEffect(Syntax& out, const MachineWords& machine)
       : out_(out), machine_(machine), place_(Place::started(machine.units_per_mm)) {}
 
-  /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to be looked
-  /// at by itself, and returns its offset; else `to`.
+  /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to
+  /// be looked at by itself, and returns its offset; else `to`.
   size_t pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect, const ModeSets& before);
   /// Carries out another line; `before`: what is known of the modes. Whether it is a question for the flow, for its numbers.
   bool judge(const WordLine& words, const ModeSets& before, bool block_delete);

@@ -48,22 +48,22 @@ enum class StopKind : uint8_t {
   kM98Behind,  // M98 that is not the line's first word
   kM99Jump,    // `M99 P…` in the main program
   // Found while a line is executed.
-  kFeedMissing,      // a feed move with feed 0
-  kSpindleStopped,   // a move that needs a turning spindle, or a speed
-  kFeedMode,         // what G93 or G95 forbids
-  kPlaneWrong,       // what the plane in effect does not take
-  kCompensation,     // what cutter compensation forbids, or what it needs to begin
-  kToolMissing,      // a tool or offset that the table lacks
-  kSavedModes,       // M72 without M70, or one that cannot restore
-  kModeConflict,     // anything else that the modes in effect refuse
-  kArcWords,         // words of an arc that do not make one
-  kArcRadiiDiffer,   // an arc whose ends are not as far from its center
+  kFeedMissing,        // a feed move with feed 0
+  kSpindleStopped,     // a move that needs a turning spindle, or a speed
+  kFeedMode,           // what G93 or G95 forbids
+  kPlaneWrong,         // what the plane in effect does not take
+  kCompensation,       // what cutter compensation forbids, or what it needs to begin
+  kToolMissing,        // a tool or offset that the table lacks
+  kSavedModes,         // M72 without M70, or one that cannot restore
+  kModeConflict,       // anything else that the modes in effect refuse
+  kArcWords,           // words of an arc that do not make one
+  kArcRadiiDiffer,     // an arc whose ends are not as far from its center
   kArcRadiusTooSmall,  // an arc whose radius does not reach its end
-  kCycleWords,       // the same of a cycle
-  kContourWords,     // the same of a contour, a spline or a thread
-  kUserCodeMissing,  // `M110`: no file of that name, as far as is known
-  kM99Behind,        // the same of M99, in a sub
-  kM99Rest,          // words behind M99, in a sub
+  kCycleWords,         // the same of a cycle
+  kContourWords,       // the same of a contour, a spline or a thread
+  kUserCodeMissing,    // `M110`: no file of that name, as far as is known
+  kM99Behind,          // the same of M99, in a sub
+  kM99Rest,            // words behind M99, in a sub
   kSubNested,
   kSubNestedInCall,  // LinuxCNC 2.10: a definition within a called sub
   kReturnOutside,

@@ -60,7 +60,12 @@ bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
     const bool mixed = state.mixed;
     state.mixed = mixed || !fault.certain || found.from_start;
     const auto arc = found.arc ? std::make_shared<const ArcNumbers>(*found.arc) : nullptr;
-    out.stop(state, {fault.kind, kNoStatement, fault.message, {}, {fault.word, fault.other, found.decided_by, found.from_start, arc}});
+    out.stop(state,
+             {fault.kind,
+              kNoStatement,
+              fault.message,
+              {},
+              {fault.word, fault.other, found.decided_by, found.from_start, arc}});
     state.mixed = mixed;
     if (fault.certain) return false;
   }
