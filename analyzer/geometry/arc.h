@@ -1,5 +1,5 @@
-// Whether the numbers of an arc make one: by its center, both ends have to be as far from it; by its radius, the radius has to reach
-// both ends. Source: measured with rs274, to the last bit.
+// Whether the numbers of an arc make one: by its center, both ends have to be as far from it; by its radius, the radius has
+// to reach both ends. Source: measured with rs274, to the last bit.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Points of a plane, and turns about its origin, with the interpreter's operations in their order: comparisons at a tolerance come
-// out as there.
+// Points of a plane, and turns about its origin, with the interpreter's operations in their order: comparisons at a
+// tolerance come out as there.
 #pragma once
 
 namespace owlint {

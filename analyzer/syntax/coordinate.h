@@ -1,5 +1,5 @@
-// A coordinate as far as a program alone tells it: its value on a machine that was just started, and beside it what it is on another
-// machine, which began elsewhere. What is the same on both does not depend on where the program starts.
+// A coordinate as far as a program alone tells it: its value on a machine that was just started, and beside it what it is on
+// another machine, which began elsewhere. What is the same on both does not depend on where the program starts.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// What a line does to the place, and what it stops with for its numbers: the part of its steps that needs to know where the machine
-// stands. Without a place all of these do nothing.
+// What a line does to the place, and what it stops with for its numbers: the part of its steps that needs to know where the
+// machine stands. Without a place all of these do nothing.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,8 @@ namespace places {
 Verdict verdict_of(bool stops, bool other_stops, bool agree, bool unknown);
 /// As far as rounding goes.
 bool agree(double a, double b);
-/// A coordinate in the two places where a check is made: where a machine that was just started would be, or somewhere, and elsewhere.
+/// A coordinate in the two places where a check is made: where a machine that was just started would be, or somewhere, and
+/// elsewhere.
 double here(Coordinate coordinate);
 double elsewhere(Coordinate coordinate, size_t axis);
 

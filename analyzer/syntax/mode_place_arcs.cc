@@ -116,12 +116,10 @@ ModeMask Arc::deciding(bool absolute) const {
   ModeMask modes = 0;
   const bool whole_center = line_.has(axes_.first_center) && line_.has(axes_.second_center);
   if (whole_center && passes(here_, !absolute)) modes |= mask_of(Mode::kArcDistance);
-  const std::optional<uint8_t> distance = line_.only(Mode::kDistance);
-  if (!distance || line_.words().has_polar_words()) return modes;
-  const double back = *distance == modes::kG91 ? -1 : 1;
+  if (line_.only(Mode::kDistance) != modes::kG91 || line_.words().has_polar_words()) return modes;
   Ends other = here_;
-  if (line_.has(letter(axes_.first))) other.end.first += back * here_.start.first;
-  if (line_.has(letter(axes_.second))) other.end.second += back * here_.start.second;
+  if (line_.has(letter(axes_.first))) other.end.first -= here_.start.first;
+  if (line_.has(letter(axes_.second))) other.end.second -= here_.start.second;
   if (other.end != here_.end && passes(other, absolute)) modes |= mask_of(Mode::kDistance);
   return modes;
 }

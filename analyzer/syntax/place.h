@@ -43,8 +43,8 @@ struct CoordinateSystem {
 };
 
 struct Place {
-  Point
-      at{};  ///< the current point, in the units and the coordinate system in effect; on a compensated path the programmed one
+  /// The current point, in the units and the coordinate system in effect; on a compensated path the programmed one.
+  Point at{};
 
   // In the units in effect.
   CoordinateSystem system{};  ///< that in effect

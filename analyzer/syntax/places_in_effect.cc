@@ -130,7 +130,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
   }
   if (!asked) ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
-  if (stops || pauses || (moves && (compensates || !contains(kStraightMoves, motion)))) out_.asks_place = true;
+  if (stops || pauses || words.has_polar_words() || (moves && (compensates || !contains(kStraightMoves, motion))))
+    out_.asks_place = true;
   return true;
 }
 

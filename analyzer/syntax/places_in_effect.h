@@ -22,8 +22,8 @@ class PlacesInEffect {
     if (machine.start != nullptr) assumed_ = *machine.start;
   }
 
-  /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to be looked
-  /// at by itself, and returns its offset; else `to`.
+  /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to
+  /// be looked at by itself, and returns its offset; else `to`.
   size_t pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect, const ModeSets& before);
   /// Carries out another line; `before`: what is known of the modes, `asked`: the flow carries it out in any case. Whether it is a
   /// question for the flow, for its numbers.

@@ -24,6 +24,12 @@ Flat plus(Flat a, Flat b) { return {a.first + b.first, a.second + b.second}; }
 Flat minus(Flat a, Flat b) { return {a.first - b.first, a.second - b.second}; }
 Flat times(Flat a, double by) { return {a.first * by, a.second * by}; }
 
+/// In XZ the first axis is Z, but X is written first.
+std::string in_order(std::string a, std::string b, std::string_view between) {
+  if (b < a) std::swap(a, b);
+  return a.append(between).append(b);
+}
+
 /// An arc by its center, and the words that it is written with.
 class CenterWords {
  public:
@@ -48,8 +54,8 @@ class CenterWords {
 std::string CenterWords::center_text(Flat center) const {
   const Flat words = rounded(words_of(center));
   if (!passes(center_of(words), arc_.end)) return {};
-  return fmt::format("{}{} {}{}", capital(arc_.first_center), number_text(words.first), capital(arc_.second_center),
-                     number_text(words.second));
+  return in_order(capital(arc_.first_center) + number_text(words.first),
+                  capital(arc_.second_center) + number_text(words.second), " ");
 }
 
 std::string CenterWords::end_text(Flat end) const {
@@ -71,7 +77,7 @@ Flat nearest_end(const ArcNumbers& arc) {
 }
 
 std::string letters(const ArcNumbers& arc) {
-  return fmt::format("`{}` and `{}`", capital(arc.first_center), capital(arc.second_center));
+  return "`" + in_order(capital(arc.first_center), capital(arc.second_center), "` and `") + "`";
 }
 
 /// For numbers of another unit.
@@ -100,7 +106,8 @@ std::string of_other_words(const ArcNumbers& arc) {
                              Flat{at.second, at.first}};
   for (const Flat other : others) {
     const std::string text = arcs.passes(arcs.center_of(other), arc.end) ? arcs.center_text(arcs.center_of(other)) : "";
-    if (!text.empty()) return fmt::format("a center at `{}` fits: check signs and letters", text);
+    if (!text.empty())
+      return fmt::format("a center at `{}` would fit: check the signs, the letters, and the end", text);
   }
   if (!arc.diameter) return {};
   Flat half = at;
@@ -138,15 +145,17 @@ std::string point_words(const ArcNumbers& arc, Flat point) {
   const auto word = [&](char axis, double value) {
     return capital(axis) + number_text(axis == 'x' && arc.diameter ? 2 * value : value);
   };
-  return word(arc.first, point.first) + " " + word(arc.second, point.second);
+  return in_order(word(arc.first, point.first), word(arc.second, point.second), " ");
 }
 
-void relate_arc_start(const Input& in, const FlowStop& stop, Finding& finding) {
+void tell_arc_start(const Input& in, const FlowStop& stop, Finding& finding) {
   const ArcNumbers& arc = *stop.words.arc;
-  const bool flat = arc.first == 'x' || arc.second == 'x';
-  std::string axes{arc.first, arc.second};
-  if (flat) axes += "@^";
-  const std::optional<Span> from = words_above(in, stop.statement, axes);
+  note_start(stop, finding);
+  finding.unproven = stop.unproven;
+  if (stop.words.from_start) finding.help += "; or write a move to its start before it";
+  const bool polar = arc.first == 'x' && arc.second == 'y';
+  const std::optional<Span> from =
+      words_above(in, stop.statement, std::string{arc.first, arc.second} + (polar ? "@^" : ""));
   if (!from) return;
   std::string message = "the arc starts where this line ends";
   if (arc.start_known && !stop.words.from_start) message += ", at " + point_words(arc, arc.start);
@@ -166,9 +175,8 @@ bool names_mode(const Input& in, const FlowStop& stop, Finding& finding) {
     return true;
   }
   if ((decides & mask_of(Mode::kDistance)) != 0) {
-    finding.help = fmt::format("the end fits in `{}`: write it, or another end", arc.incremental ? "G90" : "G91");
-    const auto setter = setter_of(in, stop, "G91 G90");
-    if (setter && !setter->restores()) relate_setter(in, finding, setter);
+    finding.help = "the end fits in `G90`; in `G91` it counts from the start";
+    relate_distance(in, stop, finding);
     return true;
   }
   return false;

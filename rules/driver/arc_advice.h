@@ -10,8 +10,8 @@ namespace owlint::rules {
 
 /// A point of the arc's plane as it is written on a line: `X10 Y0`.
 std::string point_words(const ArcNumbers& arc, Flat point);
-/// Adds the line on which the arc begins, where that is one line.
-void relate_arc_start(const Input& in, const FlowStop& stop, Finding& finding);
+/// Adds the line on which the arc begins, where that is one line, and says if another machine may begin it elsewhere.
+void tell_arc_start(const Input& in, const FlowStop& stop, Finding& finding);
 /// Help for an arc whose ends are not as far from its center; relates the line of the mode that decides, if one does.
 void advise_about_center(const Input& in, const FlowStop& stop, Finding& finding);
 /// The same for an arc whose center is at its start or end.

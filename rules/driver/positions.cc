@@ -55,6 +55,7 @@ void note_start(const FlowStop& stop, Finding& finding) {
 }
 
 bool relate_distance(const Input& in, const FlowStop& stop, Finding& finding) {
+  if (find_word(words_of(*in.program.source, in.program.at(stop.statement).whole()), "G90") != nullptr) return false;
   const std::optional<Setter> setter = setter_of(in, stop, "G91");
   if (!setter || setter->restores()) return false;
   relate_setter(in, finding, setter);

@@ -1,5 +1,5 @@
-// What the rules about positions have in common (OW9xx, OW808): numbers as messages show them, the line from which a machine comes,
-// and what to say where another machine may stand elsewhere.
+// What the rules about positions have in common (OW9xx, OW808): numbers as messages show them, the line from which a machine
+// comes, and what to say where another machine may stand elsewhere.
 #pragma once
 
 #include <optional>

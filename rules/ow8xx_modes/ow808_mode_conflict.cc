@@ -53,7 +53,7 @@ constexpr std::array kSaid = {
          "write `H` and the number of the tool"},
     Said{"polar coordinates with G53", "@ ^", "is a polar word, which `G53` does not take", "write `X` and `Y`"},
     Said{"Must specify angle", "@", "has no angle, and at the origin there is none to keep", "add the angle as `^`"},
-    Said{"Incremental motion with polar", "@ ^", "goes on from the origin, from where no direction leads on",
+    Said{"Incremental motion with polar", "@ ^", "has no direction: the tool is at the origin",
          "write `@` and `^` in `G90`, or `X` and `Y`"},
     Said{"G91 motion with polar", "^", "turns about the origin, and the tool stands there",
          "write `@` and `^` in `G90`, or `X` and `Y`"},
@@ -71,11 +71,19 @@ constexpr std::array kSaid = {
     Said{"moved along with an indexer", "@ ^ *", "moves together with an indexing axis", "write it on another line"},
 };
 
+/// Adds the line from which the tool comes, unless the line itself moves it to the origin before it turns.
+void relate_origin(const Input& in, const FlowStop& stop, Finding& finding) {
+  if (stop.interpreter.starts_with("G91") && word_stop(in, stop).find('@') != nullptr) return;
+  if (const auto from = words_above(in, stop.statement, "xy@^"))
+    finding.related.push_back({*from, "the tool stands where this line ends", nullptr});
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     if (stop.kind == StopKind::kModeConflict && stop.words.decided_by == mask_of(Mode::kDistance)) {
       relate_distance(in, stop, f);
+      relate_origin(in, stop, f);
     } else {
       relate_setter(in, f, setter_of(in, stop, "M6", false), "changes the tool here");
     }

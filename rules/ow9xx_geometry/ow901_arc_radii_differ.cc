@@ -15,10 +15,9 @@ namespace {
 std::string what_differs(const WordStop& at, const ArcNumbers& arc) {
   const double more = arc.end_radius - arc.start_radius;
   const int decimals = telling_decimals(std::abs(more), arc.allowed);
-  const std::string allowed = length(arc.allowed, arc.inch, decimals) + (arc.allowed == 1 ? " is" : " are");
-  return fmt::format("{} ends {} {} its center than it starts, and {} allowed",
+  return fmt::format("{} ends {} {} its center than it starts; {} is allowed",
                      at.letter == 'g' ? "`" + at.word + "`" : "this arc", length(std::abs(more), arc.inch, decimals),
-                     more > 0 ? "farther from" : "nearer to", allowed);
+                     more > 0 ? "farther from" : "nearer to", length(arc.allowed, arc.inch, decimals));
 }
 
 void check(const Input& in, Reporter& out) {
@@ -26,10 +25,8 @@ void check(const Input& in, Reporter& out) {
     if (stop.words.arc == nullptr) return nullptr;
     const WordStop at = word_stop(in, stop, "G2 G3");
     Finding& f = out.add(at.span, what_differs(at, *stop.words.arc));
-    note_start(stop, f);
-    f.unproven = stop.unproven;
-    relate_arc_start(in, stop, f);
     advise_about_center(in, stop, f);
+    tell_arc_start(in, stop, f);
     return &f;
   });
 }

@@ -17,9 +17,9 @@ constexpr double kNear = 0.1;
 std::string what_is_lacking(const WordStop& at, const ArcNumbers& arc) {
   const int decimals = telling_decimals(std::abs(arc.radius), arc.least_radius);
   std::string radius = subject(at);
-  if (!at.value) radius += ", which is " + number_text(arc.radius, decimals) + ",";
-  return fmt::format("{} does not reach the end of the arc: that is {} away, which takes a radius of {}", radius,
-                     length(2 * arc.least_radius, arc.inch), length(arc.least_radius, arc.inch, decimals));
+  if (!at.value) radius += ", which is " + length(arc.radius, arc.inch, decimals) + ",";
+  return fmt::format("{} does not reach the end of the arc: that is {} away, which takes a radius of {} or more",
+                     radius, length(2 * arc.least_radius, arc.inch), length(arc.least_radius, arc.inch, decimals));
 }
 
 std::string how_to_reach(const ArcNumbers& arc) {
@@ -40,10 +40,8 @@ void check(const Input& in, Reporter& out) {
     if (stop.words.arc == nullptr) return nullptr;
     const WordStop at = word_stop(in, stop, "R");
     Finding& f = out.add(at.span, what_is_lacking(at, *stop.words.arc));
-    note_start(stop, f);
-    f.unproven = stop.unproven;
     f.help = how_to_reach(*stop.words.arc);
-    relate_arc_start(in, stop, f);
+    tell_arc_start(in, stop, f);
     return &f;
   });
 }

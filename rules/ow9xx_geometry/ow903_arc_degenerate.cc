@@ -25,7 +25,7 @@ constexpr std::array kSaid = {
          "write `R` or the center, not both"},
     Said{kLacksCenter, kArc, "lacks a word of its center, and `G90.1` is in effect", ""},
     Said{kLacksEnd, "R", "gives a radius, and there is no end point in the plane of the arc", ""},
-    Said{kZero, "G2 G3 I J K *", "has its center where it starts or ends, so that its radius is 0", ""},
+    Said{kZero, "G2 G3 I J K *", "", ""},
     Said{kSamePoint, "R", "gives a radius, and the arc ends where it starts", ""},
 };
 
@@ -43,11 +43,12 @@ void explain_place(const Input& in, const FlowStop& stop, Finding& f) {
     f.help = fmt::format("a full circle needs its center instead of `R`, such as `{}` or `{}`",
                          center(arc.first_center), center(arc.second_center));
   } else {
+    const bool at_start = arc.start_radius < arc.tolerance.least_radius;
+    f.message = subject(word_stop(in, stop, "G2 G3")) + " has its center at its " + (at_start ? "start" : "end") +
+        ", so that it has no radius";
     advise_about_zero_radius(in, stop, f);
   }
-  note_start(stop, f);
-  f.unproven = stop.unproven;
-  relate_arc_start(in, stop, f);
+  tell_arc_start(in, stop, f);
 }
 
 void check(const Input& in, Reporter& out) {

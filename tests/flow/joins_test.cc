@@ -2,6 +2,7 @@
 // so small ones that two states at a line are already joined: every stop must still be there, and one that not every
 // run makes may not become one that every run makes.
 #include <algorithm>
+#include <array>
 #include <map>
 #include <random>
 #include <tuple>
@@ -18,7 +19,11 @@ using namespace owlint;
 
 namespace {
 
-using Stops = std::map<std::tuple<StatementId, StatementId, StopKind, std::string>, Reach>;
+struct Stop {
+  Reach reach;
+  bool of_values;  ///< only some values make it: it is not seen where these are joined with others (README, "Limits")
+};
+using Stops = std::map<std::tuple<StatementId, StatementId, StopKind, std::string>, Stop>;
 
 FlowResult analyzed(const std::shared_ptr<const Program>& program, const flow::Limits& limits) {
   const MemoryFiles files;  // none: a program is analysed alone
@@ -27,16 +32,22 @@ FlowResult analyzed(const std::shared_ptr<const Program>& program, const flow::L
   return std::move(analyze_flow(linked, {}, Detail::kBySize, nullptr, limits).front());
 }
 
-Stops stops_of(const FlowResult& result) {
-  Stops out;
-  for (const FlowStop& stop : result.stops) out[{stop.statement, stop.end_of, stop.kind, stop.detail}] = stop.reach;
-  return out;
+bool is_of_values(const FlowStop& stop) {
+  constexpr std::array kKinds = {StopKind::kValueFails,      StopKind::kParameterRange,   StopKind::kParameterReadOnly,
+                                 StopKind::kLabelNotInteger, StopKind::kM98Words,         StopKind::kNumberOutOfRange,
+                                 StopKind::kArcRadiiDiffer,  StopKind::kArcRadiusTooSmall};
+  // Of the other kinds, those for which it matters where the machine stands.
+  constexpr std::array kMessages = {"R less than", "polar coordinate", "Start point too close", "rotary axes with G76"};
+  return std::ranges::find(kKinds, stop.kind) != kKinds.end() || stop.words.arc != nullptr ||
+      std::ranges::any_of(kMessages,
+                          [&](const char* part) { return stop.interpreter.find(part) != std::string::npos; });
 }
 
-/// Stops that only some values make: they are not seen where these are joined with others (README, "Limits").
-bool of_values(StopKind kind) {
-  return kind == StopKind::kValueFails || kind == StopKind::kParameterRange || kind == StopKind::kParameterReadOnly ||
-      kind == StopKind::kLabelNotInteger || kind == StopKind::kM98Words || kind == StopKind::kNumberOutOfRange;
+Stops stops_of(const FlowResult& result) {
+  Stops out;
+  for (const FlowStop& stop : result.stops)
+    out[{stop.statement, stop.end_of, stop.kind, stop.detail}] = {stop.reach, is_of_values(stop)};
+  return out;
 }
 
 /// A call whose label is joined from many values calls no sub that is followed (README, "Limits").
@@ -60,17 +71,16 @@ void check_sound(const std::string& name, const std::string& text, const flow::L
   std::string wrong;
   // Where a stop that only some values make is not seen, the lines behind it seem to be those of every run.
   const Stops expected = stops_of(precise);
-  const bool sees_values = std::ranges::all_of(expected, [&](const auto& entry) {
-    return !of_values(std::get<StopKind>(entry.first)) || all.contains(entry.first);
-  });
-  for (const auto& [stop, reach] : expected) {
+  const bool sees_values = std::ranges::all_of(
+      expected, [&](const auto& entry) { return !entry.second.of_values || all.contains(entry.first); });
+  for (const auto& [stop, seen] : expected) {
     const auto& [statement, end, kind, detail] = stop;
-    if (of_values(kind)) continue;
+    if (seen.of_values) continue;
     const auto found = all.find(stop);
     const auto what = fmt::format("stop {} at statement {} ({}, {})", static_cast<int>(kind), statement, end, detail);
     if (found == all.end())
       wrong += what + " is lost\n";
-    else if (sees_values && reach != Reach::kAlways && found->second == Reach::kAlways)
+    else if (sees_values && seen.reach != Reach::kAlways && found->second.reach == Reach::kAlways)
       wrong += what + " is said to be every run's\n";
     ++count.stops;
   }
