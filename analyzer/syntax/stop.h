@@ -59,9 +59,9 @@ enum class StopKind : uint8_t {
   kArcWords,           // words of an arc that do not make one
   kArcRadiiDiffer,     // an arc whose ends are not as far from its center
   kArcRadiusTooSmall,  // an arc whose radius does not reach its end
-  kCompensationEntry,  // the first move of a compensated path is too short for the tool
-  kCompensationGouge,  // a corner or an arc that the tool does not fit into
-  kCycleWords,         // the same of a cycle
+  kCompensationEntry,  // a first move with compensation that is not longer than the tool's radius
+  kCompensationGouge,  // a corner or an arc that the compensated tool does not fit into
+  kCycleWords,         // words of a cycle that do not make one
   kContourWords,       // the same of a contour, a spline or a thread
   kUserCodeMissing,    // `M110`: no file of that name, as far as is known
   kM99Behind,          // the same of M99, in a sub

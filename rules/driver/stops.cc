@@ -69,6 +69,8 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kArcRadiusTooSmall: return "OW902";
     case StopKind::kArcWords: return "OW903";
     case StopKind::kCycleWords: return "OW904";
+    case StopKind::kCompensationEntry: return "OW905";
+    case StopKind::kCompensationGouge: return "OW906";
     case StopKind::kContourWords: return "OW908";
     case StopKind::kM98NoTarget: return "OW208";
     case StopKind::kM98Words:

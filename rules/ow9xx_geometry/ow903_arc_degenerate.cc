@@ -1,6 +1,7 @@
 // OW903 arc-degenerate: words of an arc that do not make one, a full circle by its radius, or one without a radius.
 // Depends on: an arc has a radius or a center, never both. A missing word of the center is 0 in G91.1 and an error in G90.1. An
 // arc with a radius needs an end point in its plane. Letters that the plane does not have are OW804's.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,8 +41,9 @@ void explain_place(const Input& in, const FlowStop& stop, Finding& f) {
   const ArcNumbers& arc = *stop.words.arc;
   if (stop.interpreter.starts_with(kSamePoint)) {
     const auto center = [&](char letter) { return capital(letter) + number_text(std::abs(arc.radius)); };
-    f.help = fmt::format("a full circle needs its center instead of `R`, such as `{}` or `{}`",
-                         center(arc.first_center), center(arc.second_center));
+    const auto [first, second] = std::minmax(arc.first_center, arc.second_center);
+    f.help = fmt::format("a full circle needs its center instead of `R`, such as `{}` or `{}`", center(first),
+                         center(second));
   } else {
     const bool at_start = arc.start_radius < arc.tolerance.least_radius;
     f.message = subject(word_stop(in, stop, "G2 G3")) + " has its center at its " + (at_start ? "start" : "end") +

@@ -69,6 +69,8 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
      r"^G43\.2: |polar coordinates with G53|^Must specify angle in polar|with polar coordinates is indeterminate|^Start point too close|wrapped rotary axis|Indexing axis|along with an indexer", "OW808"),
     (r"^Radius to end of arc differs", "OW901"),
     (r"^Arc radius too small", "OW902"),
+    (r"^(Length|Radius) of cutter compensation entry|^Bug in tool radius comp", "OW905"),
+    (r"without gouging|^Tool radius not less than arc radius|arcs have the same center|^BUG: cutter compensation has generated", "OW906"),
     (r"^Zero-radius arc|^Current point same as end point|words all missing for arc|Mixed radius ijk|word missing in absolute center arc|words missing for arc in", "OW903"),
     (r"R clearance plane|zero repeats of cycle|value unspecified in|^R less than|Dwell time p word|Q word missing with g|"
      r"[Nn]egative or zero q|^[IJK] word missing with g87", "OW904"),
