@@ -188,6 +188,7 @@ TEST_CASE("what stops in some versions only says in which", "[machine]") {
 TEST_CASE("Python functions are named and not reported", "[machine]") {
   const Scratch folder;
   folder.write("machine.ini", kIni + "[PYTHON]\nTOPLEVEL = top.py\n");
+  folder.write("top.py", "import remap\n");
   folder.write("subs/other.ngc", "o<other> sub\no<other> endsub\n");
   folder.write("p.ngc", "o<measure> call\nM2\n");
   const Run run = check(folder, "--isolated p.ngc");
@@ -282,8 +283,8 @@ TEST_CASE("an INI is checked as a file of its own, with the exit status of progr
   folder.write("r.ngc", "o<r> sub\no<r> endsub\n");
   const Run run = check(folder, "--isolated machine.ini");
   CHECK(run.status == 1);
-  CHECK(contains(run.out, "machine.ini:2:14: error: `M400` cannot be in modal group 3"));
-  CHECK(contains(run.out, "machine.ini:3:14: warning: "));
+  CHECK(contains(run.out, "machine.ini:2:14: error `M400` cannot be in modal group 3"));
+  CHECK(contains(run.out, "machine.ini:3:14: warning `YES`"));
   CHECK_FALSE(contains(run.out, "r.ngc"));
   CHECK(check(folder, "--isolated --ignore OW416 machine.ini").status == 0);
   const Run json = check(folder, "--isolated --format json machine.ini");
