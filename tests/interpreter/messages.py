@@ -15,6 +15,8 @@ _BY_KEYWORD = {
     "duplicate O-word label": {"repeat": "OW102", "while": "OW103", "if": "OW104"},
     "no matching label": {"endif": "OW106", "endwhile": "OW108", "endrepeat": "OW108"},
 }
+# A message with the numbers of an arc: others when the line is reached from elsewhere.
+_OF_ARC = re.compile(r"(Radius to end of arc differs from radius to start|Zero-radius arc): ")
 _FILE = re.compile(r"((?i:file):)\s*\S+?(?=\s|$)")
 _WARNING = re.compile(r"\d+: (duplicate|undefined|no matching|not in a)")
 # The quoted line of a message: 'o100 end if (comment)'.  Blanks inside words are kept there, the case is not.
@@ -66,8 +68,10 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"spindle \(\$\) number|Spindle \(\$\) number|Invalid [DE]-number|G10 L1 without|Q number in G10|Invalid tool orientation|"
      r"I J words not allowed|R not allowed in G10|G10 L0 not allowed|Need non-negative Q-word|Q word with M19|No valid P word|"
      r"both a digital and an analog|Zero timeout|Can't select analog|valid P or a valid E|input selected out of bounds|Invalid analog index|"
-     r"^G43\.2: |polar coordinates with G53|wrapped rotary axis|Indexing axis|along with an indexer", "OW808"),
-    (r"words all missing for arc|Mixed radius ijk|word missing in absolute center arc|words missing for arc in", "OW903"),
+     r"^G43\.2: |polar coordinates with G53|^Must specify angle in polar|with polar coordinates is indeterminate|^Start point too close|wrapped rotary axis|Indexing axis|along with an indexer", "OW808"),
+    (r"^Radius to end of arc differs", "OW901 OW303"),
+    (r"^Arc radius too small", "OW902 OW303"),
+    (r"^Zero-radius arc|^Current point same as end point|words all missing for arc|Mixed radius ijk|word missing in absolute center arc|words missing for arc in", "OW903"),
     (r"R clearance plane|zero repeats of cycle|value unspecified in|^R less than|Dwell time p word|Q word missing with g|"
      r"[Nn]egative or zero q|^[IJK] word missing with g87", "OW904"),
     (r"requires a Q word|Splines may not|Must specify both|You must specify|P without X and Y|positive weight P|G5\.3 without|^In G76|"
@@ -123,7 +127,15 @@ def same_words(message, quote):
     """Whether the interpreter's message is what owlint quotes, to the letter but for where files lie.  Under OWORD_WARNONLY
     the messages of its warnings stand before it."""
     message, quote = (_FILE.sub(r"\1FILE", text).replace("\t", " ").rstrip() for text in (message, quote.encode().decode("latin-1")))
+    if _OF_ARC.match(quote) and "..." in quote:     # dots stand for numbers that are not known
+        return re.fullmatch(re.escape(quote).replace(r"\.\.\.", ".*"), message) is not None
     return bool(quote) and (message == quote or (message.endswith(quote) and _WARNING.match(message) is not None))
+
+
+def said_elsewhere(message, quote):
+    """Whether both say that a line is no arc, perhaps with the numbers of different runs."""
+    said, quoted = _OF_ARC.match(message), _OF_ARC.match(quote)
+    return said is not None and quoted is not None and said[1] == quoted[1]
 
 
 def renumbered(message, change):
