@@ -4,7 +4,7 @@ A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNO
 (never ends).  A program with lines that begin with `/` is run with block delete off and on, and a claim may be about one of
 the two.  A disagreement is one of
   miss          the interpreter stops where owlint claims nothing
-  unwitnessed   no run ends where owlint claims a stop
+  unwitnessed   no run ends where owlint claims a stop, or none with the numbers of an arc that it quotes
   not always    a run ends elsewhere although owlint says that every run gets to this stop
   never stops   a finding says that nothing gets there, and that it stops there
   other words   the stop is claimed there, with a message that the interpreter does not print

@@ -1,11 +1,12 @@
 """One slip of the pen in a program that somebody wrote: what fingers, habits from other controllers and English do.
 
 `slip(text, rng)` gives (what was done, the text with it); with `of_words`, mostly in a line of words (word_slips.py,
-mode_slips.py).  Programs are bytes as latin-1.  roughen.py and mistakes.py make
+mode_slips.py, arc_slips.py).  Programs are bytes as latin-1.  roughen.py and mistakes.py make
 mistakes for random programs; these are for real ones.
 """
 import re
 
+import arc_slips
 import mode_slips
 from word_slips import IN_WORDS, has_words
 
@@ -190,7 +191,7 @@ def _line(lines, rng):
     return rng.choice(some or range(len(lines)))
 
 
-OF_MODES = 0.4      # of the slips in lines of words
+OF_MODES, OF_ARCS = 0.3, 0.4    # of the slips in lines of words
 
 
 def slip(text, rng, of_words=0.0):
@@ -202,8 +203,9 @@ def slip(text, rng, of_words=0.0):
         lines = text.split(newline)
         at = _line(lines, rng)
         of_these = [at for at, line in enumerate(lines) if not _OWORD.match(line) and has_words(line)] if of_words and rng.random() < of_words else []
-        if of_these and rng.random() < OF_MODES:
-            what = mode_slips.slip(lines, rng)
+        kind = rng.random()
+        if of_these and kind < OF_MODES + OF_ARCS:
+            what = (mode_slips if kind < OF_MODES else arc_slips).slip(lines, rng)
             if what and newline.join(lines) != text:
                 return what, newline.join(lines)
             continue
