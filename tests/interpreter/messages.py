@@ -69,8 +69,8 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
      r"I J words not allowed|R not allowed in G10|G10 L0 not allowed|Need non-negative Q-word|Q word with M19|No valid P word|"
      r"both a digital and an analog|Zero timeout|Can't select analog|valid P or a valid E|input selected out of bounds|Invalid analog index|"
      r"^G43\.2: |polar coordinates with G53|^Must specify angle in polar|with polar coordinates is indeterminate|^Start point too close|wrapped rotary axis|Indexing axis|along with an indexer", "OW808"),
-    (r"^Radius to end of arc differs", "OW901 OW303"),
-    (r"^Arc radius too small", "OW902 OW303"),
+    (r"^Radius to end of arc differs", "OW901"),
+    (r"^Arc radius too small", "OW902"),
     (r"^Zero-radius arc|^Current point same as end point|words all missing for arc|Mixed radius ijk|word missing in absolute center arc|words missing for arc in", "OW903"),
     (r"R clearance plane|zero repeats of cycle|value unspecified in|^R less than|Dwell time p word|Q word missing with g|"
      r"[Nn]egative or zero q|^[IJK] word missing with g87", "OW904"),
