@@ -21,6 +21,10 @@ def is_arc(line):
     return _ARC.search(code) is not None or _CENTER.search(code) is not None and not _NO_ARC.search(code)
 
 
+def has_arcs(text):
+    return any(is_arc(line) for line in text.split("\n"))
+
+
 def _put(line, match, group, text):
     return line[:match.start(group)] + text + line[match.end(group):]
 

@@ -75,7 +75,7 @@ class PlaceMaker(ModeMaker):
         near.plane, near.incremental, near.centers_absolute = 17, False, False
         near.go({"X": by * right, "Y": 0.0})
         arc = self.lines.arc()
-        lines = [Line(plain="G17 G91.1 G90 G0 X0 Y0"), Line(label, "repeat", rng.choice(("[%d]" % count, self.values.count())))]
+        lines = [Line(plain="G17 G91.1 G90 G0 X0 Y0"), Line(label, "repeat", "[%d]" % count)]
         lines.append(Line(plain="G91 G1 X%s" % near.text(by)))
         inside = rng.random() < 0.3
         return lines + [Line(plain="G90 " + arc)] * inside + [Line(label, "endrepeat")] + [Line(plain="G90 " + arc)] * (not inside)
@@ -133,7 +133,9 @@ class PlaceMaker(ModeMaker):
         return super().oword(label, keyword)
 
     def argument(self, keyword):
-        # What is passed by chance is not known.
+        # What is passed by chance is not known; and after more passes than are tried it would stand elsewhere.
+        if keyword == "repeat":
+            return "[%d]" % self.rng.choice((0, 1, 2, 2, 3))
         return "" if keyword == "call" else super().argument(keyword)
 
     def block(self, room, depth, loops, in_sub):
@@ -172,8 +174,8 @@ class PlaceMaker(ModeMaker):
         begin = [Line(plain="F1000 S100 M3")]
         if self.rng.random() < 0.85:
             begin.append(Line(plain=rng.choice(("G90 G17 G21 G0 X0 Y0 Z0", "G90 G17 G21 G0 X0 Y0 Z0 A0", "G0 X0 Y0 Z0", "G0 X0 Y0"))))
-        begin += [Line(plain="%s=0" % name) for name in ("#5", "#7") if "values" in self.lines.subjects]
-        begin += [Line(plain="%s=0" % name) for name in ("#1", "#2") if self.families]
+        known = ("#5", "#7") * ("values" in self.lines.subjects) + ("#1", "#2") * bool(self.families)
+        begin += [Line(plain="%s=0" % name, kept=True) for name in known]
         first = 1 if lines[0].plain == "%" else 0
         lines[first:first] = begin
         return lines

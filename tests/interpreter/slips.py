@@ -194,13 +194,19 @@ def _line(lines, rng):
 OF_MODES, OF_ARCS = 0.3, 0.4    # of the slips in lines of words
 
 
-def slip(text, rng, of_words=0.0):
-    """-> (what was done, the text with it); another text than the one given.  `of_words`: how probably in a line of words."""
+def slip(text, rng, of_words=0.0, arcs=False):
+    """-> (what was done, the text with it); another text than the one given.  `of_words`: how probably in a line of words.
+    `arcs`: with an arc, of which there has to be one."""
     newline = "\r\n" if "\r\n" in text else "\n"
     if not text.strip():
         return "begun", "please" + newline
     while True:
         lines = text.split(newline)
+        if arcs:
+            what = arc_slips.slip(lines, rng)
+            if what and newline.join(lines) != text:
+                return what, newline.join(lines)
+            continue
         at = _line(lines, rng)
         of_these = [at for at, line in enumerate(lines) if not _OWORD.match(line) and has_words(line)] if of_words and rng.random() < of_words else []
         kind = rng.random()
