@@ -30,17 +30,19 @@ std::optional<PlanePoint> point_of(Place& place, const Point& point, const PathP
   return PlanePoint{first.value, second.value};
 }
 
-StopKind kind_of(PathFault fault) {
-  switch (fault) {
+StopKind kind_of(const PathStep& step) {
+  switch (step.fault) {
     case PathFault::kEntryTooShort: return StopKind::kCompensationEntry;
     case PathFault::kGouge: return StopKind::kCompensationGouge;
     case PathFault::kRadiiDiffer: return StopKind::kArcRadiiDiffer;
     case PathFault::kRadiusTooSmall: return StopKind::kArcRadiusTooSmall;
     case PathFault::kZeroRadius:
     case PathFault::kSamePoint: return StopKind::kArcWords;
+    // Bugs by the interpreter's own word: of the entry, or of a corner.
+    case PathFault::kBug:
+      return step.message.starts_with("Bug in tool") ? StopKind::kCompensationEntry : StopKind::kCompensationGouge;
     case PathFault::kNone:
-    case PathFault::kNotStraight:
-    case PathFault::kBug: break;
+    case PathFault::kNotStraight: break;
   }
   return StopKind::kCompensation;
 }
@@ -50,13 +52,15 @@ bool stops(ModeLine& line, PathStep step, uint8_t word, const std::optional<ArcN
   if (!step.stops()) return false;
   if (step.undecided) {
     // Rounding decides, and not every build rounds alike.
-    line.may_stop(kind_of(step.fault), std::move(step.message), word, kNoWord, 0, true);
+    const StopKind kind = kind_of(step);
+    line.may_stop(kind, std::move(step.message), word, kNoWord, 0, true);
     line.faults()->back().by_place = true;
     place.lose_path();
     return false;
   }
-  return stop_by(line, place.path_from_start ? Verdict::kFromStart : Verdict::kStops, kind_of(step.fault),
-                 std::move(step.message), word, kNoWord, 0, arc);
+  const StopKind kind = kind_of(step);
+  return stop_by(line, place.path_from_start ? Verdict::kFromStart : Verdict::kStops, kind, std::move(step.message),
+                 word, kNoWord, 0, arc);
 }
 
 /// What of the arc a finding tells.

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Does owlint claim exactly the stops that LinuxCNC's interpreter makes?  Random programs, both directions.
 
-usage: agree.py --owlint build/release/owlint [--programs 2000] [--seed S] [--jobs 2] [--keep DIR] [--warnonly] [--files] [--values] [--modes]
+usage: agree.py --owlint build/release/owlint [--programs 2000] [--seed S] [--jobs 2] [--keep DIR] [--warnonly] [--files] [--values] [--modes] [--places]
        agree.py --table [--modes …]      only run the programs, and count how they end
 
 Each program runs under many combinations of its unknown values (explore.py).  Every stop seen must be claimed by a
@@ -9,8 +9,8 @@ finding with `stops` at that line under that rule that quotes the interpreter's 
 run; a claim of reach `always` must end every run.  What disagrees is shrunk and printed.  With --warnonly the interpreter has OWORD_WARNONLY and
 owlint `--feature 0x20`: crashes and endless loops after a warning must then be predicted by OW503 and OW504.
 With --coarse owlint analyses each program like a very large one, without values: no stop may be missed but of an
-expression that fails for its values.  With --modes the modes of the machine decide what stops, and `rs274` runs the programs
-(stand_alone.py).
+expression that fails for its values.  With --modes the modes of the machine decide what stops, with
+--places where it stands, and `rs274` runs the programs (stand_alone.py).
 
 Exit status: 0 agreement; 1 a miss, another message, a stop of reach `never`, or fewer than 99.5 % of the claims witnessed; 2 trouble.
 """
@@ -25,7 +25,7 @@ from collections import Counter
 
 from claims import settings
 from explore import Explorer
-from generate import generate, generate_files, generate_modes, generate_values
+from generate import generate, generate_files, generate_modes, generate_places, generate_values
 from judge import HANGS, MISS, NEVER_STOPS, NOT_ALWAYS, NO_OTHER_BODY, OTHER_BODY, OTHER_WORDS, UNWITNESSED, hazards_of, is_witnessed, to_witness
 from linter import Linter, LinterFailed
 from not_followed import general
@@ -43,7 +43,7 @@ _interpreter = None
 
 
 def interpreter_for(options, folder):
-    return (StandAlone if options.modes else Interpreter)(options.warnonly, folder)
+    return (StandAlone if options.modes or options.places else Interpreter)(options.warnonly, folder)
 
 
 def _start_worker(options, folder):
@@ -52,7 +52,9 @@ def _start_worker(options, folder):
 
 
 def maker_for(options):
-    return generate_files if options.files else generate_values if options.values else generate_modes if options.modes else generate
+    if options.files:
+        return generate_files
+    return generate_values if options.values else generate_modes if options.modes else generate_places if options.places else generate
 
 
 def _check(task):
@@ -118,8 +120,8 @@ def show(name, text, findings, disagreement):
         out.append("   --choices '%s' ends: %s, line %d, %s" % (
             "".join(map(str, run.choices)), run.outcome, run.line, run.message))
     for f in findings:
-        out.append("   owlint: line %d %s %s%s: %s" % (f["start"]["line"], f["code"], f["reach"],
-                                                      " stops" if f["stops"] else "", f["message"]))
+        out.append("   owlint: line %d %s %s%s: %s [%s]" % (f["start"]["line"], f["code"], f["reach"], " stops" if f["stops"] else "",
+                                                           f["message"], f.get("interpreter", "")))
     print("\n".join(out) if findings else "\n".join(out + ["   owlint: nothing"]), flush=True)
 
 
@@ -229,6 +231,7 @@ def main(argv):
     parser.add_argument("--values", action="store_true", help="programs in which parameters decide what stops")
     parser.add_argument("--files", action="store_true", help="programs of two to four files, with a search path")
     parser.add_argument("--modes", action="store_true", help="programs in which modes of the machine decide what stops")
+    parser.add_argument("--places", action="store_true", help="programs in which it matters where the machine stands")
     options = parser.parse_args(argv)
     if not options.owlint and not options.table:
         parser.error("--owlint is missing")

@@ -24,6 +24,7 @@ class Explorer:
         self.block_delete = block_delete
         self.rng = random.Random(seed)
         self.ends = {}                  # (outcome, codes, line) -> a Run that ended so, the one with the fewest choices
+        self.said = {}                  # the same -> what the runs said that ended so
         self.hung_after = set()         # lines warned about in runs that never ended
         self.outcomes = Counter()
         self.runs = 0
@@ -66,6 +67,7 @@ class Explorer:
         end = (run.outcome, run.codes, run.line)
         if end not in self.ends or len(run.trace) < len(self.ends[end].trace):
             self.ends[end] = run
+        self.said.setdefault(end, set()).add(run.words)
         if run.outcome == "hang":
             self.hung_after.update(run.warned)
         self._branch(run, len(start))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Random O-word programs: sound ones, sound ones with mistakes, and soup; of several files; with values.
+"""Random O-word programs: sound ones, sound ones with mistakes, and soup; of several files; with values, modes, places.
 
 usage: generate.py [--seed S] [--count N] FOLDER     writes FOLDER/p00000.ngc …
 
@@ -16,6 +16,7 @@ from dataclasses import replace
 from maker import Line, Maker
 from mistakes import misspell, mutate
 from mode_maker import ModeMaker
+from place_maker import PlaceMaker
 from spelling import spell
 from value_maker import ValueMaker
 
@@ -66,6 +67,19 @@ def generate_modes(seed):
         lines = maker.sound() if rng.random() < 0.93 else maker.fanuc()
         if rng.random() < 0.04:
             lines = mutate(lines, maker, rng)
+        if 8 <= len(lines) <= 45:
+            break
+    return spell(lines, rng)
+
+
+def generate_places(seed):
+    """A program in which it matters where the machine stands, of several files now and then."""
+    rng = random.Random("places/%s" % seed)
+    if rng.random() < 0.05:
+        return generate_files(seed, PlaceMaker)
+    for _ in range(100):
+        maker = PlaceMaker(rng)
+        lines = maker.sound() if rng.random() < 0.96 else maker.fanuc()
         if 8 <= len(lines) <= 45:
             break
     return spell(lines, rng)

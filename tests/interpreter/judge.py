@@ -4,7 +4,7 @@ A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNO
 (never ends).  A program with lines that begin with `/` is run with block delete off and on, and a claim may be about one of
 the two.  A disagreement is one of
   miss          the interpreter stops where owlint claims nothing
-  unwitnessed   no run ends where owlint claims a stop
+  unwitnessed   no run ends where owlint claims a stop, or none with the numbers of an arc that it quotes
   not always    a run ends elsewhere although owlint says that every run gets to this stop
   never stops   a finding says that nothing gets there, and that it stops there
   other words   the stop is claimed there, with a message that the interpreter does not print
@@ -13,7 +13,7 @@ the two.  A disagreement is one of
 """
 from dataclasses import dataclass
 
-from messages import EOF, EOF_CODES, FILE_LACKS_SUB, UNKNOWN, codes_of, same_words
+from messages import EOF, EOF_CODES, FILE_LACKS_SUB, UNKNOWN, codes_of, said_elsewhere, same_words
 from oracle import for_interpreter
 
 CRASH = "OW503"
@@ -106,7 +106,11 @@ def is_witnessed(claim, explorer):
         if claim.code == "OW504":
             return claim.line in explorer.hung_after
         return any(outcome == "hang" for outcome, _, _ in explorer.ends)
-    return any(_agrees(claim, end) for end in explorer.ends)
+    shown = [end for end in explorer.ends if _agrees(claim, end)]
+    # Of the runs that come to an arc from different places, owlint quotes one.
+    if said_elsewhere(claim.message, claim.message):
+        return any(same_words(words, claim.message) for end in shown for words in explorer.said[end])
+    return bool(shown)
 
 
 def to_witness(findings, warnonly):
@@ -141,7 +145,7 @@ def misses(claims, hazards, explorer, warnonly):
         agreeing = [claim for claim in claims if _agrees(claim, end)]
         if outcome == "error" and not agreeing:
             yield Disagreement(MISS, codes, line, run)
-        elif outcome == "error" and not any(same_words(run.words, claim.message) for claim in agreeing):
+        elif outcome == "error" and not any(same_words(run.words, claim.message) or said_elsewhere(run.words, claim.message) for claim in agreeing):
             yield Disagreement(OTHER_WORDS, codes, line, run, "|".join(sorted({claim.message for claim in agreeing})))
         elif warnonly and run.warned and (
                 (outcome == "crash" and not any(h.code == CRASH and h.line == line for h in hazards)) or

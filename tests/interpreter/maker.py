@@ -21,6 +21,7 @@ class Line:
     argument: str = ""      # conditions, arguments, values: with their brackets
     plain: str = ""
     tail: str = ""          # further text on the line
+    kept: bool = False      # block delete never skips it
 
     @property
     def is_oword(self):

@@ -15,6 +15,8 @@ _BY_KEYWORD = {
     "duplicate O-word label": {"repeat": "OW102", "while": "OW103", "if": "OW104"},
     "no matching label": {"endif": "OW106", "endwhile": "OW108", "endrepeat": "OW108"},
 }
+# A message with the numbers of an arc: others when the line is reached from elsewhere.
+_OF_ARC = re.compile(r"(Radius to end of arc differs from radius to start|Zero-radius arc): ")
 _FILE = re.compile(r"((?i:file):)\s*\S+?(?=\s|$)")
 _WARNING = re.compile(r"\d+: (duplicate|undefined|no matching|not in a)")
 # The quoted line of a message: 'o100 end if (comment)'.  Blanks inside words are kept there, the case is not.
@@ -127,7 +129,15 @@ def same_words(message, quote):
     """Whether the interpreter's message is what owlint quotes, to the letter but for where files lie.  Under OWORD_WARNONLY
     the messages of its warnings stand before it."""
     message, quote = (_FILE.sub(r"\1FILE", text).replace("\t", " ").rstrip() for text in (message, quote.encode().decode("latin-1")))
+    if _OF_ARC.match(quote) and "..." in quote:     # dots stand for numbers that are not known
+        return re.fullmatch(re.escape(quote).replace(r"\.\.\.", ".*"), message) is not None
     return bool(quote) and (message == quote or (message.endswith(quote) and _WARNING.match(message) is not None))
+
+
+def said_elsewhere(message, quote):
+    """Whether both say that a line is no arc, perhaps with the numbers of different runs."""
+    said, quoted = _OF_ARC.match(message), _OF_ARC.match(quote)
+    return said is not None and quoted is not None and said[1] == quoted[1]
 
 
 def renumbered(message, change):

@@ -10,47 +10,47 @@ _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+|#<[^>]*>|#\d+|\[[^\]]*\])"
 _CYCLE = r"(?:7[34]|8[1-9])"
 
 
-def _code(letter, numbers):
+def code_pattern(letter, numbers):
     """A pattern for some codes, each number as it is written without zeros before it."""
     return r"(?<![A-Za-z<#])%s\s*0*(?:%s)(?![\d.])" % (letter, numbers)
 
 
-def _word(letters):
+def word_pattern(letters):
     return r"(?<![A-Za-z<#])[%s]\s*%s" % (letters, _NUMBER)
 
 
 # What is done; how often; where: on which lines, and what of them; what takes its place.
 _CHANGES = (
-    ("feed lost", 4, "", _word("F"), ("",)),
-    ("feed of zero", 1, "", _word("F"), ("F0",)),
-    ("speed lost", 2, "", _word("S"), ("",)),
-    ("spindle forgotten", 4, "", _code("M", "[34]"), ("", "", "M5", "M8")),
-    ("spindle turned the other way", 2, "", _code("M", "3"), ("M4",)),
-    ("another plane", 4, "", _code("G", "1[789]"), ("G17", "G18", "G19", "")),
-    ("another distance mode", 2, "", _code("G", "9[01]"), ("G90", "G91", "G90.1")),
-    ("another feed mode", 4, "", _code("G", "9[345]"), ("G93", "G94", "G95", "G93", "")),
-    ("other units", 1, "", _code("G", "2[01]"), ("G20", "G21")),
-    ("compensation not ended", 3, "", _code("G", "40"), ("",)),
-    ("compensation not begun", 1, "", _code("G", "4[12]"), ("", "G41", "G42", "G40")),
-    ("cycle not ended", 2, "", _code("G", "80"), ("",)),
-    ("word of a cycle lost", 4, _code("G", _CYCLE), _word("RZPQLXYIJK"), ("",)),
-    ("cycle not written", 2, "", _code("G", _CYCLE), ("", "G80", "G1")),
-    ("another cycle", 2, "", _code("G", _CYCLE), ("G82", "G83", "G84", "G74", "G86", "G73", "G89")),
-    ("word of an arc lost", 4, _code("G", "[23]"), _word("IJKRXYZF"), ("",)),
-    ("word of an arc with another letter", 3, _code("G", "[23]"), r"(?<![A-Za-z<#])[IJKRXYZ](?=\s*%s)" % _NUMBER, tuple("IJKRXYZ")),
-    ("another motion", 4, "", _code("G", "[0-3]"), ("G0", "G1", "G2", "G3", "")),
-    ("axis lost", 2, "", _word("XYZ"), ("",)),
-    ("word of a thread lost", 2, _code("G", "33|76"), _word("KZPIJ"), ("",)),
-    ("modes not saved", 2, "", _code("M", "7[03]"), ("", "M71")),
-    ("modes not restored", 1, "", _code("M", "72"), ("", "M71")),
-    ("offset lost", 1, "", _code("G", "43|49|5[3-9]|92"), ("", "G49", "G53", "G92")),
+    ("feed lost", 4, "", word_pattern("F"), ("",)),
+    ("feed of zero", 1, "", word_pattern("F"), ("F0",)),
+    ("speed lost", 2, "", word_pattern("S"), ("",)),
+    ("spindle forgotten", 4, "", code_pattern("M", "[34]"), ("", "", "M5", "M8")),
+    ("spindle turned the other way", 2, "", code_pattern("M", "3"), ("M4",)),
+    ("another plane", 4, "", code_pattern("G", "1[789]"), ("G17", "G18", "G19", "")),
+    ("another distance mode", 2, "", code_pattern("G", "9[01]"), ("G90", "G91", "G90.1")),
+    ("another feed mode", 4, "", code_pattern("G", "9[345]"), ("G93", "G94", "G95", "G93", "")),
+    ("other units", 1, "", code_pattern("G", "2[01]"), ("G20", "G21")),
+    ("compensation not ended", 3, "", code_pattern("G", "40"), ("",)),
+    ("compensation not begun", 1, "", code_pattern("G", "4[12]"), ("", "G41", "G42", "G40")),
+    ("cycle not ended", 2, "", code_pattern("G", "80"), ("",)),
+    ("word of a cycle lost", 4, code_pattern("G", _CYCLE), word_pattern("RZPQLXYIJK"), ("",)),
+    ("cycle not written", 2, "", code_pattern("G", _CYCLE), ("", "G80", "G1")),
+    ("another cycle", 2, "", code_pattern("G", _CYCLE), ("G82", "G83", "G84", "G74", "G86", "G73", "G89")),
+    ("word of an arc lost", 4, code_pattern("G", "[23]"), word_pattern("IJKRXYZF"), ("",)),
+    ("word of an arc with another letter", 3, code_pattern("G", "[23]"), r"(?<![A-Za-z<#])[IJKRXYZ](?=\s*%s)" % _NUMBER, tuple("IJKRXYZ")),
+    ("another motion", 4, "", code_pattern("G", "[0-3]"), ("G0", "G1", "G2", "G3", "")),
+    ("axis lost", 2, "", word_pattern("XYZ"), ("",)),
+    ("word of a thread lost", 2, code_pattern("G", "33|76"), word_pattern("KZPIJ"), ("",)),
+    ("modes not saved", 2, "", code_pattern("M", "7[03]"), ("", "M71")),
+    ("modes not restored", 1, "", code_pattern("M", "72"), ("", "M71")),
+    ("offset lost", 1, "", code_pattern("G", "43|49|5[3-9]|92"), ("", "G49", "G53", "G92")),
 )
 # A line too many, before one that needs another mode or anywhere.
 _BEFORE = (
-    ("stopped before it", 3, _code("G", "33|76|74|8[4678]"), ("M5", "M5", "M6", "M19", "M4", "M3")),
-    ("feed mode before it", 3, _code("G", "[123]|" + _CYCLE), ("G93", "G95", "G94", "F0")),
-    ("plane before it", 2, _code("G", "[123]|4[12]|" + _CYCLE), ("G17", "G18", "G19", "G17.1")),
-    ("compensation before it", 2, _code("G", "[0-9.]+"), ("G41", "G42 D0", "G40", "G41.1 D0")),
+    ("stopped before it", 3, code_pattern("G", "33|76|74|8[4678]"), ("M5", "M5", "M6", "M19", "M4", "M3")),
+    ("feed mode before it", 3, code_pattern("G", "[123]|" + _CYCLE), ("G93", "G95", "G94", "F0")),
+    ("plane before it", 2, code_pattern("G", "[123]|4[12]|" + _CYCLE), ("G17", "G18", "G19", "G17.1")),
+    ("compensation before it", 2, code_pattern("G", "[0-9.]+"), ("G41", "G42 D0", "G40", "G41.1 D0")),
     ("a mode anywhere", 4, "", ("G91", "G90", "G93", "G94", "G95", "G18", "G80", "G90.1", "M5", "M72", "M70", "G96 S100", "G98", "G0", "G1", "G20", "G28")),
 )
 

@@ -1,6 +1,6 @@
 """What owlint does not follow yet: messages with which the interpreter refuses a line that it has read without fault.
 
-They come from carrying the words out, and depend on where earlier lines have moved to, or on what the machine has.  This is the one list of
+They come from carrying the words out, and depend on the shape of a path, or on what the machine has.  This is the one list of
 them; slipped.py and words.py count a stop with such a message, and take any other that owlint does not predict for a miss.
 When owlint learns to follow something, its messages leave this list.
 """
@@ -9,12 +9,9 @@ import re
 GEOMETRY, MACHINE = "geometry", "machine"
 
 _MESSAGES = {
-    # Positions: arcs, compensated paths, cycles, splines, polar coordinates, contours.
+    # Compensated paths, splines, contours.
     GEOMETRY: r"""
-        Arc (?:radius|move|to)
-        Radius to end of arc differs
-        Zero-radius arc
-        Current point same as end point of arc
+        Arc (?:move|to)
         (?:Length|Radius) of cutter compensation entry
         Straight (?:feed|traverse) in concave corner
         Tool radius not less than arc radius with comp
@@ -23,12 +20,7 @@ _MESSAGES = {
         BUG: (?:Invalid|Unsupported) plane
         Bug in tool radius comp
         Bug code not g0 or g1
-        R less than [UVWxyz] in cycle
-        Cannot move rotary axes with G76
         You must specify a number of control points
-        Must specify angle
-        (?:Incremental|G91) motion with polar coordinates
-        Start point too close to probe point
         G7[Xx] error""",
     # Tools, spindles, axes, user M codes, what an INI or a component says.
     MACHINE: r"""
@@ -88,4 +80,4 @@ def in_a_contour(message, text, everything):
 def general(message):
     """The message without what differs between programs."""
     varied = r"'[^']*'|(?<![\w.])-?\d+(?:\.\d+)?(?![\w.])|<[^>]*>|#\S+|file:\S+|(?<=used: M)\d+|(?<=199: M)\d+"
-    return re.sub(varied, "…", message)
+    return re.sub(varied, "…", re.sub(r"(?<=arc: start=).*|(?<=to start: start=).*", "…", message))

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Of programs with a slip of the pen, owlint says what rs274 does with them: after its safe fixes, or as written.
 
-usage: slipped.py --owlint build/release/owlint [--as-written] [--programs 1000] [--seed S] [--jobs 2] [--show 40]
+usage: slipped.py --owlint build/release/owlint [--as-written] [--arcs] [--programs 1000] [--seed S] [--jobs 2] [--show 40]
                   [--keep DIR] [DIR...]
 
 The programs are the fixtures, the corpus, LinuxCNC's own and those in DIR..., each with one slip (slips.py).  `owlint check
@@ -39,6 +39,7 @@ from dataclasses import replace
 import bundle
 import rs274
 from claims import settings
+from arc_slips import has_arcs
 from confirm import Program, corpus, fixtures, read
 from examiner import Examiner, Task, by_message, compare, files_of, report, summary
 from slips import slip
@@ -80,12 +81,13 @@ def with_called(path):
     return text
 
 
-def slipped(program, rng, of_words):
+def slipped(program, rng, of_words, arcs):
     """-> (what was done, the program with a slip in one of its files)"""
     parts = re.split(r"(?m)^(; file: .*\n)", program.text) if bundle.is_bundle(program.text) else [program.text]
     # An INI or a tool table is no program.
-    at = rng.choice([0] + [at for at in range(2, len(parts), 2) if parts[at - 1].strip().endswith(".ngc")])
-    what, parts[at] = slip(parts[at], rng, of_words)
+    programs = [0] + [at for at in range(2, len(parts), 2) if parts[at - 1].strip().endswith(".ngc")]
+    at = rng.choice([at for at in programs if has_arcs(parts[at])] if arcs else programs)
+    what, parts[at] = slip(parts[at], rng, of_words, arcs)
     if at + 1 < len(parts) and not parts[at].endswith("\n"):
         parts[at] += "\n"
     return what, replace(program, text="".join(parts))
@@ -110,6 +112,8 @@ class Runs:
 
 def tasks_of(options, folder):
     sources, runs = programs_to_slip(options.folders), Runs(folder)
+    if options.arcs:
+        sources = [source for source in sources if any(has_arcs(text) for name, (_, text) in files_of(source).items() if name.endswith(".ngc"))]
     for number in range(options.programs):
         name = "slip/%d/%d" % (options.seed, number)
         rng = random.Random(name)
@@ -119,7 +123,7 @@ def tasks_of(options, folder):
             source = next(filter(runs, sorted(sources, key=by_chance)))
         else:
             source = min(sources, key=by_chance)
-        what, program = slipped(source, rng, OF_WORDS if options.as_written else OF_WORDS_FIXED)
+        what, program = slipped(source, rng, OF_WORDS if options.as_written else OF_WORDS_FIXED, options.arcs)
         yield Task(source.name, what, program)
 
 
@@ -127,6 +131,7 @@ def main(argv):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--owlint", required=True, help="the program to test", type=os.path.abspath)
     parser.add_argument("--as-written", action="store_true", help="fix nothing, and slip in programs that run")
+    parser.add_argument("--arcs", action="store_true", help="only slips with arcs")
     parser.add_argument("--programs", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=None)
     parser.add_argument("--jobs", type=int, default=2)

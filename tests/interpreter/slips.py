@@ -1,11 +1,12 @@
 """One slip of the pen in a program that somebody wrote: what fingers, habits from other controllers and English do.
 
 `slip(text, rng)` gives (what was done, the text with it); with `of_words`, mostly in a line of words (word_slips.py,
-mode_slips.py).  Programs are bytes as latin-1.  roughen.py and mistakes.py make
+mode_slips.py, arc_slips.py).  Programs are bytes as latin-1.  roughen.py and mistakes.py make
 mistakes for random programs; these are for real ones.
 """
 import re
 
+import arc_slips
 import mode_slips
 from word_slips import IN_WORDS, has_words
 
@@ -190,20 +191,27 @@ def _line(lines, rng):
     return rng.choice(some or range(len(lines)))
 
 
-OF_MODES = 0.4      # of the slips in lines of words
+OF_MODES, OF_ARCS = 0.3, 0.4    # of the slips in lines of words
 
 
-def slip(text, rng, of_words=0.0):
-    """-> (what was done, the text with it); another text than the one given.  `of_words`: how probably in a line of words."""
+def slip(text, rng, of_words=0.0, arcs=False):
+    """-> (what was done, the text with it); another text than the one given.  `of_words`: how probably in a line of words.
+    `arcs`: with an arc, of which there has to be one."""
     newline = "\r\n" if "\r\n" in text else "\n"
     if not text.strip():
         return "begun", "please" + newline
     while True:
         lines = text.split(newline)
+        if arcs:
+            what = arc_slips.slip(lines, rng)
+            if what and newline.join(lines) != text:
+                return what, newline.join(lines)
+            continue
         at = _line(lines, rng)
         of_these = [at for at, line in enumerate(lines) if not _OWORD.match(line) and has_words(line)] if of_words and rng.random() < of_words else []
-        if of_these and rng.random() < OF_MODES:
-            what = mode_slips.slip(lines, rng)
+        kind = rng.random()
+        if of_these and kind < OF_MODES + OF_ARCS:
+            what = (mode_slips if kind < OF_MODES else arc_slips).slip(lines, rng)
             if what and newline.join(lines) != text:
                 return what, newline.join(lines)
             continue

@@ -64,7 +64,7 @@ class Style:
             return text
         if self.numbers and rng.random() < 0.7:
             text = "N%d %s" % (rng.randrange(1, 9999), text)
-        if self.block_delete and rng.random() < 0.2:
+        if self.block_delete and not line.kept and rng.random() < 0.2:
             text = "/" + text
         if rng.random() < self.comments:
             text += rng.choice((" (note)", " ; note", "(o1 endif)", " ;o2 if [1]"))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import bundle
 import rs274
 from claims import Claims, said_by
-from messages import EOF, codes_of, same_words
+from messages import EOF, codes_of, said_elsewhere, same_words
 from not_followed import GEOMETRY, MACHINE, general, in_a_contour, not_followed, of_a_tool, of_axes
 
 SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other words", "not always", "crash"
@@ -28,6 +28,11 @@ _WITHOUT_VALUES = re.compile(
 _OF_VALUES = re.compile(
     r"Negative \w+ (word|code|tool)|Negative (spindle|tool)|Non integer|out of range|P value|R value|Dwell time missing|"
     r"Line with G10|Multiple [pq] words|Unknown [gm] code|M-code greater|Two [gm] codes|Parameter (number|is readonly)")
+# Those of where a line begins, and the codes behind which only the machine knows where that is.
+_OF_PLACES = re.compile(
+    r"Radius to end of arc|Zero-radius arc|Current point same|Arc radius too small|R less than|Must specify angle in polar|"
+    r"(Incremental|G91) motion with polar|Start point too close|Cannot move rotary axes")
+_ASKED = re.compile(r"(?i)(?<![a-z<])(g\s*38|m\s*0*6(?![\d.])|m\s*61|g\s*10(?!\d).*l\s*0)")
 
 
 @dataclass(frozen=True)
@@ -87,7 +92,9 @@ def judge(outcome, checked, program, block_delete, axes_known=False):
         return Disagreement(NOT_ALWAYS, "%s: it runs" % quoted(wrong[0])) if wrong else None
     there = [(f, claim) for f in claims.stops for claim in said_by(f)
              if is_there(f, claim, outcome, checked.texts, program.mode)]
-    met = [f for f, claim in there if same_words(outcome.message, claim.get("interpreter", ""))]
+    # Of an arc that is met from several places, owlint quotes one.
+    is_met = lambda f, said: same_words(outcome.message, said) or f["reach"] != "always" and said_elsewhere(outcome.message, said)
+    met = [f for f, claim in there if is_met(f, claim.get("interpreter", ""))]
     if met:
         wrong = [f for f in claims.always if f not in met]
         before = "%s: it stops before: `%s`"
@@ -103,7 +110,7 @@ def judge(outcome, checked, program, block_delete, axes_known=False):
     other = [(f, claim) for f, claim in there if not kind or f in claims.always and comes_before(f, outcome)]
     if not other and kind:
         return kind
-    if is_unknowable(outcome, checked):
+    if is_unknowable(outcome, checked) or is_lost(outcome, checked):
         return UNKNOWABLE
     if other:
         return Disagreement(WORDS, "%s is `%s`" % (quoted(other[0][1]), outcome.message))
@@ -179,6 +186,17 @@ def is_unknowable(outcome, checked):
     last_argument = 30 if re.search(r"(?i)o(<[^<>\n]*>|[\d.]+|\[.*?\])\s*sub\b", main) else 0
     numbers = [n for n in re.findall(r"#(\d+)", where) if int(n) > last_argument] + re.findall(r"#(\d+)", of_machine)
     return any(not re.search(r"(?<!#)#\s*%s\s*=" % number, before) for number in numbers)
+
+
+def is_lost(outcome, checked):
+    """Whether it stops for where it stands, and that has been asked from the machine: behind a probe, a change of tools or G10 L0,
+    until X, Y and Z are named again."""
+    if not _OF_PLACES.match(outcome.message):
+        return False
+    before = _COMMENT.sub("", until(checked.texts[bundle.MAIN], outcome.text)).split("\n")
+    lost = [at for at, line in enumerate(before) if _ASKED.search(line)]
+    behind = "\n".join(before[lost[-1] + 1:]) if lost else "xyz"
+    return any(not re.search(r"(?i)(?<![a-z<])%s" % axis, behind) for axis in "xyz")
 
 
 def until(text, line):
