@@ -38,8 +38,8 @@ from dataclasses import replace
 
 import bundle
 import rs274
-from claims import settings
 from arc_slips import has_arcs
+from claims import settings
 from confirm import Program, corpus, fixtures, read
 from examiner import Examiner, Task, by_message, compare, files_of, report, summary
 from slips import slip
