@@ -157,8 +157,19 @@ bool stops_before_it_acts(const WordLine& words, ModeState* state, std::vector<M
   FaultsByMotion found(words.depends_on_motion(), now.is_open(Mode::kMotion), motions, faults);
   MotionSet pass = motions;
   for_motions(motions, [&](Motion motion) {
-    std::optional<Fault> fault = words.check(modes_of(now, motion));
+    Modes modes = modes_of(now, motion);
+    std::optional<Fault> fault = words.check(modes);
     if (!fault) return;
+    // Polar words outside of G17 come before what the line stops with in any plane.
+    if (fault->certain && modes.plane == Modes::kPlaneUnknown && words.has_polar_words()) {
+      modes.plane = Modes::kOtherPlane;
+      const std::optional<Fault> other = words.check(modes);
+      if (other && other->message == kPolarOutsideG17) {
+        ModeFault first{*other, !now.is_open(Mode::kPlane), mask_of(Mode::kPlane)};
+        first.fault.certain = false;
+        found.add(motion, std::move(first));
+      }
+    }
     if (fault->certain) pass &= ~set_of(motion);
     found.add(motion, with_modes(words, *std::move(fault), now));
   });

@@ -169,8 +169,8 @@ bool knows_center(const ModeLine& line) {
 
 bool arc(ModeLine& line, const Point& end) {
   if (line.place() == nullptr) return false;
-  // On a compensated path the tool stands elsewhere.
-  if (line.holds({kCompensationMoves}) != Answer::kNo) return false;
+  // A compensated path looks at its arcs itself. Where nothing is known of it, the radii have to fit whatever the tool.
+  if (line.place()->path.offsets()) return false;
   const std::optional<uint8_t> plane = line.only(Mode::kPlane);
   const bool by_radius = line.has('r');
   const std::optional<uint8_t> arc_distance = by_radius ? modes::kG91_1 : line.only(Mode::kArcDistance);

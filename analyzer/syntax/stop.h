@@ -98,4 +98,9 @@ enum class StopKind : uint8_t {
   kValueFails,  // division by zero, root of a negative number, ...
 };
 
+/// Whether a line stops with it while it is executed; the lines of a contour's sub are only read.
+constexpr bool is_of_execution(StopKind kind) {
+  return kind >= StopKind::kFeedMissing && kind <= StopKind::kContourWords;
+}
+
 }  // namespace owlint

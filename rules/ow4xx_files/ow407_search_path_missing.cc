@@ -47,6 +47,9 @@ void check_setup(const SetupInput& in, Reporter& out) {
   const bool blank = std::ranges::any_of(
       missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
   if (elsewhere && !blank) f.weight = Weight::kAside;
+  // Copies of one configuration lack the same folders.
+  f.group = first.text;
+  f.habit_severity = Severity::kInfo;
   f.help = blank  ? "remove the spaces around the names: they count as part of the names"
       : elsewhere ? "if the INI is from another computer, name this computer's folders with `--sub-path`; else make "
                     "the folder, or correct its name"

@@ -126,6 +126,8 @@ class Checker {
                             "` and ignores this value");
     if (kinematics) f.message += ", but checks it before the start";
     f.help = "keep one of the two lines";
+    f.group = name + " twice";  // copies of one configuration have the same lines
+    f.habit_severity = Severity::kInfo;
     f.related.push_back(
         {first.span, "the value that is used", first.source == line.source ? nullptr : text_.source(first)});
   }

@@ -38,6 +38,8 @@ class Checker {
       Finding& f = add_at(in_, out_, *toplevel_, toplevel_->value,
                           "the file `" + std::string(text_.value(*toplevel_)) + "` of `TOPLEVEL` does not exist");
       f.help = "correct the name, or remove `[PYTHON]`";
+      f.group = text_.value(*toplevel_);  // copies of one configuration lack the same file
+      f.habit_severity = Severity::kInfo;
       f.interpreter = message_of_file();
     }
   }

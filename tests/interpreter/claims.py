@@ -24,12 +24,15 @@ def said_by(finding):
             line = place["start"]["line"]
             yield {**finding, "start": place["start"], "interpreter": re.sub(r"from line: \d+", "from line: %d" % line, finding.get("interpreter", ""))}
 
+# What LinuxCNC does with an INI before it has an interpreter, or without one: machines.py holds it against LinuxCNC itself.
+OF_LINUXCNC = frozenset(("OW412", "OW414", "OW415", "OW419", "OW421", "OW422", "OW424"))
+
 
 class Claims:
     """What owlint's findings say about how a program ends, with that setting of block delete."""
 
     def __init__(self, findings, block_delete=False):
-        met = [f for f in findings if f["reach"] != "never" and f.get("block_delete", "on" if block_delete else "off") == ("on" if block_delete else "off")]
+        met = [f for f in findings if f["reach"] != "never" and f["code"] not in OF_LINUXCNC and f.get("block_delete", "on" if block_delete else "off") == ("on" if block_delete else "off")]
         self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
         self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
         self.endless = [f for f in met if f["code"] in ENDLESS]

@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 
 import bundle
 import rs274
-from claims import Claims, judge, settings
+from claims import OF_LINUXCNC, Claims, judge, settings
 from linter import Linter
 from rs274 import Outcome
 
@@ -29,8 +29,6 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 RECORDED = os.path.join(HERE, "recorded.tsv")
 MESSAGE_KEPT = 400          # characters of many warnings
-# What LinuxCNC does with an INI before it has an interpreter, or without one: machines.py holds it against LinuxCNC itself.
-OF_LINUXCNC = frozenset(("OW412", "OW414", "OW415", "OW419", "OW421", "OW422", "OW424"))
 
 
 @dataclass(frozen=True)

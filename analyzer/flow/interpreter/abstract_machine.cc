@@ -80,7 +80,7 @@ void AbstractMachine::set_coarse(bool passes_over) {
 }
 
 const CalmStretch* AbstractMachine::pass_over(State& state, const Context& context) {
-  if (!calm_ || state.skip != kNoLabel || state.defining != kNoName || state.looped) return nullptr;
+  if (!calm_ || context.contour || state.skip != kNoLabel || state.defining != kNoName || state.looped) return nullptr;
   const CalmStretch* stretch = calm_->at(state.position);
   if (stretch == nullptr) return nullptr;
   const bool called = context.depth > 0;

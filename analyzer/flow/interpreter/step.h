@@ -53,7 +53,7 @@ struct AbstractMachine::Step {
     next.position = position;
     next.branch = decided ? Branch::kNone : branch;
     const bool goes_on = position == here + 1 && next.skip == kNoLabel && next.defining == kNoName && !next.seek;
-    if (goes_on) m.leave_modes(next, here);
+    if (goes_on && !context.contour) m.leave_modes(next, here);
     next.looped = position <= here && m.program_.at(position).is(Keyword::kRepeat);
     out.successor(std::move(next));
   }

@@ -61,6 +61,7 @@ void AbstractMachine::Step::plain() {
   state.parameters = std::move(after);
   if (m.mode_uses_.follows_place(here)) write_offsets();
   if (may_end(s)) out.end(state);
+  if (context.contour && error() != nullptr && is_of_execution(error()->kind)) return next_line();
   if (error() != nullptr && error()->first_value != kNoExpr) return repeated_word(*error());
   if (error() != nullptr) return stop_error();
   if (e.read_only != kNoName) {
