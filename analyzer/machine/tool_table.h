@@ -15,14 +15,14 @@ namespace owlint {
 struct ToolRow {
   static constexpr int32_t kNoNumber = -1;
 
-  int32_t number = kNoNumber;  ///< T
-  int32_t pocket = 0;          ///< P
-  double diameter = 0;         ///< D, in machine units
-  int32_t orientation = 0;     ///< Q, of a lathe tool
+  int32_t number = kNoNumber;      ///< T
+  int32_t pocket = 0;              ///< P
+  double diameter = 0;             ///< D, in machine units
+  int32_t orientation = 0;         ///< Q, of a lathe tool
   std::array<double, 9> offset{};  ///< X Y Z A B C U V W, in machine units
   bool has_offset = false;         ///< any of them is not 0
-  uint32_t line = 0;           ///< from 1
-  Span span;                   ///< from the first word to the last one
+  uint32_t line = 0;               ///< from 1
+  Span span;                       ///< from the first word to the last one
 };
 
 struct ToolTable {

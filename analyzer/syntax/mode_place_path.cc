@@ -1,4 +1,5 @@
-// On a path with cutter compensation: whether the tool fits between the moves. Without its radius, or where a point of the path is
+// On a path with cutter compensation: whether the tool fits between the moves. Without its radius, or where a point of the
+// path is
 // not known, nothing is claimed until compensation is switched off.
 #include <cmath>
 

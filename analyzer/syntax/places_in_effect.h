@@ -25,7 +25,8 @@ class PlacesInEffect {
   /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to
   /// be looked at by itself, and returns its offset; else `to`.
   size_t pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect, const ModeSets& before);
-  /// Carries out another line; `before`: what is known of the modes, `asked`: the flow carries it out in any case. Whether it is a
+  /// Carries out another line; `before`: what is known of the modes, `asked`: the flow carries it out in any case. Whether
+  /// it is a
   /// question for the flow, for its numbers.
   bool judge(const WordLine& words, const ModeSets& before, bool block_delete, bool asked);
   /// The statement that is kept next is one from where runs may go elsewhere.

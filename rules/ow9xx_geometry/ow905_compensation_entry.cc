@@ -1,5 +1,6 @@
 // OW905 compensation-entry: the first move with cutter compensation is too short for the tool to get beside the path.
-// Depends on: the first move behind G41 or G42 ends beside its end point. A move along the tool alone, or of a rotary axis, is none
+// Depends on: the first move behind G41 or G42 ends beside its end point. A move along the tool alone, or of a rotary axis,
+// is none
 // in the plane.
 #include <array>
 

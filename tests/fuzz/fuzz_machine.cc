@@ -1,4 +1,5 @@
-// Any bytes are a machine: an INI with its tool table and its file of parameters, cut at the first two `\f`. Every rule about INIs
+// Any bytes are a machine: an INI with its tool table and its file of parameters, cut at the first two `\f`. Every rule
+// about INIs
 // must come back, with findings inside their files.
 #include <algorithm>
 #include <cstdlib>
