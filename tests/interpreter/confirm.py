@@ -171,6 +171,7 @@ def measure(programs):
             outcome = rs274.run(os.path.join(own, next(iter(program.files))), program.mode, program.block_delete)
             shutil.rmtree(own)
             message = re.sub(r"[\t\r\n\0]", " ", outcome.message.replace(own + "/", ""))
+            message = re.sub(r"^\d+ (?=emc/)", "", message)     # the number of the process, in what it logs
             outcomes[program] = Outcome(outcome.kind, outcome.line, message[:MESSAGE_KEPT], outcome.x)
     return outcomes
 
