@@ -8,6 +8,8 @@
 
 namespace owlint {
 
+inline constexpr double kMillimetresInInch = 25.4;
+
 enum class ArcFault : uint8_t {
   kNone,
   kZeroRadius,      ///< the center is one of the ends
@@ -20,6 +22,12 @@ struct ArcTolerance {
   double least_radius;  ///< also what a radius may lack to reach the ends
   double difference;    ///< of the radii; a hundredfold one if it is within a thousandth of them
 };
+
+/// Of the units in effect; `difference` is set by the machine.
+constexpr ArcTolerance arc_tolerance(bool inch, double difference) {
+  constexpr double kInches = 0.00005;
+  return {inch ? kInches : kInches * kMillimetresInInch, difference};
+}
 
 struct CenterArc {
   ArcFault fault;

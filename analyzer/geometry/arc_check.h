@@ -21,8 +21,6 @@ struct ArcUnits {
   bool inch;
   std::array<char, 2> axes;  ///< for messages: X and Y, or Z and X
 
-  double least_radius() const { return inch ? 0.00005 : 0.00005 * 25.4; }
-
   bool operator==(const ArcUnits&) const = default;
 };
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "analyzer/geometry/arc.h"
+
 namespace owlint {
 namespace {
 
@@ -78,7 +80,7 @@ PathStep CompensatedPath::off() {
 
 void CompensatedPath::change_units(bool inch) {
   if (!on_ || inch == units_.inch) return;
-  double factor = inch ? 1 / 25.4 : 25.4;
+  double factor = inch ? 1 / kMillimetresInInch : kMillimetresInInch;
   units_.inch = inch;
   radius_ *= factor;
   for (PlanePoint* point : {&programmed_, &tool_}) {

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analyzer/geometry/arc.h"
+
 namespace owlint {
 namespace {
-
-constexpr double kInch = 25.4;
 
 /// What the numbers of the axes are multiplied with; nothing if the units are not known.
 std::optional<double> units(const ModeLine& line) {
   const std::optional<uint8_t> units = line.only(Mode::kUnits);
   if (!units) return std::nullopt;
-  return *units == modes::kG20 ? kInch : 1;
+  return *units == modes::kG20 ? kMillimetresInInch : 1;
 }
 
 }  // namespace

@@ -15,10 +15,6 @@ struct ArcAxes {
 constexpr ArcAxes kArcAxes[] = {
     {Axis::kX, Axis::kY, 'i', 'j'}, {Axis::kZ, Axis::kX, 'k', 'i'}, {Axis::kY, Axis::kZ, 'j', 'k'}};
 
-/// In inches; the same in either unit.
-constexpr double kLeastRadius = 0.00005;
-constexpr double kInch = 25.4;
-
 /// The points of an arc in its plane, in one of the two places.
 struct Ends {
   Flat start, end;
@@ -35,11 +31,8 @@ class Arc {
                   {places::elsewhere(to_[first], first), places::elsewhere(to_[second], second)}};
     start_unknown_ = from_[first].is_unknown() || from_[second].is_unknown();
     unknown_ = start_unknown_ || to_[first].is_unknown() || to_[second].is_unknown();
-    if (line.only(Mode::kUnits) == modes::kG20) {
-      tolerance_ = {kLeastRadius, line.machine().arc_tolerance_inch};
-    } else {
-      tolerance_ = {kLeastRadius * kInch, line.machine().arc_tolerance_mm};
-    }
+    const bool inch = line.only(Mode::kUnits) == modes::kG20;
+    tolerance_ = arc_tolerance(inch, inch ? line.machine().arc_tolerance_inch : line.machine().arc_tolerance_mm);
   }
 
   bool stops_by_center(bool absolute);

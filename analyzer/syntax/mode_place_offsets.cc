@@ -1,10 +1,9 @@
 // Offsets, and what they do to the numbers of the point where the machine stands: it stays there.
+#include "analyzer/geometry/arc.h"
 #include "analyzer/syntax/mode_place.h"
 
 namespace owlint::places {
 namespace {
-
-constexpr double kMillimetresInInch = 25.4;
 
 void scale(Point* point, double by) {
   for (size_t i = 0; i < kAxisCount; ++i) {

@@ -150,11 +150,8 @@ bool PlacesInEffect::arc_passes(const PlainWords& words) const {
   };
   const auto at = [this](char letter) { return place_.at[static_cast<size_t>(letter - 'x')]; };
   const Coordinate first = at(kFirst[plane]), second = at(kSecond[plane]);
-  constexpr double kInchesInMillimetre = 25.4;
-  constexpr double kLeastRadius = 0.00005;
   const bool inch = now[Mode::kUnits] == value_bit(modes::kG20);
-  const ArcTolerance tolerance{inch ? kLeastRadius : kLeastRadius * kInchesInMillimetre,
-                               inch ? machine_.arc_tolerance_inch : machine_.arc_tolerance_mm};
+  const ArcTolerance tolerance = arc_tolerance(inch, inch ? machine_.arc_tolerance_inch : machine_.arc_tolerance_mm);
   const auto passes = [&](double first_start, double second_start) {
     const Flat start{first_start, second_start};
     const Flat end{end_of(kFirst[plane], first_start), end_of(kSecond[plane], second_start)};
