@@ -7,7 +7,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow208 {
 namespace {
 
 std::string number_only(const std::string& name) {
@@ -178,7 +178,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw208{
+extern const Rule kRule{
     .code = "OW208",
     .name = "call-undefined",
     .summary = "a `call` or M98 of a sub that LinuxCNC cannot find",
@@ -231,4 +231,4 @@ Python function, and owlint does not report it.)",
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow208

@@ -3,7 +3,7 @@
 #include "analyzer/machine/var_file.h"
 #include "rules/driver/machine_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow421 {
 namespace {
 
 void check_setup(const SetupInput& in, Reporter& out) {
@@ -41,7 +41,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw421{
+extern const Rule kRule{
     .code = "OW421",
     .name = "var-file-malformed",
     .summary = "a file of parameters with which LinuxCNC does not start",
@@ -85,4 +85,4 @@ PARAMETER_FILE = machine.var
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow421

@@ -9,7 +9,7 @@
 #include "rules/driver/code_facts.h"
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow705 {
 namespace {
 
 constexpr int kUserFirst = 100;
@@ -92,7 +92,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw705{
+extern const Rule kRule{
     .code = "OW705",
     .name = "code-unknown",
     .summary = "a G or M code that LinuxCNC does not have and the machine does not define",
@@ -138,4 +138,4 @@ INI.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow705

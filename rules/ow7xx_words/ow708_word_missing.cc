@@ -7,7 +7,7 @@
 
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow708 {
 namespace {
 
 struct Needed {
@@ -81,7 +81,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw708{
+extern const Rule kRule{
     .code = "OW708",
     .name = "word-missing",
     .summary = "a code without a word that it needs",
@@ -122,4 +122,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow708
