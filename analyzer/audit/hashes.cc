@@ -54,6 +54,8 @@ std::string settings_hash(const checking::Settings& settings) {
   for (const auto& [code, severity] : options.severity) text += fmt::format("{}={},", code, severity_text(severity));
   for (const std::string& folder : profile.sub_path) text += "\nsub-path " + file_key(folder);
   if (profile.setup != nullptr) text += "\n" + machine_text(*profile.setup);
+  if (profile.remapped_perhaps != nullptr)
+    text += fmt::format("\nperhaps {}", fmt::join(*profile.remapped_perhaps, ","));
   return hash_of(text);
 }
 

@@ -30,6 +30,7 @@ struct Group {
   size_t report;
   size_t finding;
   size_t places = 1;
+  Severity worst;
   std::set<const Source*> files;
   std::vector<Related> others;
   std::string found_in;  ///< the folder of the file that may be meant; empty: there is none
@@ -70,11 +71,12 @@ class CommonFaults {
     const std::shared_ptr<const Source>& source = reports_[report].source;
     const auto [entry, first] =
         groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group},
-                            Group{report, place, 1, {}, {}, {}});
+                            Group{report, place, 1, f.severity, {}, {}, {}});
     Group& group = entry->second;
     group.files.insert(source.get());
     if (first) return false;
     ++group.places;
+    group.worst = std::max(group.worst, f.severity);
     if (group.others.size() < kMaxPlaces) group.others.push_back({f.span, "here as well", source});
     return true;
   }
@@ -83,6 +85,7 @@ class CommonFaults {
   void word(Group& group) {
     FileReport& report = reports_[group.report];
     Finding& f = report.findings[group.finding];
+    f.severity = group.worst;
     if (group.places >= kHabit && group.files.size() > 1 && f.habit_severity) f.severity = *f.habit_severity;
     if (group.places > 1) {
       f.message += group.files.size() == 1 ? fmt::format(" ({} places)", group.places)

@@ -3,10 +3,12 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analyzer/machine/remap_line.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint::checking {
@@ -21,6 +23,22 @@ void apply(const Selection& selection, LintOptions* options) {
   add(selection.ignore, &options->ignore);
   add(selection.extend_select, &options->extend_select);
   for (const auto& [code, severity] : selection.severity) options->severity[code] = severity;
+}
+
+/// The codes that INIs remap, in capitals; null if they remap none.
+std::shared_ptr<const std::set<std::string>> remapped_in(const Files& files, const std::vector<std::string>& inis) {
+  auto codes = std::make_shared<std::set<std::string>>();
+  for (const std::string& path : inis) {
+    Ini ini;
+    std::string error;  // then it remaps nothing
+    if (!ini.read(files, path, &error)) continue;
+    for (const Ini::Entry* remap : ini.all("RS274NGC", "REMAP")) {
+      std::string code(read_remap(remap->value, 0).code);
+      std::ranges::transform(code, code.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+      codes->insert(std::move(code));
+    }
+  }
+  return codes->empty() ? nullptr : codes;
 }
 
 }  // namespace
@@ -114,9 +132,11 @@ std::string Configuration::ini_above(const std::string& program) {
   };
   std::vector<std::string> passed;
   std::string found;
+  std::shared_ptr<const std::set<std::string>> codes;
   for (std::string folder(folder_of(file_key(program)));; folder = folder_of(folder)) {
     if (const auto known = inis_above_.find(folder); known != inis_above_.end()) {
       found = known->second;
+      if (const auto several = codes_above_.find(folder); several != codes_above_.end()) codes = several->second;
       break;
     }
     passed.push_back(folder);
@@ -127,11 +147,20 @@ std::string Configuration::ini_above(const std::string& program) {
     } else if (candidates.size() > 1) {
       if (undecided_.empty()) first_undecided_ = candidates.size();
       undecided_.push_back(near(folder));
+      codes = remapped_in(files_, candidates);
     }
     if (!candidates.empty() || folder == "/") break;
   }
-  for (const std::string& folder : passed) inis_above_[folder] = found;
+  for (const std::string& folder : passed) {
+    inis_above_[folder] = found;
+    if (codes != nullptr) codes_above_[folder] = codes;
+  }
   return found;
+}
+
+std::shared_ptr<const std::set<std::string>> Configuration::codes_of_several(const std::string& program) const {
+  const auto found = codes_above_.find(std::string(folder_of(file_key(program))));
+  return found == codes_above_.end() ? nullptr : found->second;
 }
 
 std::vector<std::string> Configuration::notes() const {
@@ -280,6 +309,8 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
     if (const std::string above = ini_above(path); !above.empty()) {
       ini = shown_path(above, path);
       note("ini", *ini, "found above the program");
+    } else {
+      profile.remapped_perhaps = codes_of_several(path);
     }
   }
   if (ini && !read_machine_ini(*ini, &profile, error)) return false;

@@ -82,6 +82,8 @@ class Configuration {
                      std::string* error) const;
   std::vector<std::string> machine_inis(const std::string& folder) const;
   std::string ini_above(const std::string& program);
+  /// The codes that the INIs in the nearest folder above remap, if there are several; null if they remap none.
+  std::shared_ptr<const std::set<std::string>> codes_of_several(const std::string& program) const;
   /// A path for findings and messages about a program: as short as the program's own, and absolute if that is.
   std::string shown_path(const std::string& path, const std::string& program) const;
 
@@ -96,10 +98,12 @@ class Configuration {
   std::map<std::pair<std::string, std::vector<std::string>>, std::shared_ptr<const MachineSetup>>
       inis_;                                       // by path and sub-path
   std::map<std::string, std::string> inis_above_;  // folder -> INI, "" for none
-  std::vector<std::string> used_inis_;             // found above programs
-  std::vector<std::string> undecided_;             // folders with several INIs
-  size_t first_undecided_ = 0;                     // how many the first of them has
-  std::vector<std::string> notes_;                 // what else there is to say
+  std::map<std::string, std::shared_ptr<const std::set<std::string>>>
+      codes_above_;                     // folder -> what its several INIs remap
+  std::vector<std::string> used_inis_;  // found above programs
+  std::vector<std::string> undecided_;  // folders with several INIs
+  size_t first_undecided_ = 0;          // how many the first of them has
+  std::vector<std::string> notes_;      // what else there is to say
 };
 
 }  // namespace owlint::checking

@@ -79,7 +79,9 @@ struct Finding {
       path;  ///< the branch outcomes that lead here, or the line that keeps every run away; shown behind `related`
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
-  std::string group;  ///< findings of one rule and group, wherever they are in a run, are one mistake: see cli/groups.h
+  std::string missing;  ///< the file or folder that an INI names and that is not here, if the finding follows from that
+  std::string
+      group;  ///< findings of one rule and group, wherever they are in a run, are one mistake: see checking/groups.h
   /// The severity where several files of a run have it: what all of them leave out is left out on purpose, and what all of them
   /// call is on the machine. A rule sets it; the driver decides on it as on `severity`.
   std::optional<Severity> habit_severity;

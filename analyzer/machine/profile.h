@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,8 @@ struct Profile {
   bool block_delete = false;        ///< lines that begin with `/` are skipped: so LinuxCNC starts; off in rs274
   std::optional<uint32_t> feature;  ///< from --feature or the configuration
   std::shared_ptr<const MachineSetup> setup;  ///< what the INI says; null without one
+  /// Codes in capitals that INIs above the program remap, of which it is not known which one is the machine's; null: none.
+  std::shared_ptr<const std::set<std::string>> remapped_perhaps;
   std::vector<std::string>
       sub_path;  ///< folders that users name for called files; the setup's search path has them already
 

@@ -32,6 +32,7 @@ class Folding {
     for (const Part& part : parts_) fold_unclosed(part);
     for (const Part& part : parts_) fold_unreached(part);
     fold_into_wrong_body();
+    fold_clashes();
     fold_left_out();
     move_folded();
   }
@@ -41,6 +42,10 @@ class Folding {
   Label label_of(StatementId id) const { return {p_.region_of[id], p_.at(id).label}; }
   const Finding& finding(const Part& part) const { return findings_[part.finding]; }
   static bool unreached(const Finding& f) { return !f.stops && !f.never_ends && f.reach == Reach::kNever; }
+
+  StatementId statement_of(const Finding& f) const {
+    return f.source == nullptr ? last_statement(p_.syntax, f.span.begin) : kNoStatement;
+  }
 
   /// The line of a block that a finding is about; none for other findings.
   StatementId block_line(const Finding& f) const {
@@ -117,6 +122,29 @@ class Folding {
       const bool follows = finding(part).unproven && rule_of(finding(part)).group == Group::kAbortList;
       if (follows && into_[part.finding] == kNone)
         into_[part.finding] = static_cast<size_t>(wrong_body - findings_.begin());
+    }
+  }
+
+  /// A call that runs another file's sub, where this file has its own inside another sub: to move that out corrects both.
+  void fold_clashes() {
+    std::map<NameId, size_t> inner;  // findings, by label
+    for (size_t i = 0; i < findings_.size(); ++i) {
+      const StatementId id = rule_of(findings_[i]).inner_sub ? statement_of(findings_[i]) : kNoStatement;
+      if (id != kNoStatement && p_.at(id).opens_sub()) inner.emplace(p_.at(id).label, i);
+    }
+    if (inner.empty()) return;
+    for (size_t i = 0; i < findings_.size(); ++i) {
+      const StatementId id = rule_of(findings_[i]).helper_clash ? statement_of(findings_[i]) : kNoStatement;
+      const auto found = id == kNoStatement ? inner.end() : inner.find(p_.at(id).label);
+      if (found == inner.end() || !fold(i, found->second)) continue;
+      Finding& speaker = findings_[speaker_for(found->second)];
+      const Finding& clash = findings_[i];
+      speaker.related.push_back({clash.span, clash.message, nullptr});
+      for (const Related& related : clash.related) {
+        if (related.span.begin != speaker.span.begin || related.source != nullptr) speaker.related.push_back(related);
+      }
+      speaker.unproven = speaker.unproven && clash.unproven;
+      speaker.severity = std::max(speaker.severity, clash.severity);
     }
   }
 

@@ -53,6 +53,7 @@ bool rounds_brackets(const RefusedLine& line, Finding& f);
 bool lacks_letter(const RefusedLine& line, Finding& f);
 bool lacks_label(const RefusedLine& line, Finding& f);
 bool has_odd_sign(const RefusedLine& line, Finding& f);
+bool has_other_comment(const RefusedLine& line, Finding& f);
 bool comes_before_percent(const RefusedLine& line, Finding& f);
 bool jumps_behind_keyword(const RefusedLine& line, Finding& f);
 
@@ -65,7 +66,6 @@ bool is_other_word(const RefusedLine& line, Finding& f);
 
 // In a character or a value (idioms_values.cc).
 bool has_look_alike(const RefusedLine& line, Finding& f);
-bool has_comma(const RefusedLine& line, Finding& f);
 bool computes_without_brackets(const RefusedLine& line, Finding& f);
 bool names_without_brackets(const RefusedLine& line, Finding& f);
 bool names_half_bracketed(const RefusedLine& line, Finding& f);
@@ -75,6 +75,15 @@ bool has_comment_in_value(const RefusedLine& line, Finding& f);
 bool assigns_otherwise(const RefusedLine& line, Finding& f);
 bool has_other_operator(const RefusedLine& line, Finding& f);
 bool has_other_function(const RefusedLine& line, Finding& f);
+
+// In a comma or a semicolon (idioms_commas.cc).
+bool has_comma(const RefusedLine& line, Finding& f);
+
+// In an assignment (idioms_assignments.cc).
+bool changes_in_place(const RefusedLine& line, Finding& f);
+bool lacks_equal(const RefusedLine& line, Finding& f);
+bool assigns_to_word(const RefusedLine& line, Finding& f);
+bool names_in_other_brackets(const RefusedLine& line, Finding& f);
 
 // In a call: its label and its arguments (idioms_calls.cc).
 bool passes_without_brackets(const RefusedLine& line, Finding& f);

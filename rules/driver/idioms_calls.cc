@@ -153,7 +153,7 @@ bool has_label_behind(const RefusedLine& line, Finding& f) {
   const std::string label = has_letter ? line.written(from, to)
       : bare                           ? "o<" + line.written(from, to) + ">"
                                        : "o" + line.written(from, to);
-  f.message = "the label stands behind `" + word + "`: it comes first";
+  f.message = "the label must come before `" + word + "`";
   const std::string values = line.written(to, line.end);
   f.help = "write `" + label + " " + word + (values.empty() ? "" : " ") + values + "`";
   line.propose(f, f.help, {line.put(line.at, to, label + " " + word)},

@@ -6,7 +6,14 @@
 #include "analyzer/text/characters.h"
 
 namespace owlint::rules {
-namespace {}  // namespace
+namespace {
+
+/// What an operator of another language is in LinuxCNC, if a condition can go on with it.
+std::string_view joint_of(std::string_view text) {
+  return text.starts_with('&') ? "AND" : text.starts_with('|') ? "OR" : "";
+}
+
+}  // namespace
 
 /// `o100 if [#1 EQ 2] AND [#3 LT 4]`: one bracket must be around it all.
 bool has_two_brackets(const RefusedLine& line, Finding& f) {
@@ -22,15 +29,27 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
     f.help = "write one pair around everything, and join the parts: `[[...] AND [...]]`";
     return true;
   }
-  if (std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); })) return false;
+  const std::string_view joint = joint_of(rest);
+  if (joint.empty() && std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); }))
+    return false;
   const size_t open = line.text.text().find('[', line.text.text().find(line.keyword_text()));
+  const size_t behind_joint = line.at + std::min(rest.find_first_not_of("&|"), rest.size());
+  if (!joint.empty()) {
+    const std::string all =
+        line.written(open, line.at) + " " + std::string(joint) + " " + line.written(behind_joint, line.end);
+    f.message = "`" + line.written(line.at, behind_joint) + "` is not a LinuxCNC operator";
+    f.help = "write `" + line.keyword_text() + " [" + all + "]`";
+    line.propose(f, f.help, {line.put(open, line.end, "[" + all + "]")}, false);
+    return true;
+  }
   const std::string all = line.written(open, line.end);
   f.message = "the condition ends before `" +
       std::string(line.written(line.at, line.at + line.first_word().size() + (line.first_word().empty() ? 1 : 0))) +
       "`: put brackets around the whole condition";
   f.help = "write `" + line.keyword_text() + " [" + all + "]`";
+  const bool computes = line.first_word().empty() || rest.starts_with("mod");  // perhaps it is no part of the condition
   line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")},
-               true);
+               !computes);
   // At the end of the text, not of the spaces after it.
   const uint64_t behind = line.text.span(line.at, line.end).end;
   f.fixes[0].edits[1].span = {behind, behind};
@@ -213,6 +232,25 @@ bool comes_before_percent(const RefusedLine& line, Finding& f) {
     return false;
   f.message = "text before the first `%`: LinuxCNC reads it as code";
   f.help = "remove it, or write it in a comment below the `%`, which must be the first line";
+  return true;
+}
+
+/// `o100 if [1] // why`, `G0 X1 /* why */`, `o100 else # why`.
+bool has_other_comment(const RefusedLine& line, Finding& f) {
+  const bool trailing = line.kind() == StopKind::kTrailingText;
+  if ((!trailing && line.kind() != StopKind::kBadCharacter) || line.at == 0) return false;
+  constexpr std::string_view kMarks[] = {"//", "/*", "--", "'", "#"};
+  const std::string_view rest = line.rest();
+  const auto* mark = std::ranges::find_if(kMarks, [&](std::string_view m) { return rest.starts_with(m); });
+  if (mark == std::end(kMarks)) return false;
+  const bool value =
+      line.has_keyword(Keyword::kCall) || line.has_keyword(Keyword::kReturn) || line.has_keyword(Keyword::kEndsub);
+  const char next = rest.size() > mark->size() ? rest[mark->size()] : ' ';
+  if ((*mark == "#" || *mark == "--" || *mark == "'") && (!trailing || value || !is_small_letter(next))) return false;
+  f.message = "`" + std::string(*mark) + "` does not begin a comment";
+  f.help = "begin a comment with `;`, or write it in `( )`";
+  if (*mark == "/*") return true;
+  line.propose(f, "write `;`", {line.put(line.at, line.at + mark->size(), ";")}, true);
   return true;
 }
 

@@ -165,31 +165,6 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
   return true;
 }
 
-/// `1,5`, and `call [1, 2]`.
-bool has_comma(const RefusedLine& line, Finding& f) {
-  if ((line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kExpression) || !line.rest().starts_with(","))
-    return false;
-  const bool digits = line.at > 0 && is_digit(line.text[line.at - 1]) && is_digit(line.text[line.at + 1]);
-  const bool together = digits && line.text.offset(line.at + 1) == line.text.offset(line.at) + 1;
-  if (line.statement.is(Keyword::kCall) && line.kind() == StopKind::kExpression) {
-    f.message = "there is a comma between the arguments";
-    f.help = "write each argument in its own brackets: `[1] [2]`";
-    if (together) f.help += "; write a decimal point as `.`";
-    line.propose(f, "write each argument in its own brackets", {line.put(line.at, line.at + 1, "] [")}, false);
-    return true;
-  }
-  if (!digits) return false;
-  size_t from = line.at;
-  while (from > 0 && (is_digit(line.text[from - 1]) || line.text[from - 1] == '.')) --from;
-  size_t to = line.at + 1;
-  while (is_digit(line.text[to])) ++to;
-  const std::string number = line.written(from, line.at) + "." + line.written(line.at + 1, to);
-  f.message = "`" + line.written(from, to) + "` has a comma instead of a decimal point";
-  f.help = "write `" + number + "`";
-  line.propose(f, f.help, {line.put(line.at, line.at + 1, ".")}, false);
-  return true;
-}
-
 /// `#1 = #1 + 1`, `X#1+5`.
 bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable &&
@@ -226,7 +201,8 @@ bool names_without_brackets(const RefusedLine& line, Finding& f) {
   const size_t to = name_end(line, line.at);
   const bool closed = line.text[to] == '>';
   const bool assigns = line.text[closed ? to + 1 : to] == '=';
-  if (line.statement.kind == LineKind::kWords && line.at == 1 && !assigns && !closed) {
+  const bool apart = line.text.offset(line.at) > line.text.offset(line.at - 1) + 1;  // `# text`
+  if (line.statement.kind == LineKind::kWords && (line.at == 1 || apart) && !assigns && !closed) {
     f.message = "`#` does not begin a comment";
     f.help = "begin a comment with `;`; a parameter is `#1` or `#<name>`";
     return true;
@@ -252,7 +228,9 @@ bool names_half_bracketed(const RefusedLine& line, Finding& f) {
 
 /// `<depth> = 5`, `[<depth> + 1]`, `X<depth>`.
 bool names_without_number_sign(const RefusedLine& line, Finding& f) {
-  const bool word = line.kind() == StopKind::kWordUnreadable && line.text[line.at + 1] == '<';
+  const bool word = (line.kind() == StopKind::kWordUnreadable || line.kind() == StopKind::kNumberMissing ||
+                     line.kind() == StopKind::kNumberMalformed) &&
+      line.text[line.at + 1] == '<';
   const size_t open = word ? line.at + 1 : line.at;
   if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kExpression && !word) return false;
   if (open >= line.text.size() || line.text[open] != '<' || (open > 0 && line.text[open - 1] == '#')) return false;
@@ -261,6 +239,11 @@ bool names_without_number_sign(const RefusedLine& line, Finding& f) {
   if (name.empty() || line.text[name_end(line, open + 1)] != '>') return false;
   f.message = "the `#` is missing before `<" + name + ">`";
   f.help = "write `#<" + name + ">`";
+  if (open == 0 && line.end == name_end(line, open + 1) + 1) {  // alone on its line
+    f.message = "`<" + name + ">` is neither a call nor a parameter";
+    f.help = "write `o<" + name + "> call` to call a sub, or `#<" + name + "> = 5` to set a parameter";
+    return true;
+  }
   line.propose(f, f.help, {line.put(open, open, "#")}, true);
   return true;
 }
@@ -321,10 +304,18 @@ bool has_other_operator(const RefusedLine& line, Finding& f) {
   const std::string_view rest = line.rest();
   const auto* other = std::ranges::find_if(kOperators, [&](const Other& o) { return rest.starts_with(o.text); });
   if (other == kOperators.end()) return false;
+  const std::string instead(other->instead);
   f.message = "`" + std::string(other->text) + "` is not a LinuxCNC operator";
-  f.help = "write `" + std::string(other->instead) + "`";
+  f.help = "write `" + instead + "`";
+  if (other->text == "=" && line.statement.is(Keyword::kCall)) {
+    f.message = "a call cannot assign: it passes values";
+    f.help = "write only the value in the brackets; in the sub, the first one is `#1`";
+    return true;
+  }
   // A letter beside it would become part of it.
-  line.propose(f, f.help, {line.put(line.at, line.at + other->text.size(), " " + std::string(other->instead) + " ")},
+  const Span sign = line.text.span(line.at, line.at + other->text.size());
+  const auto blank_at = [&](uint64_t offset) { return line.program.source->slice({offset, offset + 1}) == " "; };
+  line.propose(f, f.help, {{sign, (blank_at(sign.begin - 1) ? "" : " ") + instead + (blank_at(sign.end) ? "" : " ")}},
                false);
   return true;
 }

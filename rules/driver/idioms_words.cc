@@ -95,6 +95,16 @@ std::optional<Opposite> opposite_of(std::string_view text) {
   return found;
 }
 
+/// What ends the innermost open block with the line's label; empty if there is none, or a `do`.
+std::string end_of_open(const RefusedLine& line) {
+  const Program& p = line.program;
+  if (line.statement.label == kNoName) return {};
+  BlockId block = p.open_above(p.region_of[line.id], line.id);
+  while (block != kNoBlock && p.blocks[block].label != line.statement.label) block = p.blocks[block].parent;
+  if (block == kNoBlock || p.blocks[block].kind == Keyword::kDo) return {};
+  return "end" + std::string(spelling(p.blocks[block].kind));
+}
+
 /// `o1 do` … `o1 until [...]`: the `while` that ends it.
 void closes_do(const RefusedLine& line, Finding& f) {
   const size_t from = line.at + line.first_word().size();
@@ -114,7 +124,8 @@ bool jumps(const RefusedLine& line, Finding& f) {
       "goto", line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing ? 0 : line.at);
   if (jump == std::string_view::npos) return false;
   const bool right_there = jump == line.at || (jump == line.at + 1 && line.text[line.at] == ']');
-  const bool of_keyword = line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing;
+  const bool of_keyword = line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kBracketMissing ||
+      text.substr(line.at).starts_with("if");
   if (!right_there && !of_keyword) return false;
   f.message = "LinuxCNC has no `GOTO`: a program cannot jump to a line";
   f.help = kInsteadOfJumps;
@@ -148,10 +159,15 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
 /// `o100 if [#1 EQ 2] then`.
 bool says_then(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text().substr(0, line.end);
-  const bool forgotten = line.kind() == StopKind::kLabelForgotten && text.substr(line.at).starts_with("if");
+  const bool forgotten = text.substr(line.at).starts_with("if") &&
+      (line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kNumberMissing);
   const bool here = line.rest().starts_with("then") &&
       (line.kind() == StopKind::kTrailingText || line.kind() == StopKind::kWordUnreadable);
-  const size_t then = forgotten ? text.find("]then", line.at) + 1 : here ? line.at : 0;
+  const size_t bracket = text.find("]then", line.at);
+  const size_t after = bracket != std::string_view::npos ? bracket + 1
+      : line.kind() == StopKind::kNumberMissing          ? text.find("then", line.at)
+                                                         : bracket;
+  const size_t then = forgotten && after != std::string_view::npos ? after : here ? line.at : 0;
   if (then == 0 && !here) return false;
   const std::string_view behind = text.substr(std::min(then + 4, text.size()));
   f.message = "LinuxCNC has no `THEN`";
@@ -193,7 +209,7 @@ bool repeats_until(const RefusedLine& line, Finding& f) {
 /// A keyword of another language, after a label or alone.
 bool is_other_word(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown &&
-      line.kind() != StopKind::kTrailingText)
+      line.kind() != StopKind::kTrailingText && line.kind() != StopKind::kNumberMissing)
     return false;
   const std::string_view word = line.first_word();
   const auto* other = std::ranges::find(kOtherWords, word, &OtherWord::word);
@@ -201,17 +217,24 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
     f.message = "LinuxCNC has no `" + upper(word) + "`";
     f.help = other->instead;
     if (word == "until") closes_do(line, f);
+    if (word == "loop" && line.statement.label != kNoName && line.ends_do())
+      f.help = "close the `do` with `" + line.program.label_at(line.id) + " while [...]`";
     return true;
   }
   if (word == "end" || word == "endprogram") {
     f.message = "`" + upper(word) + "` does not say what ends";
     f.help = "write `endif`, `endwhile`, `endrepeat` or `endsub` with its label, or `M2` at the end of the program";
+    const std::string end = end_of_open(line);
+    if (line.kind() == StopKind::kKeywordUnknown && line.rest() == "end" && !end.empty()) {
+      f.help = "write `" + line.program.label_at(line.id) + " " + end + "`";
+      line.propose(f, "write `" + end + "`", {line.put(line.at, line.end, end)}, false);
+    }
     return true;
   }
   // A LinuxCNC keyword that is not followed by brackets.
   const Keyword keyword = keyword_of(line.rest());
-  if (line.kind() != StopKind::kWordUnreadable || keyword == Keyword::kUnknown ||
-      line.first_word() != spelling(keyword))
+  if ((line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kNumberMissing) ||
+      keyword == Keyword::kUnknown || line.first_word() != spelling(keyword))
     return false;
   f.message = "the `o…` label is missing before `" + std::string(spelling(keyword)) + "`";
   f.help = keyword == Keyword::kCall || keyword == Keyword::kSub

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "rules/driver/lint.h"
+#include "rules/driver/missing_files.h"
 #include "rules/driver/variants.h"
 
 namespace owlint {
@@ -26,16 +27,17 @@ std::vector<Suppression> suppressions_in(const IniText& text, const Source& file
   return out;
 }
 
+void decide(const SeverityPolicy& policy, std::vector<Finding>& findings) {
+  for (Finding& f : findings) f.severity = decide_severity(f, rule_of(f).level, false, policy);
+}
+
 ByFile lint_one_version(const Profile& profile, const LintOptions& options, Library& library) {
   std::vector<Finding> findings;
-  const SeverityPolicy policy = policy_of(profile, options);
+  const rules::SetupInput input{*profile.setup, profile, library};
   for (const Rule* rule : catalogue()) {
     if (rule->check_setup == nullptr || !selected(*rule, options)) continue;
-    const size_t first = findings.size();
     Reporter reporter(*rule, findings);
-    rule->check_setup({*profile.setup, profile, library}, reporter);
-    for (size_t i = first; i < findings.size(); ++i)
-      findings[i].severity = decide_severity(findings[i], rule->level, false, policy);
+    rule->check_setup(input, reporter);
   }
   ByFile reports;
   for (Finding& f : findings) {
@@ -44,10 +46,17 @@ ByFile lint_one_version(const Profile& profile, const LintOptions& options, Libr
     f.source = nullptr;
     report.findings.push_back(std::move(f));
   }
+  const SeverityPolicy policy = policy_of(profile, options);
   for (auto& [path, report] : reports) {
     std::vector<Suppression> suppressions = suppressions_in(profile.setup->text, *report.source);
+    decide(policy, report.findings);
     apply_suppressions(*report.source, suppressions, report.findings);
     put_in_order(report.findings);
+    rules::fold_missing_files(input, report.findings);
+    decide(policy, report.findings);  // what was folded changes it
+    for (Finding& f : report.findings) {
+      if (f.group.empty()) f.group = f.message;  // copies of one configuration have the same mistakes
+    }
   }
   return reports;
 }

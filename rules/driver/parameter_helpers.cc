@@ -38,7 +38,7 @@ std::string argument_words(uint32_t bits) {
 
 NearName near_name(const Input& in, const std::string& name, RegionId reader) {
   const Program& p = in.program;
-  if (in.data.too_large()) return {};
+  if (in.data.too_large() || name.size() < 2) return {};  // one letter is near to every other
   const bool global = flow::is_global_name(name);
   std::vector<std::string> names;
   const auto add_written = [&](RegionId region, bool globals) {

@@ -134,6 +134,8 @@ struct Rule {
   bool leaves_out = false;        ///< its lines never run: speaks for the mistakes in them
   bool label_reused = false;      ///< its stops are at a label that another block has
   bool label_shared = false;      ///< about a label that another block has, where no run stops
+  bool inner_sub = false;         ///< about a sub, or its end, inside another one
+  bool helper_clash = false;  ///< about a call that runs another file's sub: an inner sub of that label is the mistake
 };
 
 /// Collects a rule's findings. The rule sets position, words and what the interpreter does; code and severity come from the

@@ -14,6 +14,36 @@ std::string number_only(const std::string& name) {
   return name.find_first_not_of("-0123456789") == std::string::npos ? name : std::string();
 }
 
+/// `o<drill.ngc> call` of the file `drill.ngc`.
+bool without_ending(const Input& in, const Statement& s, const std::string& name, Finding& f) {
+  constexpr std::string_view kEnding = ".ngc";
+  if (!name.ends_with(kEnding) || s.label == kNoName || !s.is(Keyword::kCall)) return false;
+  const std::string meant = name.substr(0, name.size() - kEnding.size());
+  const auto file = in.linked.search_path().find(meant);
+  if (!file) return false;
+  f.message = "the label has the ending `.ngc`: LinuxCNC looks for a file `" + name + ".ngc`";
+  f.help = "write `" + label_text(meant) + " call`, which calls the sub in " + file->path;
+  f.fixes.push_back({"write `" + label_text(meant) + "`", false, {{s.label_span(), label_text(meant)}}});
+  return true;
+}
+
+/// `M98 P27001`, on other controllers two calls of 7001.
+bool repeats_in_number(const Program& p, const Statement& s, const std::string& name, Finding& f) {
+  constexpr size_t kDigits = 4;  // of the program's number
+  constexpr size_t kMost = 8;
+  if (s.kind != LineKind::kM98 || name.size() <= kDigits || name.size() > kMost || number_only(name).empty())
+    return false;
+  std::string meant = name.substr(name.size() - kDigits);
+  meant.erase(0, std::min(meant.find_first_not_of('0'), meant.size() - 1));
+  const NameId id = p.syntax.names.find(meant);
+  if (id == kNoName || std::ranges::none_of(p.by_label[id], [&](StatementId at) { return p.at(at).opens_sub(); }))
+    return false;
+  const std::string right = "M98 P" + meant + " L" + name.substr(0, name.size() - kDigits);
+  f.message = "no sub `" + label_text(name) + "`: LinuxCNC takes all digits after `P` for the number of the sub";
+  f.help = "to call " + label_text(meant) + " several times, write `" + right + "`";
+  return true;
+}
+
 /// A definition in another file of the run, which comes too late.
 Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
   for (const LinkedFile& file : in.linked.files()) {
@@ -75,6 +105,7 @@ void check(const Input& in, Reporter& out) {
       f.help = other;
       return &f;
     }
+    if (without_ending(in, s, stop.detail, f) || repeats_in_number(p, s, stop.detail, f)) return &f;
     std::string near;
     std::string near_file;
     const Elsewhere late = defined_elsewhere(in, stop.detail);
@@ -170,6 +201,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
         f.interpreter = "File not open";
       }
       const std::string near = nearest(name, in.setup.search_path->names(), 2);
+      if (near.empty()) f.missing = name + ".ngc";
       f.help = !near.empty() ? "did you mean `" + (named ? near : label_text(near)) + "`?"
                              : "put the file into a folder of `SUBROUTINE_PATH`, or add its folder there";
     }

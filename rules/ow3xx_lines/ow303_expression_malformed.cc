@@ -61,6 +61,13 @@ Finding* report(const Input& in, Reporter& out, StatementId id, const std::strin
   Finding& f = out.add(reading ? error->span : whole, "");
   f.interpreter = interpreter;
   word(f);
+  // What cannot be read to its end: `1.5.2`.
+  constexpr std::string_view kTrailing = "bad number format (trailing characters) parsing '";
+  if (interpreter.starts_with(kTrailing) && interpreter.ends_with('\'')) {
+    f.message =
+        "`" + interpreter.substr(kTrailing.size(), interpreter.size() - kTrailing.size() - 1) + "` is not a number";
+    f.help = "write a number with one decimal point";
+  }
   if (reading) explain_idiom(in, id, f);
   return &f;
 }

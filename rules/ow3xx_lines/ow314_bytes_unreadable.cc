@@ -1,10 +1,21 @@
 // OW314 bytes-unreadable: bytes that the interpreter refuses or silently stops reading at.
 // Depends on: outside comments and names only ASCII is known; a NUL ends its line; lines end at line
 // feed, not at CR.
+#include "analyzer/syntax/look_alike.h"
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules::ow314 {
 namespace {
+
+/// How to write what a character outside ASCII stands for.
+std::string help_for(char32_t character) {
+  switch (character) {
+    case U'\u00B0': return "remove it: angles are in degrees";
+    case U'\u00B2': return "write `[... ** 2]` for a square";
+    case U'\u00B3': return "write `[... ** 3]` for a cube";
+    default: return "remove it, or put it in a comment";
+  }
+}
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
@@ -25,7 +36,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     f.fixes.push_back({"remove the byte order mark", true, {{{0, 3}, ""}}});
   } else if (!bytes.empty() && is_foreign(bytes[0])) {
     f.message = "LinuxCNC does not know this character outside comments and names";
-    f.help = "remove it, or put it in a comment";
+    f.help = help_for(character_at(p.source->slice({span.begin, s.end()})).code);
     explain_idiom(in, id, f);
   } else if (!bytes.empty() && (static_cast<unsigned char>(bytes[0]) < 0x20 || bytes[0] == 0x7F)) {
     f.message = "a control character";

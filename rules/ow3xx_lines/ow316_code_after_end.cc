@@ -77,6 +77,7 @@ void check(const Input& in, Reporter& out) {
       within =
           within || (block.opener < end && block.end != kNoStatement && block.end > end && block.region == kMainRegion);
     if (within) return;
+    if (p.at(end).kind == LineKind::kPercent && has_stop(in, end)) return;  // its own rule says so
     // These lines are a sub: what is wrong with its first one is said there, or where it is called.
     if (std::ranges::any_of(in.index.subs, [&](const auto& sub) { return sub.second > end; })) return;
     const Span span = p.source->line(line);

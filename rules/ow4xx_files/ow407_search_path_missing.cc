@@ -47,6 +47,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
   const bool blank = std::ranges::any_of(
       missing, [](const IniFolder* folder) { return folder->text.starts_with(' ') || folder->text.ends_with(' '); });
   if (elsewhere && !blank) f.weight = Weight::kAside;
+  if (!blank) f.missing = first.text;
   // Copies of one configuration lack the same folders.
   f.group = first.text;
   f.habit_severity = Severity::kInfo;
@@ -73,7 +74,11 @@ extern const Rule kRule{
 count from the INI's folder, `~/` from the home folder of the user who starts LinuxCNC.)",
             .why = R"(LinuxCNC searches the other folders and gives no message. It does not find the subs in the missing
 folder, and the first call of one of them stops the program. Spaces around the `:` are part of the
-names.)",
+names.
+
+If the INI's HAL files, tool table and Python files are missing as well, the folder has only a part of the
+configuration. Then one finding names all files and folders that are missing, instead of one finding for
+each (also those of OW208 and OW423).)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -96,9 +101,10 @@ o<face> sub
   G1 Z-1 F100
 o<face> endsub
 )",
-            .fix = R"(Correct the INI.)",
+            .fix = R"(Correct the name, or make the folder.)",
             .level_reason = "Warning: LinuxCNC starts without the folder; the calls of its subs stop later. Info for a "
-                            "name that begins with `/` or `~`, which may exist on the machine only.",
+                            "name that begins with `/` or `~`, which may exist on the machine only, and where several "
+                            "INIs have only a part of their configuration here.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

@@ -123,6 +123,7 @@ other file uses, such as `o<probe_right_500>`.)",
             .moves_good = "X9",
         },
     .check = check,
+    .helper_clash = true,
 };
 
 }  // namespace owlint::rules::ow410

@@ -26,7 +26,8 @@ Finding& report_sub(const Program& p, const Hazard& h, Reporter& out) {
   Finding& f = out.add(p.at(h.statement).head_span(),
                        "`" + p.head(h.statement) + "` is inside `" + p.head(region.opener) +
                            "`: its lines run here at once, and its `endsub` ends the outer sub");
-  f.help = "move this sub to a file of its own, with its name";
+  f.help = "move this sub to a file of its own, and give both a name that no other file uses";
+  f.group = "inner " + p.head(h.statement);  // the same helper in several files
   return f;
 }
 
@@ -121,6 +122,7 @@ with the sub's own label.)",
             .moves_good = "X3",
         },
     .check = check,
+    .inner_sub = true,
 };
 
 }  // namespace owlint::rules::ow411

@@ -64,10 +64,12 @@ class Checker {
         const std::string_view line = text_.text(*first);
         const bool section = line.substr(kByteOrderMark.size()).starts_with('[');
         if (section || refused_.contains(first)) {
-          Finding& f = add(*first, {0, kByteOrderMark.size()},
-                           section ? "the file begins with a byte order mark, so LinuxCNC does not find the section in "
-                                     "its first line"
-                                   : "the file begins with a byte order mark, so its first line is no comment");
+          Finding& f = add(
+              *first, {0, kByteOrderMark.size()},
+              section
+                  ? "the file begins with a byte order mark, so LinuxCNC does not find the section in "
+                    "its first line"
+                  : "the file begins with a byte order mark, so LinuxCNC does not take its first line for a comment");
           f.help = "remove the mark: save the file as UTF-8 without BOM";
           f.fixes.push_back({"remove the byte order mark", true, {{{0, kByteOrderMark.size()}, ""}}});
           if (!refuse(*first, f) && line.substr(kByteOrderMark.size()).starts_with("[EMC]") && !strict_)
@@ -90,8 +92,8 @@ class Checker {
         continue;
       }
       Finding& f = out_.add(source, {at, at + 1},
-                            "a carriage return inside a line: LinuxCNC finds no key that stands on it or below");
-      f.help = "end every line with a line feed; an editor does it when it saves with Unix line ends";
+                            "a carriage return inside a line: LinuxCNC finds no key on this line or below it");
+      f.help = "save the file with Unix line endings (LF)";
       f.interpreter = "inifile: error: File contains ambiguous carriage returns";
       const IniLine* units = find_line(text_, "TRAJ", "LINEAR_UNITS");
       if (is_whole_machine(in_) && units != nullptr && text_.source(*units) == source && units->span.end > at)
@@ -99,7 +101,7 @@ class Checker {
       break;
     }
     if (const size_t at = bytes.find('\0'); at != std::string_view::npos) {
-      Finding& f = out_.add(source, {at, at + 1}, "a NUL byte: for LinuxCNC the line ends before it");
+      Finding& f = out_.add(source, {at, at + 1}, "a NUL byte: LinuxCNC ignores the rest of the line");
       f.help = "remove it; the file may be damaged, or saved as UTF-16";
     }
   }
@@ -121,9 +123,10 @@ class Checker {
   void check_comment(const IniLine& line) {
     const std::string_view text = text_.text(line);
     if (refused_.contains(&line)) {
-      Finding& f = add(line, line.span,
-                       "a comment with `;` and `=` before the first section: LinuxCNC's check before the start takes "
-                       "it for a key");
+      Finding& f =
+          add(line, line.span,
+              "LinuxCNC's check before the start reads this comment as a key: it begins with `;`, has a `=`, and "
+              "comes before the first section");
       f.help = "begin the comment with `#`";
       f.fixes.push_back({"write `#`", true, {{{line.span.begin, line.span.begin + 1}, "#"}}});
       refuse(line, f);
@@ -132,17 +135,18 @@ class Checker {
     if (name.empty() || strict_) return;
     const bool indented = text_.source(line)->position(line.span.begin).column > 1;
     if (line.source == 0 && !indented) return check_include(line, name);
-    Finding& f = add(line, line.span,
-                     line.source == 0 ? "a blank before `#INCLUDE`: for LinuxCNC the line is a comment"
-                                      : "`#INCLUDE` in a file that is included itself: for LinuxCNC a comment");
+    Finding& f =
+        add(line, line.span,
+            line.source == 0 ? "a space before `#INCLUDE`: LinuxCNC takes the line for a comment"
+                             : "`#INCLUDE` in a file that is itself included: LinuxCNC takes the line for a comment");
     f.help = line.source == 0 ? "begin the line with `#INCLUDE`" : "include the file in the machine's INI";
   }
 
   void check_include(const IniLine& line, std::string_view name) {
     if (name.find_first_of("`;|&<>") == std::string_view::npos && name.find("$(") == std::string_view::npos) return;
     Finding& f =
-        add(line, line.span, "LinuxCNC hands the file name of `#INCLUDE` to a shell, which would run " + code(name));
-    f.help = "write the plain name of a file; owlint runs nothing and did not read it";
+        add(line, line.span, "LinuxCNC passes the file name of `#INCLUDE` to a shell, which would run " + code(name));
+    f.help = "write a plain file name; owlint ran nothing, and did not read the file";
   }
 
   void check_open_section(const IniLine& line) {
@@ -150,8 +154,8 @@ class Checker {
     open_ = true;
     const std::string_view name = text_.name(line);
     Finding& f = add(line, line.span,
-                     "`]` is missing behind " + code(text_.text(line)) +
-                         ": LinuxCNC ends the section above here and does not find the keys below");
+                     "`]` is missing after " + code(text_.text(line)) +
+                         ": LinuxCNC ends the section above here, and does not find the keys below");
     f.help = "write `[" + std::string(name.substr(0, name.find_first_of(" \t#;"))) + "]`";
     refuse(line, f);
   }
@@ -162,27 +166,27 @@ class Checker {
     const std::string_view behind = text_.value(line);
     const bool comment = behind.starts_with('#') || behind.starts_with(';');
     if (name.empty() || name.front() == ' ' || name.back() == ' ' || name.front() == '\t' || name.back() == '\t') {
-      Finding& f = add(line, line.name, "blanks inside the brackets: LinuxCNC finds no section " + code(name));
+      Finding& f = add(line, line.name, "spaces inside the brackets: LinuxCNC finds no section " + code(name));
       const size_t first = std::min(name.find_first_not_of(" \t"), name.size());
       const std::string plain(name.substr(first, name.find_last_not_of(" \t") + 1 - first));
       f.help = "write `[" + plain + "]`";
-      f.fixes.push_back({"remove the blanks", false, {{line.name, plain}}});
+      f.fixes.push_back({"remove the spaces", false, {{line.name, plain}}});
       refuse(line, f);
     } else if (!behind.empty() &&
                (refused_.contains(&line) || (!comment && behind.find('=') != std::string_view::npos))) {
       const bool refused = refused_.contains(&line);
       Finding& f = add(line, line.value,
-                       refused ? "text behind `[" + std::string(name) +
+                       refused ? "text after `[" + std::string(name) +
                                "]`: LinuxCNC's check before the start does not take the line for a section"
-                               : "text behind `[" + std::string(name) + "]`: LinuxCNC ignores the rest of the line");
-      f.help = comment ? "put the comment onto a line of its own" : "put it onto a line of its own";
+                               : "text after `[" + std::string(name) + "]`: LinuxCNC ignores the rest of the line");
+      f.help = comment ? "put the comment on a line of its own" : "put it on a line of its own";
       f.fixes.push_back(own_line(line, comment));
       refuse(line, f);
     } else if (!behind.empty()) {
       Finding& f = add(line, line.value,
-                       "text behind `[" + std::string(name) +
+                       "text after `[" + std::string(name) +
                            "]`: LinuxCNC reads the section, but its check before the start does not");
-      f.help = "put it onto a line of its own";
+      f.help = "put it on a line of its own";
       f.fixes.push_back(own_line(line, comment));
       f.weight = Weight::kRemark;
     }
@@ -194,10 +198,10 @@ class Checker {
     const std::string end = source.slice(source.line(line.number)).ends_with('\r') ? "\r\n" : "\n";
     const uint64_t close = line.name.end + 1;
     const std::string behind(text_.value(line));
-    if (!comment) return {"put it onto a line of its own", false, {{{close, line.value.end}, end + behind}}};
+    if (!comment) return {"put it on a line of its own", false, {{{close, line.value.end}, end + behind}}};
     const std::string section(source.slice({line.span.begin, close}));
     return {
-        "put the comment onto a line of its own", true, {{{line.span.begin, line.value.end}, behind + end + section}}};
+        "put the comment on a line of its own", true, {{{line.span.begin, line.value.end}, behind + end + section}}};
   }
 
   void check_key(const IniLine& line) {
@@ -206,7 +210,7 @@ class Checker {
       if (open_) return;  // the section was meant to be open
       Finding& f = add(line, line.span, "a key before the first section: LinuxCNC does not find it");
       f.help = "move it below the `[SECTION]` that it belongs to, or make it a comment with `#`";
-      if (refuse(line, f)) f.message += ", and its check before the start ends there";
+      if (refuse(line, f)) f.message += ", and its check before the start fails";
       return;
     }
     const Source& source = *text_.source(line);
@@ -214,15 +218,15 @@ class Checker {
     if (!strict_ && whole.end - whole.begin > kLongestIniLine && line.value.end > whole.begin + kLongestIniLine) {
       const uint64_t cut = whole.begin + kLongestIniLine;
       Finding& f = add(line, {cut, line.value.end},
-                       "the line has more than 255 bytes: LinuxCNC cuts it here and takes the rest for the next line");
-      f.help = "shorten it, or end it with `\\` and go on in the next line";
+                       "the line is longer than 255 bytes: LinuxCNC cuts it here, and reads the rest as another line");
+      f.help = "shorten it, or split it into two lines with `\\` at the end of the first";
     }
     if (value.ends_with('\\') && !line.continued) {
       const bool carriage = source.slice(whole).ends_with('\r');
       Finding& f = add(line, {line.value.end - 1, whole.end},
-                       carriage ? "a carriage return behind `\\`: LinuxCNC does not read on in the next line"
-                                : "a blank behind `\\`: LinuxCNC does not read on in the next line");
-      f.help = "end the line with `\\` itself";
+                       carriage ? "a carriage return after `\\`: LinuxCNC does not join the next line"
+                                : "a space after `\\`: LinuxCNC does not join the next line");
+      f.help = "make `\\` the last character of the line";
     }
   }
 
@@ -251,13 +255,13 @@ class Checker {
     if (!line.continued || strict_) return;
     if (++continued_ == kMostContinued + 1) {
       Finding& f = add(line, {line.span.end - 1, line.span.end},
-                       "more than 20 lines are continued with `\\`: LinuxCNC gives up and finds no key from here on");
+                       "more than 20 lines are joined with `\\`: LinuxCNC gives up, and finds no key from here on");
       f.help = "make the value shorter";
       f.interpreter = "Too many backslash line extends (limit=20)";
     }
     if (index + 1 == lines.size()) {
       Finding& f = add(line, {line.span.end - 1, line.span.end},
-                       "`\\` in the last line: LinuxCNC reads on, finds nothing, and does not see the line");
+                       "`\\` at the end of the last line: LinuxCNC looks for another line, and ignores this one");
       f.help = "remove the `\\`";
       return;
     }
@@ -269,9 +273,9 @@ class Checker {
     Finding& f =
         add(line, {line.span.end - 1, line.span.end},
             std::string(line.kind == Kind::kComment ? "`\\` at the end of a comment" : "`\\` at the end of the line") +
-                ": LinuxCNC takes the next line, " + code(text_.text(next)) + ", for a part of this one");
+                ": LinuxCNC reads the next line, " + code(text_.text(next)) + ", as a part of this one");
     f.help = "remove the `\\`";
-    f.related.push_back({next.span, "this line is not read", nullptr});
+    f.related.push_back({next.span, "this line has no effect", nullptr});
     if (next.source != line.source) f.related.clear();
     f.fixes.push_back({"remove the `\\`", false, {{{line.span.end - 1, line.span.end}, ""}}});
   }
@@ -281,13 +285,13 @@ class Checker {
     if (lines.empty()) return;
     const IniLine& last = lines.back();
     if (text_.cut_short()) {
-      Finding& f = add(last, last.span, "owlint reads the first 100000 lines of an INI: what follows is not checked");
+      Finding& f = add(last, last.span, "owlint checks only the first 100000 lines of an INI");
       f.help = "check whether this is the INI of a machine, and whether it includes itself";
     }
     if (!strict_ && text_.sources().size() > 1 && last.source == 0 && !last.ended && last.kind == Kind::kKey) {
       Finding& f = add(last, last.span,
-                       "the last line has no line feed: in a file with `#INCLUDE` LinuxCNC's start script drops it");
-      f.help = "end the line with a line feed";
+                       "the last line has no line end: in a file with `#INCLUDE`, LinuxCNC's start script drops it");
+      f.help = "press Enter at the end of the line";
       f.fixes.push_back({"end the line", false, {{{last.span.end, last.span.end}, "\n"}}});
     }
   }
@@ -310,20 +314,21 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 extern const Rule kRule{
     .code = "OW412",
     .name = "ini-malformed",
-    .summary = "a line of the INI that LinuxCNC does not read as it looks",
+    .summary = "a line of the INI that LinuxCNC does not read the way it looks",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
             .what =
-                R"(A line of the machine's INI whose form LinuxCNC reads otherwise than people do: `[NAME` without `]`,
-blanks inside the brackets, text behind `]`, a line without `=`, a key before the first section, a line
-of more than 255 bytes, a `\` that makes the next key or section a part of the line, a carriage return
-inside a line, a byte order mark, an `#INCLUDE` that is a comment or would run a command.)",
-            .why = R"(LinuxCNC looks for each key on its own and says nothing about lines that it does not understand:
-the key is not found, and its default is used. The check before the start reads the file in another
-way. For it, `[KINS] # my machine` is no section, and a line with `=` before the first section ends
-it with `can't read "section": no such variable`.)",
+                R"(A line of the machine's INI that LinuxCNC does not read the way people do: `[NAME` without `]`, spaces
+inside the brackets, text after `]`, a line without `=`, a key before the first section, a line longer than
+255 bytes, a `\` that joins the next key or section to the line, a carriage return inside a line, a byte
+order mark, an `#INCLUDE` that LinuxCNC takes for a comment or that would run a command.)",
+            .why =
+                R"(LinuxCNC gives no message about a line that it does not understand: it does not find the key, and uses
+its default. LinuxCNC's check before the start reads the file differently. It does not see the section
+`[KINS] # my machine`, and it fails at a line with `=` before the first section: `can't read "section": no
+such variable`.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -344,8 +349,7 @@ RETAIN_G43 = 1
 )",
             .fix = R"(Write each section, key and comment on a line of its own: `[NAME]`, `KEY = value`, `# comment`.)",
             .level_reason =
-                "Warning: LinuxCNC starts, without what the line was meant to set. Error where LinuxCNC then "
-                "refuses to start.",
+                "Warning: LinuxCNC starts, without what the line was meant to set. Error if LinuxCNC does not start.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

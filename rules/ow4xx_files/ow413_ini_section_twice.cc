@@ -40,9 +40,9 @@ void check_setup(const SetupInput& in, Reporter& out) {
     const uint32_t number = earlier.number;
     const bool same_file = text.source(earlier) == text.source(line);
     Finding& f = add_at(in, out, line,
-                        "`[" + sections[i].name + "]` is there already, " +
+                        "the section `[" + sections[i].name + "]` is already " +
                             (same_file ? "on line " + std::to_string(number) : "in another file") +
-                            ": LinuxCNC reads only the first one and does not find " + list(lost));
+                            ": LinuxCNC reads only that one, and does not find " + list(lost));
     f.help = "move the keys into the first `[" + sections[i].name + "]`";
     f.related.push_back({earlier.span, "the section that is read", same_file ? nullptr : text.source(earlier)});
   }
@@ -53,16 +53,18 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW413",
     .name = "ini-section-twice",
-    .summary = "a second section of one name in the INI, of which LinuxCNC reads only the first",
+    .summary = "a second section with the same name, which LinuxCNC does not read",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A section that the INI has already further up, or in an included file, with keys in it.)",
-            .why = R"(To find a key, LinuxCNC looks for the first section of that name and reads to the next line that
-begins with `[`. It never looks at a second one, and gives no message: the keys there have no effect.
-The check before the start joins both, so that it does not complain either. LinuxCNC 2.10 joins them,
-too.)",
+            .what =
+                R"(A section with the same name as one further up, or in an included file, and with keys of its own.)",
+            .why =
+                R"(To find a key, LinuxCNC looks for the first section with that name, and reads up to the next line that
+begins with `[`. It never looks at a second section, and gives no message: the keys there have no effect.
+LinuxCNC's check before the start joins both sections, so it gives no message either. LinuxCNC 2.10 joins
+them, too.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -84,7 +86,7 @@ RETAIN_G43 = 1
 [TRAJ]
 LINEAR_UNITS = mm
 )",
-            .fix = R"(Move the keys into the first section of that name.)",
+            .fix = R"(Move the keys into the first section with that name.)",
             .level_reason = "Warning: LinuxCNC starts, without the keys of the second section.",
             .interpreter = "",
             .options = "--ini machine.ini",

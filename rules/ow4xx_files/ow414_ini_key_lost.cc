@@ -69,7 +69,7 @@ class Checker {
       const IniLine& line = text_.lines()[section.line];
       Finding& f = add_at(in_, out_, line, line.name,
                           "LinuxCNC reads no section `[" + section.name + "]`, and this INI has no `[" + meant + "]`");
-      f.help = "if `[" + meant + "]` is meant, write it so: capitals count";
+      f.help = "write `[" + meant + "]` if you mean that one; upper and lower case matter";
       f.fixes.push_back({"write `" + meant + "`", false, {{line.name, meant}}});
       if (const auto found = refused.find(&line); found != refused.end()) refuses(f, found->second);
     }
@@ -109,10 +109,9 @@ class Checker {
     const bool list = ends_lists(section, name);
     const IniKey* key = find_ini_key(section, name);
     if (!list && (key == nullptr || key->several)) return;
-    Finding& f =
-        add_at(in_, out_, line,
-               "`" + std::string(name) + "` is empty further up: LinuxCNC stops looking there and does not find " +
-                   (list ? "this line, nor those of the list below" : "this value"));
+    Finding& f = add_at(in_, out_, line,
+                        "`" + std::string(name) + "` is empty further up: LinuxCNC stops there, and does not find " +
+                            (list ? "this line or the lines of the list below" : "this value"));
     f.help = "remove the empty line, or begin it with `#`";
     f.related.push_back({before.span, "the empty one", before.source == line.source ? nullptr : text_.source(before)});
   }
@@ -122,9 +121,9 @@ class Checker {
     const std::string name(text_.name(line));
     const bool kinematics = name == "KINEMATICS";
     Finding& f = add_at(in_, out_, line,
-                        "`" + name + "` is there already: LinuxCNC uses `" + std::string(text_.value(first)) +
-                            "` and ignores this value");
-    if (kinematics) f.message += ", but checks it before the start";
+                        "`" + name + "` is set twice: LinuxCNC uses the first value, `" +
+                            std::string(text_.value(first)) + "`, and ignores this one");
+    if (kinematics) f.message += "; but its check before the start looks at this one";
     f.help = "keep one of the two lines";
     f.group = name + " twice";  // copies of one configuration have the same lines
     f.habit_severity = Severity::kInfo;
@@ -140,9 +139,9 @@ class Checker {
     for (const Home& home : kHomes) {
       if (name != home.key) continue;
       if (find_line(text_, home.section, home.key) != nullptr) return;
-      Finding& f = add_at(in_, out_, line, line.name,
-                          "LinuxCNC looks for `" + name + "` in `[" + std::string(home.section) +
-                              "]` and does not find it in `[" + section + "]`");
+      Finding& f = add_at(
+          in_, out_, line, line.name,
+          "LinuxCNC looks for `" + name + "` in `[" + std::string(home.section) + "]`, not in `[" + section + "]`");
       f.help = "move the line into `[" + std::string(home.section) + "]`";
       return;
     }
@@ -151,8 +150,8 @@ class Checker {
     Finding& f =
         add_at(in_, out_, line, line.name,
                "LinuxCNC reads no `" + name + "` in `[" + section + "]`, and this section has no `" + near + "`");
-    f.help = "if `" + near + "` is meant, write it so" +
-        (small_letters(near) == small_letters(name) ? ": capitals count" : "");
+    f.help = "write `" + near + "` if you mean that one" +
+        (small_letters(near) == small_letters(name) ? "; upper and lower case matter" : "");
     f.fixes.push_back({"write `" + near + "`", false, {{line.name, near}}});
   }
 
@@ -190,14 +189,13 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A key or section whose name differs in a letter or in its case from one that LinuxCNC reads and that is
-not there; a key in another section than the one where LinuxCNC looks for it; a key that is there twice with
-two values; a value behind an empty one of the same key.)",
+                R"(A key or section whose name is nearly one that LinuxCNC reads and that this INI lacks; a key in the wrong
+section; a key that is set twice, to two values; a value below an empty line of the same key.)",
             .why =
-                R"(LinuxCNC asks for each value by section and key, letter by letter, and takes the first. It does not
-say that it found none, but uses the default, and it does not say which keys nobody asked for. A line
-with the key and without a value ends the search: of a list such as `REMAP` or `MDI_COMMAND`, all lines
-below are lost.)",
+                R"(LinuxCNC looks for each key by its exact name, in one section, and uses the first value. If there is
+none, it uses its default and gives no message. Nor does it mention keys that it never looks for. A line
+with the key and no value ends the search: in a list such as `REMAP` or `MDI_COMMAND`, all lines below it
+are lost.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -213,8 +211,8 @@ M2
 RETAIN_G43 = 1
 )",
             .fix =
-                R"(Write the name as LinuxCNC reads it, in its section, once. Keys that only a display, a driver or your
-own HAL files read are not judged, whatever their names.)",
+                R"(Write the exact name, once, in the section where LinuxCNC looks for it. owlint does not check the names
+of keys that only a display, a driver or your own HAL files read.)",
             .level_reason = "Warning: LinuxCNC starts, without this value. Error for a section that LinuxCNC needs.",
             .interpreter = "",
             .options = "--ini machine.ini",

@@ -57,7 +57,7 @@ class Checker {
     if (harmless(*key, plain) || (!read && comment == std::string_view::npos)) return;
     Finding& f = add_at(in_, out_, line, line.value, message_of(*key, line, comment, plain));
     if (comment != std::string_view::npos) {
-      f.help = "put the comment onto a line of its own";
+      f.help = "put the comment on a line of its own";
       f.fixes.push_back(comment_above(text_, line, comment));
     } else if (const std::optional<bool> meant = ini_truth(value); meant && wants_number(*key)) {
       f.help = std::string("write `") + (*meant ? "1" : "0") + "`";
@@ -115,14 +115,14 @@ class Checker {
     if (comment != std::string_view::npos) {
       message = "the comment is a part of the value: LinuxCNC reads `" + value + "` as `" + name + "`";
     } else if (ini_real(value) && key.type == Type::kNumber) {
-      return "`" + name + "` of " + value + " is out of range: LinuxCNC uses its default";
+      return "`" + name + "` is out of range: LinuxCNC uses its default instead of " + value;
     } else {
-      message = "`" + value + "` is no value that LinuxCNC understands for `" + name + "`";
+      message = "`" + value + "` is not a value that LinuxCNC understands for `" + name + "`";
     }
     if (key.refuses) return message;
-    if (key.name == "LOCKING_INDEXER_JOINT") return message + ", and takes joint 0";
+    if (key.name == "LOCKING_INDEXER_JOINT") return message + ", so it uses joint 0";
     const bool off = key.type == Type::kSwitch || (key.type == Type::kInteger && ini_truth(plain).has_value());
-    return message + (off ? key.on ? ", so that it stays on" : ", so that it stays off" : ", and it uses the default");
+    return message + (off ? key.on ? ", so it stays on" : ", so it stays off" : ", so it uses the default");
   }
 
   static std::string help_of(const IniKey& key) {
@@ -144,7 +144,7 @@ class Checker {
       if (blamed.refusal.line != &line && blamed.refusal.axis != &line) continue;
       const bool endless = blamed.refusal.kind == StartRefusal::Kind::kEndlessJoints;
       refuses(f, blamed.refusal.message);
-      f.message += endless ? ", and its check before the start never ends" : ", and does not start";
+      f.message += endless ? ", and LinuxCNC's check before the start never ends" : ", and LinuxCNC does not start";
       f.stops = !endless;
       f.never_ends = endless;
       return;
@@ -154,7 +154,7 @@ class Checker {
                     text_.name(line) == "SPINDLES" && ini_integer(value)
                         ? "emcTrajSetSpindles failing: spindles=" + value
                         : conversion_error(text_, line));
-    if (f.stops) f.message += ", and it does not start";
+    if (f.stops) f.message += ", and LinuxCNC does not start";
   }
 
   void check_path(const IniKey& key, const IniLine& line) {
@@ -162,7 +162,7 @@ class Checker {
     const std::string name(key.name);
     if (name == "SUBROUTINE_PATH" && value.find_first_not_of(':') == std::string::npos) {
       Finding& f = add_at(in_, out_, line, line.value,
-                          "`SUBROUTINE_PATH` has `:` and no folder: LinuxCNC crashes when it starts");
+                          "`SUBROUTINE_PATH` has `:` but no folder: LinuxCNC crashes when it starts");
       f.help = "name a folder, or remove the line";
       f.never_ends = true;
       f.reach = Reach::kAlways;
@@ -174,11 +174,11 @@ class Checker {
                               std::string(key.type == Type::kPaths ? "the folders" : "the file") + " `" + value + "`");
       if (name == "PROGRAM_PREFIX")
         f.message = "the comment is a part of the value: LinuxCNC finds no user M codes in `" + value + "`";
-      f.help = "put the comment onto a line of its own";
+      f.help = "put the comment on a line of its own";
       f.fixes.push_back(comment_above(text_, line, comment));
     } else if (key.type == Type::kPaths && value.find(',') != std::string::npos) {
       Finding& f =
-          add_at(in_, out_, line, line.value, "`,` separates no folders: for LinuxCNC it is a part of the name");
+          add_at(in_, out_, line, line.value, "`,` does not separate folders: LinuxCNC reads it as a part of the name");
       f.help = "separate the folders with `:`";
     }
   }
@@ -192,7 +192,7 @@ class Checker {
       if (!on) return;
       Finding& f =
           add_at(in_, out_, line, line.value,
-                 "`NO_FORCE_HOMING` needs a number: LinuxCNC takes `" + std::string(value) + "` for 0, which is off");
+                 "`NO_FORCE_HOMING` needs a number: LinuxCNC reads `" + std::string(value) + "` as 0, which is off");
       f.help = "write `1`";
       f.interpreter = "invalid [TRAJ] NO_FORCE_HOMING in " + std::string(name_of(text_.source(line)->path())) + " (" +
           std::string(value) + "); using default 0";
@@ -201,7 +201,7 @@ class Checker {
     }
     if (section == "DISPLAY" && name == "LATHE" && !ini_truth(value).value_or(true)) {
       Finding& f = add_at(in_, out_, line, line.value,
-                          "`LATHE = " + std::string(value) + "` is on for AXIS and QtVCP: for them any text is true");
+                          "`LATHE = " + std::string(value) + "` turns lathe mode on in AXIS and QtVCP: any text does");
       f.help = "remove the line";
       return;
     }
@@ -209,10 +209,11 @@ class Checker {
     const std::string_view plain = value.substr(0, value.find_last_not_of(" \t", comment - 1) + 1);
     const bool in_machine = section_family(section).ends_with('_') || section == "TRAJ" || section == "EMCMOT";
     if (!in_machine || !ini_real(plain)) return;
-    Finding& f = add_at(in_, out_, line, line.value,
-                        "the comment is a part of the value `" + std::string(value) +
-                            "`: a HAL file that uses it stops the start, as one with too many words");
-    f.help = "put the comment onto a line of its own";
+    Finding& f =
+        add_at(in_, out_, line, line.value,
+               "the comment is a part of the value `" + std::string(value) +
+                   "`: LinuxCNC does not start if a HAL file uses it, because the comment makes too many words");
+    f.help = "put the comment on a line of its own";
     f.fixes.push_back(comment_above(text_, line, comment));
   }
 
@@ -230,16 +231,17 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 extern const Rule kRule{
     .code = "OW415",
     .name = "value-malformed",
-    .summary = "a value of the INI that LinuxCNC does not read as it looks",
+    .summary = "a value of the INI that LinuxCNC does not read the way it looks",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A value with a comment behind it, `YES` where LinuxCNC reads a number, `7mm`, an unknown unit, a
-tolerance out of its range, a search path with `,` or without a folder.)",
-            .why = R"(A comment is one only on a line of its own: behind a value it is a part of it. LinuxCNC converts
-the whole value or nothing. In `[RS274NGC]` and `[EMCIO]` it then uses the default and gives no
-message. In `[TRAJ]`, `[KINS]`, `[JOINT_…]` and `[AXIS_…]` it ends with `ERR_CONVERSION`, and
+            .what = R"(A value with a comment after it, `YES` where LinuxCNC reads a number, `7mm`, an unknown unit, a
+tolerance that is out of range, a search path with `,` or without a folder.)",
+            .why =
+                R"(A comment must be on a line of its own: after a value, it is a part of the value. LinuxCNC does not
+convert a value that is only partly a number. In `[RS274NGC]` and `[EMCIO]` it then uses the default and
+gives no message. In `[TRAJ]`, `[KINS]`, `[JOINT_…]` and `[AXIS_…]` it ends with `ERR_CONVERSION`, and
 `JOINTS = 3 # three` makes the start hang. A HAL file that uses such a value gets the comment, too.)",
             .bad = R"(G21 G90
 G0 X10
@@ -255,8 +257,8 @@ M2
 [RS274NGC]
 RETAIN_G43 = 1
 )",
-            .fix = R"(Write the value and nothing else. Comments go onto lines of their own, above.)",
-            .level_reason = "Warning: LinuxCNC starts with its default instead of the value. Error where it refuses to "
+            .fix = R"(Write only the value. Put the comment on a line of its own, above.)",
+            .level_reason = "Warning: LinuxCNC starts, with its default instead of the value. Error if it does not "
                             "start, hangs or crashes.",
             .interpreter = "",
             .options = "--ini machine.ini",

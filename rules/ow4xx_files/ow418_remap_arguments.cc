@@ -111,7 +111,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW418",
     .name = "remap-arguments",
-    .summary = "a REMAP line that passes something else to its sub than it looks like",
+    .summary = "a REMAP line that does not pass to its sub what it seems to pass",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =

@@ -43,11 +43,11 @@ class Checker {
     const bool carriage = word.empty() || word == "\r";
     Finding& f =
         out_.add(source_, carriage ? line.row.span : line.bad,
-                 carriage ? "a blank at the end of the line, before the carriage return: LinuxCNC skips the line"
-                          : "`" + std::string(word) + "` is no word of a tool table: LinuxCNC skips the line");
+                 carriage ? "a space at the end of the line, before the carriage return: LinuxCNC skips the line"
+                          : "`" + std::string(word) + "` does not belong in a tool table: LinuxCNC skips the line");
     if (count > 1) f.message += ", and " + std::to_string(count - 1) + " more like it";
-    f.help = carriage      ? "remove the blank"
-        : names_tool(line) ? "write words such as `T1 P1 D6 Z41.5`, separated by blanks, and comments behind `;`"
+    f.help = carriage      ? "remove the space"
+        : names_tool(line) ? "write words such as `T1 P1 D6 Z41.5`, with spaces between them, and a comment after `;`"
                            : "begin comments with `;`";
     f.interpreter = "File: " + std::string(name_of(source_->path())) + " Unrecognized line skipped:";
     if (!names_tool(line)) f.weight = Weight::kAside;
@@ -58,28 +58,28 @@ class Checker {
     if (line.hidden.end > 0) {
       Finding& f = out_.add(
           source_, line.hidden,
-          "a tab separates no words: LinuxCNC does not read `" + std::string(source_->slice(line.hidden)) + "`");
-      f.help = "write a blank instead of the tab";
+          "a tab does not separate words: LinuxCNC does not read `" + std::string(source_->slice(line.hidden)) + "`");
+      f.help = "write a space instead of the tab";
       return;
     }
     if (line.no_place) {
       Finding& f =
           out_.add(source_, line.row.span,
                    random_ ? "there is no pocket " + std::to_string(line.row.pocket) + ": LinuxCNC skips " + tool
-                           : "LinuxCNC reads 1000 tools and skips " + tool);
-      f.help = random_ ? "pockets go from 0, the spindle, to 1000" : "remove tools that are not used";
+                           : "LinuxCNC reads only 1000 tools, and skips " + tool);
+      f.help = random_ ? "write a pocket from 0 (the spindle) to 1000" : "remove tools that are not used";
       return;
     }
     if (!line.has_tool) {
-      Finding& f = out_.add(source_, line.row.span, "a line without `T` is no tool");
-      f.help = "write the number of the tool, as `T1`";
+      Finding& f = out_.add(source_, line.row.span, "a line without `T` defines no tool");
+      f.help = "write the number of the tool, such as `T1`";
       return;
     }
     if (!line.has_pocket) {
-      Finding& f =
-          out_.add(source_, line.row.span,
-                   tool + " has no `P`: LinuxCNC takes it for what is in the spindle, and loads it without length");
-      f.help = "write its pocket, as `P1`";
+      Finding& f = out_.add(
+          source_, line.row.span,
+          tool + " has no `P`: LinuxCNC takes it for the tool in the spindle, and loads it without its length");
+      f.help = "write its pocket, such as `P1`";
       return;
     }
     check_twice(line, tool);
@@ -90,13 +90,13 @@ class Checker {
     const int32_t number = random_ ? line.row.pocket : line.row.number;
     const auto [entry, added] = seen_.try_emplace(number, line.row);
     if (added) return;
-    Finding& f = out_.add(source_, line.row.span,
-                          random_ ? "pocket " + std::to_string(number) + " is there already: LinuxCNC forgets tool " +
-                                  std::to_string(entry->second.number)
-                                  : tool + " is there already, on line " + std::to_string(entry->second.line) +
-                                  ": LinuxCNC uses that one");
+    Finding& f = out_.add(
+        source_, line.row.span,
+        random_ ? "pocket " + std::to_string(number) + " is used twice: LinuxCNC forgets tool " +
+                std::to_string(entry->second.number)
+                : tool + " is already on line " + std::to_string(entry->second.line) + ": LinuxCNC uses that line");
     f.help = random_ ? "give each tool a pocket of its own" : "remove one of the two lines";
-    f.related.push_back({entry->second.span, random_ ? "in the same pocket" : "the one that is used", nullptr});
+    f.related.push_back({entry->second.span, random_ ? "in the same pocket" : "LinuxCNC uses this line", nullptr});
     entry->second = random_ ? line.row : entry->second;
   }
 
@@ -122,11 +122,12 @@ extern const Rule kRule{
         {
             .what =
                 R"(In the file that `[EMCIO]TOOL_TABLE` names: a line with a word that LinuxCNC does not know, a tab between
-words, a line without `T` or without `P`, a tool that is there twice.)",
+words, a line without `T` or without `P`, two lines for one tool.)",
             .why =
-                R"(LinuxCNC skips a line with an unknown word, with a message on the console only, and the tool is not
-found when a program asks for it. Only blanks separate words: behind a tab nothing is read, so that a
-tool has no length. A line without `P` is about the spindle. Of two lines for one tool the first counts.)",
+                R"(LinuxCNC skips a line with an unknown word, and prints a message only on the console. A program that asks
+for this tool does not find it. Only spaces separate words: LinuxCNC reads nothing after a tab, so the tool
+may have no length. LinuxCNC takes a line without `P` for the tool in the spindle. Of two lines for one tool,
+it uses the first.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -147,9 +148,9 @@ TOOL_TABLE = tool.tbl
 T1 P1 D6 Z41.5
 T2 P2 D8 Z40 ;end mill
 )",
-            .fix = R"(Write one tool in each line, `T1 P1 D6 Z41.5 ;comment`, with blanks between the words.)",
+            .fix = R"(Write one tool on each line, with spaces between the words: `T1 P1 D6 Z41.5 ;comment`.)",
             .level_reason =
-                "Warning: LinuxCNC starts without the tool or with another one. Info for text that was never "
+                "Warning: LinuxCNC starts, without the tool or with another one. Info for text that was never "
                 "meant as a tool.",
             .interpreter = "",
             .options = "--ini machine.ini",

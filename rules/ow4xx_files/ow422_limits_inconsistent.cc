@@ -86,9 +86,9 @@ class Checker {
     const std::string joint = "`[" + refusal.joint_name + "]" + key + "` of " + std::string(value);
     const IniLine* place = refusal.axis == nullptr ? section_line(refusal.axis_name) : nullptr;
     Finding& f = add_at(in_, out_, place == nullptr ? *refusal.line : *place,
-                        refusal.axis == nullptr ? joint + " needs the same in `[" + refusal.axis_name +
-                                "]`, which has none: LinuxCNC does not start"
-                                                : joint + " is inside `[" + refusal.axis_name + "]" + key + "` of " +
+                        refusal.axis == nullptr
+                            ? joint + ", but `[" + refusal.axis_name + "]` has no such limit: LinuxCNC does not start"
+                            : joint + " does not reach `[" + refusal.axis_name + "]" + key + "` of " +
                                 std::string(text_.value(*refusal.axis)) + ": LinuxCNC does not start");
     f.help = refusal.axis == nullptr ? "add `" + key + " = " + std::string(value) + "` to `[" + refusal.axis_name + "]`"
                                      : "give the axis a limit that its joint can reach";
@@ -105,7 +105,7 @@ class Checker {
     if (find_line(text_, "TRAJ", key) != nullptr) return;
     const IniLine* line = place_of("TRAJ", key);
     if (line == nullptr) return;
-    Finding& f = add_at(in_, out_, *line, "this INI has no `[TRAJ]" + key + "`: LinuxCNC's task ends when it starts");
+    Finding& f = add_at(in_, out_, *line, "this INI has no `[TRAJ]" + key + "`: LinuxCNC does not start without it");
     f.help = "add `" + key + " = " + example + "` to `[TRAJ]`";
     refuse(f, "emcTrajSetUnits failed to set [TRAJ]LINEAR_UNITS or [TRAJ]ANGULAR_UNITS");
   }
@@ -120,7 +120,7 @@ class Checker {
     Finding& f = add_at(in_, out_, *max,
                         "`MAX_LIMIT` of " + std::string(text_.value(*max)) + " is below `MIN_LIMIT` of " +
                             std::string(text_.value(*min)) + ": LinuxCNC refuses every move of `[" + section + "]`");
-    f.help = "exchange the two values";
+    f.help = "swap the two values";
     f.related.push_back({min->span, "the other limit", min->source == max->source ? nullptr : text_.source(*min)});
   }
 
@@ -150,7 +150,7 @@ class Checker {
                         "`COORDINATES = " + std::string(traj) + "` and `coordinates=" + std::string(kins) +
                             "` of `[KINS]KINEMATICS` name different axes");
     f.help =
-        "name the same axes in both: an axis without a joint never moves, and a program cannot use one that "
+        "name the same axes in both: an axis without a joint never moves, and a program cannot use an axis that "
         "`COORDINATES` lacks";
     f.interpreter = "INCONSISTENT coordinates specifications:";
     f.related.push_back({kinematics->span, "the axes of the joints",
@@ -171,18 +171,18 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW422",
     .name = "limits-inconsistent",
-    .summary = "limits, joints, coordinates or units of the INI that contradict each other or are missing",
+    .summary = "limits, joints, axes or units of the INI that contradict each other or are missing",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
-            .what = R"(A joint whose limit is inside that of its axis, a maximum below the minimum, other axes in
-`[TRAJ]COORDINATES` than in `[KINS]KINEMATICS`, an INI without `KINEMATICS`, `JOINTS` or units.)",
+            .what = R"(A joint that does not reach the limit of its axis, a maximum below the minimum, different axes in
+`[TRAJ]COORDINATES` and `[KINS]KINEMATICS`, an INI without `KINEMATICS`, `JOINTS` or units.)",
             .why =
-                R"(With `trivkins` LinuxCNC compares the limits before it starts, and does not start if a joint cannot
-reach what its axis allows: `[JOINT_0]MAX_LIMIT < [AXIS_X]MAX_LIMIT (50 < 100)`. An axis without the
-limit counts as one that may go anywhere. With a maximum below the minimum each move is refused, with
-`Linear move on line 5 would exceed X's positive limit`.)",
+                R"(With `trivkins`, LinuxCNC compares the limits before it starts. It does not start if a joint cannot go as
+far as its axis may: `[JOINT_0]MAX_LIMIT < [AXIS_X]MAX_LIMIT (50 < 100)`. An axis without a limit may go
+anywhere. If the maximum is below the minimum, LinuxCNC refuses each move: `Linear move on line 5 would
+exceed X's positive limit`.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -203,9 +203,9 @@ COORDINATES = XYZ
 MIN_LIMIT = -100
 MAX_LIMIT = 100
 )",
-            .fix = R"(Give each axis and its joint limits, those of the joint equal or wider.)",
-            .level_reason = "Error where LinuxCNC does not start, else warning. An INI without `[EMC]VERSION = 1.1` is "
-                            "a part of one, or of LinuxCNC 2.7: what it lacks is not reported.",
+            .fix = R"(Give each axis and its joint the same limits, or the joint wider ones.)",
+            .level_reason = "Error if LinuxCNC does not start, else warning. An INI without `[EMC]VERSION = 1.1` is "
+                            "only a part of an INI, or is for LinuxCNC 2.7: owlint does not report what it lacks.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

@@ -38,7 +38,8 @@ class Checker {
       Finding& f = add_at(in_, out_, *toplevel_, toplevel_->value,
                           "the file `" + std::string(text_.value(*toplevel_)) + "` of `TOPLEVEL` does not exist");
       f.help = "correct the name, or remove `[PYTHON]`";
-      f.group = text_.value(*toplevel_);  // copies of one configuration lack the same file
+      f.missing = text_.value(*toplevel_);
+      f.group = f.missing;  // copies of one configuration lack the same file
       f.habit_severity = Severity::kInfo;
       f.interpreter = message_of_file();
     }
@@ -102,6 +103,7 @@ class Checker {
                  "the file `" + std::string(text_.value(*toplevel_)) +
                      "` of `TOPLEVEL` does not exist, and `python=" + name + "` needs it: LinuxCNC does not start");
       f.help = "correct the name";
+      f.missing = text_.value(*toplevel_);
       f.related.push_back({remap.line->span, "needed here",
                            remap.line->source == toplevel_->source ? nullptr : text_.source(*remap.line)});
       refuses(f, message_of_file());

@@ -26,16 +26,16 @@ void word(const StrictRefusal& refusal, std::string_view text, Finding& f) {
       f.help = "write `KEY = value`, or begin the line with `#` if it is a comment";
       break;
     case Kind::kBadKey:
-      f.message = code(text) + " is no name of a key";
+      f.message = code(text) + " is not a valid key name";
       f.help = "use letters, digits and `_`, and begin with a letter";
       break;
     case Kind::kBadSection:
-      f.message = code(text) + " is no name of a section";
+      f.message = code(text) + " is not a valid section name";
       f.help = "use letters, digits and `_`, and begin with a letter";
       break;
     case Kind::kOpenSection:
-      f.message = "`]` is missing behind " + code(text);
-      f.help = "write `]` behind the name";
+      f.message = "`]` is missing after " + code(text);
+      f.help = "write `]` after the name";
       break;
     case Kind::kBeforeSection:
       f.message = "a line before the first section";
@@ -46,8 +46,8 @@ void word(const StrictRefusal& refusal, std::string_view text, Finding& f) {
       f.help = "save the file as UTF-8";
       break;
     case Kind::kBadEscape:
-      f.message = code(text) + " without its hexadecimal digits";
-      f.help = "write `\\\\` for one `\\`";
+      f.message = code(text) + " is not followed by hexadecimal digits";
+      f.help = "write `\\\\` to get one `\\`";
       break;
     case Kind::kOpenEnd:
       f.message = "`\\` at the end of the file";
@@ -100,7 +100,7 @@ void check_age(const SetupInput& in, Reporter& out) {
              version == nullptr
                  ? "`[EMC]` has no `VERSION`: LinuxCNC 2.8 and 2.9 convert this INI before they start"
                  : "`VERSION = " + version->value + "`: LinuxCNC 2.8 and 2.9 convert this INI before they start");
-  f.help = "let LinuxCNC convert it, or run `update_ini` on a copy; on a machine with 2.7 leave it as it is";
+  f.help = "let LinuxCNC convert it, or run `update_ini` on a copy; if the machine has 2.7, leave it as it is";
   f.interpreter = "INI file [EMC]VERSION indicates update is needed, but the update GUI can't run without an X display";
   if (!in.profile.version_given) f.weight = Weight::kAside;
 }
@@ -115,19 +115,19 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW424",
     .name = "ini-refused-by-version",
-    .summary = "what another LinuxCNC version refuses in this INI",
+    .summary = "a line or an INI that another LinuxCNC version refuses",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
             .what =
-                R"(A line that LinuxCNC 2.10 cannot read: without `=`, a key or section with other characters than letters,
-digits and `_`, `\U` in a value such as `C:\User`, text that is not UTF-8. An INI of 2.7 or older, which later
-versions convert before they start.)",
+                R"(A line that LinuxCNC 2.10 cannot read: a line without `=`, a key or section name with characters other than
+letters, digits and `_`, a `\U` in a value such as `C:\User`, text that is not UTF-8. Also an INI for 2.7 or
+older, which later versions convert before they start.)",
             .why =
-                R"(LinuxCNC 2.10 reads the whole INI when it starts, and refuses it for one bad line. 2.8 and 2.9 ignore
-such lines. They start only from an INI with `VERSION = 1.1` in `[EMC]`; from another one they ask to
-convert it, or without a screen give up.)",
+                R"(LinuxCNC 2.10 reads the whole INI when it starts, and refuses all of it because of one bad line. 2.8 and
+2.9 ignore such lines. But they start only if the INI has `VERSION = 1.1` in `[EMC]`. Otherwise they offer to
+convert it, or give up if there is no screen.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -146,8 +146,9 @@ RETAIN_G43 = 1
 [MY_PANEL]
 COLOUR = red
 )",
-            .fix = R"(Correct the line before you change to 2.10. `--linuxcnc all` reports what any version refuses.)",
-            .level_reason = "Error with `--linuxcnc 2.10`, info if no version is given.",
+            .fix =
+                R"(Correct the line before you update to 2.10. `--linuxcnc all` reports what any of the versions refuses.)",
+            .level_reason = "Error with `--linuxcnc 2.10`. Info if no version is given.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

@@ -15,6 +15,17 @@ void text_outside_comment(const Input& in, const FlowStop& stop, const std::stri
   explain_idiom(in, stop.statement, f);
 }
 
+/// Whether the line is in a block whose condition asks for the machine's INI or HAL, as a macro for several machines does.
+bool asks_for_machine(const Program& p, StatementId statement) {
+  for (BlockId id = p.open_above(p.region_of[statement], statement); id != kNoBlock; id = p.blocks[id].parent) {
+    const std::string condition = small_letters(p.source->slice(p.at(p.blocks[id].opener).whole()));
+    if (condition.find("#<_hal[") != std::string::npos || condition.find("#<_ini[") != std::string::npos ||
+        condition.find("exists[") != std::string::npos)
+      return true;
+  }
+  return false;
+}
+
 void missing_axis(const Input& in, const FlowStop& stop, char letter, const std::string& word, Finding& f) {
   const std::string axis = capital(letter);
   f.group = "axis " + axis;  // a program for such a machine has it on every line
@@ -25,6 +36,7 @@ void missing_axis(const Input& in, const FlowStop& stop, char letter, const std:
     return;
   }
   f.unproven = stop.reach != Reach::kAlways;  // a macro for several machines asks which axes there are
+  f.uncertain = f.unproven && asks_for_machine(in.program, stop.statement);
   const Ini::Entry* axes = in.profile.setup->ini.find("TRAJ", "COORDINATES");
   f.message = "`" + word + "` is a word of the " + axis + " axis, which this machine does not have";
   f.help = "its axes are " + (axes == nullptr || axes->value.empty() ? std::string("X Y Z") : axes->value) +
@@ -89,7 +101,7 @@ while`. Name the machine's INI with `--ini`, or keep it above the program's fold
 the axes.)",
             .level_reason =
                 "Error if a run gets here: the program stops. Warning for `U`, `V` and `W` without an INI: the "
-                "machine may have them. Where no run gets, owlint says nothing.",
+                "machine may have them. Nothing is reported where no run gets.",
             .interpreter = "Unknown word where unary operation could be",
             .options = "",
         },

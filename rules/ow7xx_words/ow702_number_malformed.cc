@@ -73,8 +73,8 @@ void malformed(const WordStop& at, const std::string& letter, const std::string&
   } else if (next == '.') {
     f.message = "`" + rest.substr(0, 2) + "` is a point without a digit";
     f.help = "write `" + letter + "0`, or the digits";
-  } else if (next == '=') {
-    f.message = "`" + letter + "` and its number need no `=`";
+  } else if (next == '=' || next == ':') {
+    f.message = "`" + letter + "` and its number need no `" + next + "`";
     f.help = "write the number right after `" + letter + "`";
   } else {
     f.message = "the value of `" + at.word + "` cannot be read";
@@ -94,13 +94,13 @@ Finding& report(const Input& in, Reporter& out, const FlowStop& stop) {
   const size_t behind = written.find_first_not_of(" \t", 1);
   if (behind != std::string_view::npos && written[behind] == '(') {
     f.message = "a comment between `" + letter + "` and its number";
-    f.help = "write the comment behind the number";
+    f.help = "write the comment after the number";
   } else if (stop.kind != StopKind::kNumberMalformed || rest.size() < 2 || rest[1] == ';') {
     f.message = "`" + letter + "` has no number";
     f.help = "write a number after `" + letter + "`, or remove it";
     if (rest.size() > 1 && std::string_view(",*/").find(rest[1]) != std::string_view::npos)
       f.help = "write a number in place of `" + rest.substr(1, 1) + "`";
-    if (rest.size() > 1 && rest[1] == '=') malformed(at, letter, rest, f);
+    if (rest.size() > 1 && (rest[1] == '=' || rest[1] == ':')) malformed(at, letter, rest, f);
   } else {
     malformed(at, letter, rest, f);
   }
@@ -149,7 +149,7 @@ M2
             .fix =
                 R"(Write the number. `--fix` replaces the letter O by a zero; of two points, only you know which one is
 meant.)",
-            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
             .interpreter = "bad number format (trailing characters) parsing '-2.0.5'",
             .options = "",
         },

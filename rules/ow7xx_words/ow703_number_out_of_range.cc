@@ -29,15 +29,15 @@ constexpr Limited kLimited[] = {
     {"Negative m code", "is negative", "codes are `M0` to `M199`"},
     {"P value not an integer with G10", "is not a whole number",
      "write the number of the coordinate system or of the tool"},
-    {"P value out of range (0-9)", "is no coordinate system",
+    {"P value out of range (0-9)", "is not a coordinate system",
      "`P1` is G54, `P2` is G55 and so on to `P9`, G59.3; `P0` is the one in effect"},
     {"P value out of range with G10", "is no tool", "write the number of a tool in the tool table"},
-    {"P value must be 0", "is no direction of M19",
+    {"P value must be 0", "is not a direction of M19",
      "`P0` takes the shortest way, `P1` turns clockwise, `P2` counterclockwise"},
     {"P value not an integer with M19", "is not a whole number",
      "for an arc, P is the number of turns; for M19, P0, P1 or P2 is the direction"},
-    {"P value should be 1", "is no number of turns", "write `P1` or more, or no P for less than one turn"},
-    {"R value must be within", "is no angle of M19", "write an angle from 0 to 360"},
+    {"P value should be 1", "is not a number of turns", "write `P1` or more, or no P for less than one turn"},
+    {"R value must be within", "is not an angle of M19", "write an angle from 0 to 360"},
 };
 
 /// G10 without the P that it needs: the finding is at the G10.
@@ -131,7 +131,7 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the number that is meant. A computed value can be made whole with `ROUND[...]`.)",
-            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
             .interpreter = "Negative f word used",
             .options = "",
         },

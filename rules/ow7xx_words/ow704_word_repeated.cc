@@ -39,7 +39,7 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A letter that stands twice on one line, such as `G1 X10 X20`. Often a line feed was lost, or one of the
+                R"(A letter that is twice on one line, such as `G1 X10 X20`. Often a line feed was lost, or one of the
 two should be another letter. `G` and `M` may be repeated: see OW706.)",
             .why =
                 R"(LinuxCNC stops with `Multiple x words on one line`, before it reads the second value. Nothing of the
@@ -65,7 +65,7 @@ M2
             .fix =
                 R"(Remove one of the words, or write two lines. `--fix` removes a word that is written twice with the same
 value.)",
-            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
             .interpreter = "Multiple x words on one line",
             .options = "",
         },

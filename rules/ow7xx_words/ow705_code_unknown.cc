@@ -65,6 +65,12 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   if (!advice.what.empty()) f.message = "`" + written + "` is " + advice.what + "; LinuxCNC does not have it";
   f.help = advice.help.empty() ? "write the code that is meant, or remove it" : advice.help;
   f.group = "code " + name;
+  if (const auto& perhaps = in.profile.remapped_perhaps; perhaps != nullptr && perhaps->contains(name)) {
+    f.message = "`" + written + "` is not a code of LinuxCNC; one of the machine INIs near this program remaps it";
+    f.help = "name the machine's INI (`--ini`), so that owlint knows its codes";
+    f.unproven = f.uncertain = true;
+    return;
+  }
   if (!m || number <= kUserLast) return;
   f.message += in.profile.setup == nullptr ? ", unless the machine's INI remaps it" : ", and the INI does not remap it";
   f.help = number > kRemappedLast ? "M codes end at M199, remapped ones at M999"
@@ -72,6 +78,9 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
       ? "name the machine's INI (`--ini`), so that owlint knows its codes"
       : fmt::format("define it with `REMAP = {} modalgroup=10 ngc=name` in `[RS274NGC]`", name);
   f.unproven = in.profile.setup == nullptr && number <= kRemappedLast;
+  if (!f.unproven) return;
+  f.group = "codes of an INI";  // which is missing for all of them
+  f.habit_severity = Severity::kInfo;
 }
 
 void check(const Input& in, Reporter& out) {
@@ -131,7 +140,7 @@ M2
 INI.)",
             .level_reason =
                 "Error: the program stops. Warning for M100 and above without an INI: the machine may have them. "
-                "Where no run gets, owlint says nothing.",
+                "Nothing is reported where no run gets.",
             .interpreter = "Unknown m code used: M13",
             .options = "",
         },

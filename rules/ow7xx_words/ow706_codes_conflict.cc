@@ -1,4 +1,4 @@
-// OW706 codes-conflict: two codes that cannot stand on one line.
+// OW706 codes-conflict: two codes that cannot be on one line.
 // Depends on: one code of each modal group, the same one twice included; G80 gives way to every other motion. Four M codes at
 // most. G4 beside G2 or G3, G53 without G0 or G1 or in G91, a motion before G5.3.
 #include <algorithm>
@@ -37,7 +37,7 @@ void one_group(const Program& p, const FlowStop& stop, const WordStop& at, Findi
     return;
   }
   const std::string other = at.other_word.empty() ? "another code of its group" : "`" + at.other_word + "`";
-  f.message = fmt::format("{} and `{}` cannot stand on one line: {}", other, at.word, reason(at));
+  f.message = fmt::format("{} and `{}` cannot be on one line: {}", other, at.word, reason(at));
   f.help = reason(at) == what_both_do(MGroup::kCoolant) ? "write two lines; after `M7` and `M8` both are on"
                                                         : "remove one of them, or write them on two lines";
 }
@@ -46,13 +46,13 @@ void with_g53(const WordStop& at, Finding& f) {
   const bool incremental = f.interpreter.ends_with("incremental");
   if (incremental) {
     f.message = at.other_word.empty() ? "`G53` cannot move while `G91` is in effect: its positions are absolute"
-                                      : "`G53` and `G91` cannot stand on one line: positions of `G53` are absolute";
+                                      : "`G53` and `G91` cannot be on one line: positions of `G53` are absolute";
     f.help = at.other_word.empty() ? "write `G90` on this line or before it" : "write `G90`";
   } else if (at.other_word.empty()) {
     f.message = "`G53` needs `G0` or `G1`";
     f.help = "write `G53 G0` and the axis words on this line";
   } else {
-    f.message = "`G53` and `" + at.other_word + "` cannot stand on one line: `G53` moves with `G0` or `G1` only";
+    f.message = "`G53` and `" + at.other_word + "` cannot be on one line: `G53` moves with `G0` or `G1` only";
     f.help = "write `G0` or `G1`, or remove `G53`";
   }
 }
@@ -66,20 +66,20 @@ void explain(const Input& in, const FlowStop& stop, const WordStop& at, Finding&
     f.help = "write it on a line of its own";
   } else if (said.starts_with("G4 not allowed")) {
     const std::string arc = at.other_word.empty() ? "an arc" : "`" + at.other_word + "`";
-    f.message = "`G4` and " + arc + " cannot stand on one line: both take `P`";
+    f.message = "`G4` and " + arc + " cannot be on one line: both take `P`";
     f.help = "write `G4` on a line of its own";
   } else if (said.starts_with("Between G5.2")) {
     f.message = fmt::format("`G5.3` ends the curve, and {} on its line is another motion",
                             at.other_word.empty() ? "there" : "`" + at.other_word + "`");
     f.help = "write `G5.3` on a line of its own";
   } else if (said.starts_with("Bug bad g code")) {
-    f.message = "`G6.3` stands without `G5.2` or `G6.2` on its line";
+    f.message = "`G6.3` has no `G5.2` or `G6.2` on its line";
     f.help = "end the curve with `G5.3`";
   } else if (said.starts_with("R word is ambiguous")) {
     f.message = "`" + at.word + "` could belong to `G64` or to `M19`";
     f.help = "write them on two lines";
   } else {
-    f.message = "`" + at.word + "` cannot stand with the other codes of this line";
+    f.message = "`" + at.word + "` cannot be on one line with the other codes";
     f.help = "write it on a line of its own";
   }
 }
@@ -100,7 +100,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW706",
     .name = "codes-conflict",
-    .summary = "two codes that cannot stand on one line, or more M codes than LinuxCNC takes",
+    .summary = "two codes that cannot be on one line, or more M codes than LinuxCNC takes",
     .group = Group::kWords,
     .level = Severity::kError,
     .page =
@@ -128,7 +128,7 @@ M2
             .fix =
                 R"(Remove the code that is not meant, or write two lines. Mist and flood together are `M7` on one line and
 `M8` on the next. `--fix` removes a code that is written twice.)",
-            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
             .interpreter = "Two g codes used from same modal group",
             .options = "",
         },

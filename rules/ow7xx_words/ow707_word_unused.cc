@@ -30,12 +30,12 @@ bool is_exponent(const WordStop& at) {
 void explain(const WordStop& at, bool of_call, Release release, Finding& f) {
   const std::string letter = capital(at.letter);
   if (f.interpreter.starts_with("Cannot put a")) {
-    f.message = "`" + at.word + "` cannot stand in a drilling cycle" +
+    f.message = "`" + at.word + "` cannot be used in a drilling cycle" +
         (at.other_word.empty() ? ": one is in effect here" : ", `" + at.other_word + "`");
     f.help = "turn the axis on a line before it, with `G0`" +
         std::string(at.other_word.empty() ? ", or end the cycle with `G80`" : "");
   } else if (f.interpreter.starts_with("F word used")) {
-    f.message = "`" + at.word + "` cannot stand in a thread, " +
+    f.message = "`" + at.word + "` cannot be used in a thread, " +
         (at.other_word.empty() ? "and `G33` or `G33.1` is in effect" : "`" + at.other_word + "`");
     f.help = "remove it: the speed of the spindle and the pitch `K` are the feed";
   } else if (is_exponent(at)) {
@@ -78,7 +78,7 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A word that stands with no code that takes it: `G1 X5 P2`, `H1` without `G43`, `R2` alone. An arc, a
+                R"(A word without a code that takes it: `G1 X5 P2`, `H1` without `G43`, `R2` alone. An arc, a
 cycle or another motion that is in effect from a line before also counts, but only if the line moves.
 Also what a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)",
             .why =
@@ -86,7 +86,7 @@ Also what a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)"
 not exact; owlint's come from runs of the interpreter, and docs/codes.md has them. Nothing of the line
 is executed.
 
-`F`, `S` and `T` may stand alone. `Q-1` counts as no `Q`.
+`F`, `S` and `T` need no code. `Q-1` counts as no `Q`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -106,7 +106,7 @@ M2
             .fix =
                 R"(Remove the word, or write the code that is missing. In a modal cycle or arc, check that the mode is still
 in effect: `G0` or `G80` between two holes ends it.)",
-            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
             .interpreter = "H word with no G43 or G76 to use it",
             .options = "",
         },

@@ -94,7 +94,7 @@ extern const Rule kRule{
 `G33` without `K`, `G76` without `P`, `I`, `J` and `K`, `G92` or a cycle without an axis word.)",
             .why =
                 R"(LinuxCNC stops before it does anything of the line, with `Dwell time missing with g4`, `All axes missing
-with motion code` and the like. `G0` and `G1` may stand without an axis word: then they only set the mode.
+with motion code` and the like. `G0` and `G1` need no axis word: without one, they only set the mode.
 
 `S` from a line before does not count for `G96`. `P-1` counts as no `P`. docs/codes.md lists what every
 code needs.
@@ -115,7 +115,7 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the word on the line of its code.)",
-            .level_reason = "Error: the program stops. Where no run gets, owlint says nothing.",
+            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
             .interpreter = "Dwell time missing with g4",
             .options = "",
         },

@@ -14,28 +14,28 @@ void explain(const WordStop& at, Finding& f) {
   const std::string& said = f.interpreter;
   const std::string word = "`" + at.word + "`";
   if (said.starts_with("Cannot use two g codes")) {
-    f.message = fmt::format("{} and {} cannot stand on one line: both take its axis words", word,
+    f.message = fmt::format("{} and {} cannot be on one line: both take its axis words", word,
                             at.other_word.empty() ? "another code" : "`" + at.other_word + "`");
     f.help = "write them on two lines";
   } else if (said.starts_with("Cannot use axis values with g80")) {
     f.message = "`G80` ends the motion mode, and " + word + " is on its line";
     f.help = "write `G80` on a line of its own, and the move with its code, such as `G0`";
   } else if (said.starts_with("Cannot use axis values without")) {
-    f.message = word + " stands with nothing that moves: no G0, G1 or other motion is on this line or in effect here";
+    f.message = word + " moves nothing: there is no G0, G1 or other motion on this line or in effect here";
     f.help = "write `G0` or `G1` on this line";
   } else if (said.starts_with("Polar coordinates can only")) {
-    f.message = word + " is a polar word, which only a motion takes" +
+    f.message = word + " is a polar word: only a motion can use it" +
         (at.other_word.empty() ? "" : ", not `" + at.other_word + "`");
     f.help = "write `X` and `Y`";
   } else if (said.find("except in G17") != std::string::npos) {
-    f.message = word + " is a polar word, and another plane than XY is in effect";
+    f.message = word + " is a polar word, but the XY plane is not in effect";
     f.help = "write `G17` on a line before";
   } else if (said.find("lacking X or Y") != std::string::npos) {
     f.message = word + " is a polar word, and the machine has no X or no Y axis";
     f.help = "write the axes that the machine has";
   } else if (said.starts_with("Cannot specify both")) {
     const std::string other = at.other_word.empty() ? said.substr(said.size() - 6, 1) : at.other_word;
-    f.message = fmt::format("{} and `{}` cannot stand on one line: a position is polar or not", word, other);
+    f.message = fmt::format("{} and `{}` cannot be on one line: a position is polar or not", word, other);
     f.help = "write `X` and `Y`, or `@` and `^`";
   } else {
     f.message = word + " has no code that uses it";
@@ -67,9 +67,9 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(`X`, `Y`, `Z` and the other axes on a line that neither has a code for them nor stands behind one that is
-still in effect: the first line of a program, or a line behind `G80`. Or axis words that two codes of
-the line want: `G28 G1 X5`. Also `@` and `^` where they cannot stand.)",
+                R"(`X`, `Y`, `Z` and the other axes on a line without a code for them, when no motion is in effect: the first
+line of a program, or a line after `G80`. Or axis words that two codes of
+the line want: `G28 G1 X5`. Also `@` and `^` where they are not allowed.)",
             .why =
                 R"(LinuxCNC stops with `Cannot use axis values without a g code that uses them`, `Cannot use axis values with
 g80` or `Cannot use two g codes that both use axis values`. Nothing of the line is executed.

@@ -137,7 +137,7 @@ class Checker {
     if (bare_word && comment.rest.find_first_not_of(" \t") != std::string_view::npos) return;  // prose: `(py chart)`
     if (!last) {
       add(comment.span, "this comment does nothing: only the last comment of a line acts",
-          "write it on a line of its own, or behind the other comments");
+          "write it on a line of its own, or after the other comments");
     } else if (id_ != kNoStatement && never_acts(in_.program.at(id_).kind)) {
       add(comment.span,
           fmt::format("this comment does nothing: comments do not act on the line of {}",
@@ -169,7 +169,7 @@ class Checker {
     Edit edit{{comment.rest_at, comment.rest_at + behind}, ","};
     if (next == ',') {
       edit.text.clear();
-      add(comment.word, fmt::format("a blank before the comma: `({} ,` is an ordinary comment", word),
+      add(comment.word, fmt::format("a space before the comma: `({} ,` is an ordinary comment", word),
           fmt::format("write `({},`", word))
           .fixes.push_back({fmt::format("write `({},`", word), false, {std::move(edit)}});
       return;
@@ -212,8 +212,8 @@ class Checker {
         (letter == 'f' && body.size() == 2 && body[0] == '.' && is_digit(body[1]));
     if (known || !number || (to + 1 < text.size() && is_letter(text[to + 1]))) return;
     ++to;
-    add({at, at + to}, fmt::format("`{}` is no format: LinuxCNC shows it as it is", text.substr(0, to)),
-        "the formats are `%d`, `%f` and `%.0f` to `%.9f`, and stand before the parameter");
+    add({at, at + to}, fmt::format("`{}` is not a format: LinuxCNC shows it as it is", text.substr(0, to)),
+        "the formats are `%d`, `%f` and `%.0f` to `%.9f`, written before the parameter");
   }
 
   /// How many bytes of it need no second look.
@@ -257,7 +257,7 @@ class Checker {
     if (close == std::string_view::npos) return;
     const Comment comment = comment_at(open, close);
     if (comment.command == nullptr || !comment.has_comma()) return;
-    Finding& f = add(comment.span, "this comment does nothing: it stands behind `;`", "remove the `;`");
+    Finding& f = add(comment.span, "this comment does nothing: it comes after `;`", "remove the `;`");
     f.weight = Weight::kAside;  // it may have been taken out on purpose
   }
 
@@ -283,7 +283,7 @@ extern const Rule kRule{
             .what =
                 R"(A comment that looks like a command and is none: `(MSG text)` without the comma, `(ABORT ,text)` with a
 blank before it, `(probeopen file)` in small letters. A command in a place where comments do not act: not
-the last comment of its line, on the line of an O-word or of `M98`, behind `;`. A format that LinuxCNC
+the last comment of its line, on the line of an O-word or of `M98`, after `;`. A format that LinuxCNC
 does not know (`%5.2f`), a parameter above #5601, `#[...]` in a `(DEBUG,...)` or `(PRINT,...)`, or
 `#<name>` in a `(MSG,...)`.
 
@@ -294,7 +294,7 @@ parameter follows.)",
 `%5.2f` or `######` in it. `(MSG,...)` shows `#<name>` as it is; `(DEBUG,...)` shows the value.
 
 The word comes first, in small or capital letters, and the comma right after it. The formats `%d`, `%f`
-and `%.3f` hold from where they stand to the end of the text.
+and `%.3f` apply from their place to the end of the text.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -316,7 +316,7 @@ M2
             .fix =
                 R"(Write the comma right after the word, and the comment on a line of its own. If it is an ordinary comment,
 begin it with another word.)",
-            .level_reason = "Warning: the program runs, but not as its author thinks. Info for a command behind `;`, "
+            .level_reason = "Warning: the program runs, but not as its author thinks. Info for a command after `;`, "
                             "where it may have been "
                             "put to take it out.",
             .interpreter = "",

@@ -101,13 +101,13 @@ void report(const Source& source, const Line& line, Reporter& out) {
     std::string message;
     size_t other = line.last;
     if (line.moves() && i > line.last && !what.empty()) {
-      message = fmt::format("`{}` {} before the move, though it is written behind it", written, what);
+      message = fmt::format("`{}` {} before the move, although it is written after it", written, what);
     } else if (line.moves() && i < line.first && word.letter == 'm' && is_stop(number)) {
-      message = fmt::format("`{}` {} the program after the move, though it is written before it", written,
+      message = fmt::format("`{}` {} the program after the move, although it is written before it", written,
                             number == code::kM2 || number == code::kM30 ? "ends" : "pauses");
       other = line.first;
     } else if (line.dwell < i && word.letter == 'm' && !what.empty()) {
-      message = fmt::format("`{}` {} before `G4` waits, though it is written behind it", written, what);
+      message = fmt::format("`{}` {} before `G4` waits, although it is written after it", written, what);
       other = line.dwell;
     } else {
       continue;
@@ -146,11 +146,11 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A code that acts before the move of its line, although it is written behind it: `G0 X10 M5`, `G1 X10 G4
+                R"(A code that acts before the move of its line, although it is written after it: `G0 X10 M5`, `G1 X10 G4
 P1`, `G0 X10 G91`. A pause that is written before the move and comes after it: `M0 G0 X10`. A dwell that
 is written before a spindle or output code: `G4 P1 M3`.
 
-`F`, `S` and `T`, and codes that are commonly written behind a move without a doubt (coolant on, tool
+`F`, `S` and `T`, and codes that people commonly write after a move (coolant on, tool
 length), are not reported.)",
             .why =
                 R"(The order of the words on a line means nothing. LinuxCNC always does: feed and speed, outputs, tool

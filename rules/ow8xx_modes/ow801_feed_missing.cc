@@ -38,17 +38,18 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
   const std::string place = where(in, *setter);
   if (setter->restores()) {
     f.message += ": restoring the modes " + place + " has set it to 0";
-    f.help = "write `F` again behind it: a feed mode that is restored sets the feed to 0";
+    f.help = "write `F` again after it: restoring the feed mode sets the feed to 0";
   } else if (setter->word.starts_with('F')) {
     f.message += fmt::format(": `{}` {} has set it", setter->word, place);
     f.help = "write a feed rate above 0";
   } else if (setter->word.starts_with("G2")) {
     f.message += fmt::format(": `{}` {} has changed the unit and lost it", setter->word, place);
-    f.help = fmt::format("write `F` again behind `{}`", setter->word);
+    f.help = fmt::format("write `F` again after `{}`", setter->word);
   } else {
     f.message += fmt::format(": `{}` {} has set it to 0", setter->word, place);
-    f.help = fmt::format("write `F` again with or behind `{0}`: it sets the feed to 0 even when `{0}` was in effect",
-                         setter->word);
+    f.help = fmt::format(
+        "write `F` again on the line of `{0}` or after it: it sets the feed to 0, even if `{0}` was in effect",
+        setter->word);
   }
   relate_setter(in, f, setter, setter->word.starts_with("G9") ? "sets the feed to 0 here" : "is here");
 }
@@ -76,15 +77,15 @@ extern const Rule kRule{
 or `G94` or `G95` has set the feed to 0 since.)",
             .why =
                 R"(LinuxCNC stops with `Cannot do g1 with zero feed rate`, `Cannot make arc with zero feed rate` and the
-like. It does so too if the line does not move: for `G1` alone.
+like. It stops even if the line does not move: for `G1` alone, too.
 
-`G94` and `G95` set the feed to **0**, even when the same mode was in effect. `F` on their own line
-counts, on a line before not. `F` in `G93` counts for the move of its line only. `M72`, and the end of a
+`G94` and `G95` set the feed to **0**, even if the same mode was already in effect. An `F` on their own
+line counts; an `F` on an earlier line does not. In `G93`, an `F` counts only for the move on its line. `M72`, and the end of a
 sub with `M73`, may restore `G94` or `G95`: then the feed is 0 as well.
 
-`rs274`, which owlint follows, starts with feed 0. On a machine, a feed from before may still be there:
-the program then runs at a feed that nobody has chosen for it. In a file that others call, owlint makes
-no claim about the feed at its first line.
+`rs274`, which owlint follows, starts with feed 0. On a machine, an earlier program may have set a feed:
+then this program runs at that feed. In a file that other programs call, owlint assumes nothing about the
+feed at its first line.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -105,7 +106,7 @@ M2
 )",
             .fix = R"(Write `F` on the line of the first move at feed rate, and on each line with `G94` or `G95`.)",
             .level_reason =
-                "Error if a run gets here with feed 0: the program stops. Where no run gets, owlint says nothing.",
+                "Error if a run gets here with feed 0: the program stops. Nothing is reported where no run gets.",
             .interpreter = "Cannot do g1 with zero feed rate",
             .options = "",
         },

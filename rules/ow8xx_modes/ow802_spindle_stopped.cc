@@ -42,7 +42,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW802",
     .name = "spindle-stopped",
-    .summary = "a move that needs a turning spindle, or a speed, without one",
+    .summary = "a move that needs a turning spindle or a speed",
     .group = Group::kModes,
     .level = Severity::kError,
     .page =
@@ -56,8 +56,8 @@ clockwise in G74` and the like. In `G95` it stops with `Cannot feed with zero sp
 rev mode`.
 
 `M5` stops the spindle, and so do `M19` and a tool change with `M6`, unless the INI has
-`TOOL_CHANGE_WITH_SPINDLE_ON`. `M3` and `M4` count as turning even at speed 0, but `G95` looks at the
-number `S` alone. `M6` and `M3` may stand on one line: the spindle then turns.
+`TOOL_CHANGE_WITH_SPINDLE_ON`. After `M3` or `M4` the spindle counts as turning, even at speed
+0, but `G95` looks only at `S`. `M6` and `M3` may be on one line: then the spindle turns.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90

@@ -9,7 +9,7 @@ namespace owlint::rules::ow803 {
 namespace {
 
 constexpr std::string_view kOwn =
-    "write `F` with 1 divided by the minutes that the move takes, or `G94` with a feed rate before it";
+    "write `F` with 1 divided by the minutes for this move, or write `G94` and a feed rate before it";
 
 constexpr std::array kSaid = {
     Said{"inverse time g1 move", "G1 *", "has no `F` of its own, and `G93` is in effect", kOwn},
@@ -42,9 +42,9 @@ extern const Rule kRule{
                 R"(A `G1`, arc or spline without its own `F` while `G93` (inverse time) is in effect, a drilling cycle in
 `G93`, or a probe move in `G95` (feed per revolution).)",
             .why =
-                R"(In `G93`, `F` says how long this one move takes, so every move at feed rate needs one; LinuxCNC stops with
+                R"(In `G93`, `F` says how long this one move takes, so every move at feed rate needs its own `F`; LinuxCNC stops with
 `F word missing with inverse time g1 move` or `F word missing with inverse time arc move`. This also
-counts for lines without `G1` that take it from a line before. `G0`, threads and NURBS curves need no
+applies to lines without `G1` if `G1` is in effect from an earlier line. `G0`, threads and NURBS curves need no
 `F`.
 
 Drilling cycles stop in `G93` with `Cannot use inverse time feed with canned cycles`, probe moves in

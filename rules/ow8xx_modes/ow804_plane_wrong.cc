@@ -1,4 +1,4 @@
-// OW804 plane-wrong: words or a code that the plane in effect does not take.
+// OW804 plane-wrong: words or a code that the plane in effect does not allow.
 // Depends on: G17 XY, G18 XZ, G19 YZ; G17.1, G18.1 and G19.1 are those of U, V and W. The plane of the line counts, wherever it
 // is written. Cutter compensation is OW805's, polar words are OW709's.
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace owlint::rules::ow804 {
 namespace {
 
 constexpr std::string_view kPlanes = "G17 G18 G19 G17.1 G18.1 G19.1";
-constexpr std::string_view kInCycle = "remove the word, or choose the plane that is meant before it";
+constexpr std::string_view kInCycle = "remove the word, or select the right plane before it";
 
 constexpr std::array kSaid = {
     Said{"Cannot do an arc in planes", "G2 G3 * I J K R", "is an arc, and a plane of `U`, `V` and `W` is in effect",
@@ -25,14 +25,14 @@ constexpr std::array kSaid = {
          "write `G17` on this line or before it"},
     Said{"can only be used in XZ plane", "G70 G71 G71.1 G71.2 G72 G72.1 G72.2",
          "turns in XZ, and another plane is in effect", "write `G18` on this line or before it"},
-    Said{"Cannot put an X in", "X", "cannot stand in a cycle of this plane", kInCycle},
-    Said{"Cannot put a Y in", "Y", "cannot stand in a cycle of this plane", kInCycle},
-    Said{"Cannot put a Z in", "Z", "cannot stand in a cycle of this plane", kInCycle},
-    Said{"Cannot put a U in", "U", "cannot stand in a cycle of this plane", kInCycle},
-    Said{"Cannot put a V in", "V", "cannot stand in a cycle of this plane", kInCycle},
-    Said{"Cannot put a W in", "W", "cannot stand in a cycle of this plane", kInCycle},
+    Said{"Cannot put an X in", "X", "cannot be used in a cycle in this plane", kInCycle},
+    Said{"Cannot put a Y in", "Y", "cannot be used in a cycle in this plane", kInCycle},
+    Said{"Cannot put a Z in", "Z", "cannot be used in a cycle in this plane", kInCycle},
+    Said{"Cannot put a U in", "U", "cannot be used in a cycle in this plane", kInCycle},
+    Said{"Cannot put a V in", "V", "cannot be used in a cycle in this plane", kInCycle},
+    Said{"Cannot put a W in", "W", "cannot be used in a cycle in this plane", kInCycle},
     Said{"canned cycle is not possible", "G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89 *",
-         "drills along an axis that the machine lacks, as the plane in effect says",
+         "drills along an axis that the machine does not have, because of the plane in effect",
          "write `G17` on this line or before it"},
     Said{"for plane", "G74 G84 *", "cannot tap in a plane of `U`, `V` and `W`",
          "write `G17` on this line or before it"},
@@ -63,7 +63,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW804",
     .name = "plane-wrong",
-    .summary = "words or a code that the plane in effect does not take",
+    .summary = "words or a code that the plane in effect does not allow",
     .group = Group::kModes,
     .level = Severity::kError,
     .page =
@@ -73,12 +73,12 @@ extern const Rule kRule{
 (`G18`), `I` in YZ (`G19`). A spline outside XY, a lathe cycle (`G70` to `G72`) outside XZ, an arc or a
 cycle in a plane of `U`, `V` and `W`.)",
             .why =
-                R"(Where an arc lies is not seen from its words: the plane in effect decides. LinuxCNC stops with `K word
+                R"(The words of an arc do not say in which plane it is: the plane in effect decides. LinuxCNC stops with `K word
 given for arc in xy plane`, `Splines must be in the XY plane`, `G71.0 can only be used in XZ plane (G18)`
 and the like.
 
-The plane stays in effect until another one is chosen, also behind calls. A plane on the line itself
-counts for its move, wherever it is written there.
+The plane stays in effect until another one is selected, even after calls. A plane on the line itself
+applies to the move on that line, wherever on the line it is written.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -95,10 +95,10 @@ G2 X14 Z-4 I0 K-4
 M2
 )",
             .fix =
-                R"(Choose the plane before the arc: `G17` for XY, `G18` for XZ, `G19` for YZ. Or write the center with the
+                R"(Select the plane before the arc: `G17` for XY, `G18` for XZ, `G19` for YZ. Or write the center with the
 letters of the plane that is in effect.)",
             .level_reason =
-                "Error if a run gets here in that plane: the program stops. Where no run gets, owlint says nothing.",
+                "Error if a run gets here in that plane: the program stops. Nothing is reported where no run gets.",
             .interpreter = "K word given for arc in xy plane",
             .options = "",
         },

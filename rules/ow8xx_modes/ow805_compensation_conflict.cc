@@ -1,4 +1,4 @@
-// OW805 compensation-conflict: a code that cutter compensation forbids while it is on, or that cannot start it.
+// OW805 compensation-conflict: a code that is not allowed while cutter compensation is on, or that cannot start it.
 // Depends on: G41, G42, G41.1 and G42.1 switch it on, also with a tool without a diameter; only G40 and the program's end
 // switch it off. Behind a path with compensation, the first move must be straight. Paths that do not fit the tool are other
 // rules' business.
@@ -13,20 +13,21 @@ constexpr std::string_view kStarts = "G41 G42 G41.1 G42.1";
 
 /// What begins compensation, or cannot stand behind it.
 constexpr std::array kEntry = {
-    Said{"allowed only in XY, XZ planes", kStarts, "works in the XY and the XZ plane, and another one is in effect",
+    Said{"allowed only in XY, XZ planes", kStarts, "works only in the XY or XZ plane, and another plane is in effect",
          "write `G17` or `G18` on this line or before it"},
-    Said{"comp on when on", kStarts, "switches cutter compensation on, which is on already",
+    Said{"comp on when on", kStarts, "switches cutter compensation on, but it is already on",
          "write `G40` on a line before it, even to change the side"},
     Said{"with no D word", kStarts, "needs the diameter of the tool as `D`",
          "write `D` and the diameter, or `G41` or `G42`, which take it from the tool table"},
     Said{"with L word, but plane is not G18", "L",
-         "is the orientation of a lathe tool, and another plane than XZ is in effect",
+         "is the orientation of a lathe tool, but the XZ plane is not in effect",
          "remove it, or write `G18` on this line"},
-    Said{"requires D word to be a whole number", "D", "is no number of a tool",
+    Said{"requires D word to be a whole number", "D", "is not a tool number",
          "write the tool's number; `G41.1` and `G42.1` take a diameter as `D`"},
-    Said{"with lathe tool, but plane is not G18", kStarts, "takes a lathe tool, and another plane than XZ is in effect",
+    Said{"with lathe tool, but plane is not G18", kStarts, "takes a lathe tool, but the XZ plane is not in effect",
          "write `G18` on this line, or set the orientation of the tool to 0 in the tool table"},
-    Said{"must be straight, not an arc", "G2 G3 * I J K R", "is an arc, and the first move behind cutter compensation",
+    Said{"must be straight, not an arc", "G2 G3 * I J K R",
+         "is an arc, and it is the first move after cutter compensation",
          "write a straight move, such as `G1`, between `G40` and the arc"},
 };
 
@@ -36,8 +37,8 @@ constexpr std::array kForbidden = {
     Said{"Cannot change tool offset", "G43 G43.1 G43.2 G49", "sets the tool length offset", ""},
     Said{"Cannot change coordinate systems", "G54 G55 G56 G57 G58 G59 G59.1 G59.2 G59.3", "chooses a coordinate system",
          ""},
-    Said{"Cannot change control mode", "G61 G61.1 G64", "sets how exactly the path is followed", ""},
-    Said{"Cannot change retract mode", "G98 G99", "sets where cycles retract to", ""},
+    Said{"Cannot change control mode", "G61 G61.1 G64", "sets how exactly the machine follows the path", ""},
+    Said{"Cannot change retract mode", "G98 G99", "sets how far cycles retract", ""},
     Said{"Cannot change the active coordinate system", "G10", "changes the coordinate system that is in effect", ""},
     Said{"Cannot change axis offsets", "G52 G92", "changes the offset of the axes", ""},
     Said{"Cannot change tools", "M6", "changes the tool", ""},
@@ -92,7 +93,7 @@ Finding* explain(const Input& in, Reporter& out, const FlowStop& stop) {
     } else if (behind) {
       relate_setter(in, f, setter_of(in, stop, "G40"), "ends cutter compensation here");
     } else if (stop.other == stop.statement) {
-      f.message += ": by this line itself, in a pass before";
+      f.message += ": by this line itself, in an earlier pass of the loop";
     } else {
       relate_setter(in, f, setter_of(in, stop, kStarts, false), "switches it on here");
     }
@@ -104,7 +105,7 @@ Finding* explain(const Input& in, Reporter& out, const FlowStop& stop) {
   if (!reads) {
     if (said_of(kForbidden, stop.interpreter) != nullptr) f.message += " while cutter compensation is on";
     const std::string start = setter && !setter->restores() ? "`" + setter->word + "`" : "`G41` or `G42`";
-    f.help = "write it before " + start + ", or behind `G40`";
+    f.help = "write it before " + start + ", or after `G40`";
   }
   relate_setter(in, f, setter, "switches it on here");
   return &f;
@@ -119,24 +120,24 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW805",
     .name = "compensation-conflict",
-    .summary = "a code that cutter compensation forbids while it is on, or that cannot start it",
+    .summary = "a code that is not allowed while cutter compensation is on, or that cannot start it",
     .group = Group::kModes,
     .level = Severity::kError,
     .page =
         {
             .what =
                 R"(While cutter compensation (`G41`, `G42`) is on: another plane, tool, tool length offset or coordinate
-system, `G28`, `G53`, `G92`, a probe move, a cycle, an input or output, and what else it forbids. A second
-`G41` without `G40` between them. A `G41` in the YZ plane, or without the `D` that it needs. An arc as
-the first move behind `G40`.)",
+system, `G28`, `G53`, `G92`, a probe move, a cycle, an input or output, and others. A second `G41` without
+a `G40` between them. A `G41` in the YZ plane, or without the `D` that it needs. An arc as
+the first move after `G40`.)",
             .why =
                 R"(LinuxCNC stops with `Cannot change tool offset with cutter radius compensation on`, `Cannot turn cutter
-radius comp on when on` and the like. Compensation stays on until `G40` or the end of the program, also
-behind the end of a sub that has begun it.
+radius comp on when on` and the like. Compensation stays on until `G40` or the end of the program, even
+after the end of the sub that switched it on.
 
-A tool without a diameter in the tool table, or no tool in the spindle, makes no difference for most of
-this: compensation is on, though it moves nothing. Allowed are speeds and feeds, coolant, `G20`, `G21`,
-`G90`, `G91` and `M0`. `G92.1` to `G92.3` do nothing at all then, without a message.
+For most of these it makes no difference if the tool has no diameter in the tool table, or if no tool is in
+the spindle: compensation is on all the same. Speeds and feeds, coolant, `G20`, `G21`, `G90`, `G91` and `M0`
+are allowed. `G92.1` to `G92.3` do nothing then, and give no message.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17
@@ -160,7 +161,7 @@ G40
 M2
 )",
             .fix =
-                R"(Move the code before `G41` or behind `G40`. Behind `G40`, write a straight move before the first arc.)",
+                R"(Move the code before `G41` or after `G40`. After `G40`, write a straight move before the first arc.)",
             .level_reason = "Error if a run gets here with compensation on: the program stops. Where no run gets, "
                             "owlint says nothing.",
             .interpreter = "Cannot change tool offset with cutter radius compensation on",

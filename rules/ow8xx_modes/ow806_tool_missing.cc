@@ -1,4 +1,4 @@
-// OW806 tool-missing: a tool that the tool table does not have, or none selected.
+// OW806 tool-missing: a tool that is not in the tool table, or no tool selected.
 // Depends on: T, Q of M61, D of G41 and G42, H of G43 and G43.2, P of G10 L1, L10 and L11 are looked up in the tool table, in
 // this order. T0, D0 and H0 always are there. G43.2 with axis words looks up tool -1 before 2.10.
 #include <cmath>
@@ -25,11 +25,11 @@ const WrittenWord* asking(const std::vector<WrittenWord>& line, const std::strin
 void not_found(const Source& source, const std::string& number, const WordStop& at, Finding& f) {
   const WrittenWord* word = asking(at.line, number);
   if (word == nullptr && number == "-1" && find_word(at.line, "G43.2") != nullptr) {
-    f.message = "`G43.2` with axis words stops: LinuxCNC looks for tool -1, before version 2.10";
+    f.message = "`G43.2` with axis words stops: before version 2.10, LinuxCNC looks for tool -1";
     f.help = "write `G43.1` and the sum of the offsets, or `G43.2` with the tool as `H`";
     return;
   }
-  f.help = "add the tool to the tool table, or write the number of one that is there";
+  f.help = "add the tool to the tool table, or write the number of a tool in the table";
   if (word == nullptr) {
     f.message = "this line needs tool " + number + ", which is not in the tool table";
     return;
@@ -49,7 +49,7 @@ void check(const Input& in, Reporter& out) {
       not_found(*in.program.source, said.substr(kNotFound.size(), said.find(' ', kNotFound.size()) - kNotFound.size()),
                 at, f);
     } else {
-      f.message = subject(at) + " changes the tool, and no `T` has chosen one";
+      f.message = subject(at) + " changes the tool, but no `T` has selected one";
       f.help = "write `T` and the tool's number on this line or before it";
     }
     relate_setter(in, f, setter_of(in, stop, "T M6 M61", false), "is here");
@@ -62,7 +62,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW806",
     .name = "tool-missing",
-    .summary = "a tool that the tool table does not have, or none selected",
+    .summary = "a tool that is not in the tool table, or no tool selected",
     .group = Group::kModes,
     .level = Severity::kError,
     .page =
@@ -72,10 +72,9 @@ extern const Rule kRule{
 of `M61`, `P` of `G10 L1`. `G43.2` with axis words, which always looks for tool -1 before version 2.10.)",
             .why =
                 R"(LinuxCNC stops with `Requested tool N not found in the tool table`. `T` alone does so, without `M6`. The
-numbers 0 of `T`, `D` and `H` mean the spindle, and always are there; -1 never is.
+number 0 of `T`, `D` and `H` means the spindle and is always there; -1 never is.
 
-Which tools there are depends on the machine. Without its INI, owlint reports only what no tool table
-has.
+The tools depend on the machine. Without its INI, owlint reports only numbers that no tool table can have.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -95,7 +94,7 @@ M2
             .fix =
                 R"(Write the number of a tool in the tool table, or add the tool to the table. An offset for wear can be an
 entry of its own, for `G43.2 H`.)",
-            .level_reason = "Error if a run gets here: the program stops. Where no run gets, owlint says nothing.",
+            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
             .interpreter = "Requested tool -1 not found in the tool table",
             .options = "",
         },

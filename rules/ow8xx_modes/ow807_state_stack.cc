@@ -34,7 +34,7 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, "");
     const bool m72 = find_word(at.line, "M72") != nullptr;
     if (stop.interpreter.find(kFailed) == std::string::npos) {
-      f.message = "`M72` restores modes, and nothing has saved them";
+      f.message = "`M72` restores modes, but nothing has saved them";
       f.help = "write `M70` before the modes change, in the same sub as `M72`";
       relate_setter(in, f, setter_of(in, stop, "M71", false), "discards what was saved");
       return &f;
@@ -42,7 +42,7 @@ void check(const Input& in, Reporter& out) {
     const auto [line, message] = line_and_message(stop.interpreter);
     f.message = (m72 ? "`M72` cannot restore" : "the end of the sub cannot restore") + std::string(" what ") +
         (m72 ? "was" : "`M73` has") + " saved" +
-        (line.empty() ? "" : fmt::format(": LinuxCNC runs `{}` for it, and stops there", line));
+        (line.empty() ? "" : fmt::format(": to do that, LinuxCNC runs `{}`, and stops", line));
     f.help = remedy(message);
     relate_setter(in, f, setter_of(in, stop, "M70 M73", false), "saves the modes here");
     return &f;
@@ -60,16 +60,16 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(`M72` where no `M70` or `M73` has saved the modes, or `M71` has discarded them since. Also `M72`, or the
-end of a sub with `M73`, where the saved modes cannot be restored.)",
+                R"(`M72` when no `M70` or `M73` has saved the modes, or when `M71` has discarded them. Also `M72`, or the end
+of a sub with `M73`, when LinuxCNC cannot restore the saved modes.)",
             .why =
-                R"(What `M70` and `M73` save belongs to the call that runs them: a sub cannot restore what its caller has
-saved, and at the end of the sub it is gone. LinuxCNC stops with `Cannot restore context from invalid
+                R"(What `M70` and `M73` save belongs to the current call: a sub cannot restore what its caller has saved, and
+what the sub has saved is gone when it ends. LinuxCNC stops with `Cannot restore context from invalid
 stack frame - missing M70/M73?`.
 
-To restore, LinuxCNC makes a line of everything that differs and runs it: `G96` without its `S`, or a
+To restore the modes, LinuxCNC makes a line of codes for all differences and runs it: `G96` without its `S`, or a
 plane while cutter compensation is on, stops with `M7x: restore_settings failed executing: …`. If
-anything at all was restored, the rest of the line of `M72` is lost, without a message. The motion
+anything was restored, LinuxCNC ignores the rest of the `M72` line without a message. The motion
 (`G0`, `G1`) is not restored.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",

@@ -129,11 +129,11 @@ void check(const Input& in, Reporter& out) {
     const std::string from = code_of_value(h.mode, h.from);
     const std::string to = code_of_value(h.mode, h.to);
     Finding& f = out.add(call.kind == LineKind::kM98 ? call.whole() : call.head_span(),
-                         call_words(p, h.statement) + " comes back in `" + to + "`: it was called in `" + from + "`");
+                         call_words(p, h.statement) + " returns in `" + to + "`, but was called in `" + from + "`");
     relate_mode(in, f, h, h.to);
     if (h.needed_in != nullptr) relate_line(in, f, *h.needed_in, h.needed_line, "*", "this move " + now + " now");
     f.help = "write `" + from +
-        "` at the end of the sub, or behind the call; `M73` at the beginning of the sub restores all modes at its end";
+        "` at the end of the sub, or after the call; `M73` at the beginning of the sub restores all modes at its end";
     f.reach = h.reach;
     f.unproven = h.unproven;
   }
@@ -144,23 +144,22 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW851",
     .name = "mode-leak",
-    .summary = "a sub comes back with a mode changed, and its caller moves in it",
+    .summary = "a sub changes a mode, and its caller moves in the changed mode",
     .group = Group::kModes,
     .level = Severity::kWarning,
     .page =
         {
             .what =
-                R"(A call that comes back with another distance mode, unit, plane, feed mode or coordinate system than it
-was made with, where the caller then moves before it sets the mode itself: the move means something
-else than above the call.
+                R"(A sub changes the distance mode, unit, plane, feed mode or coordinate system, and the caller then moves
+before it sets the mode again: after the call, the same words mean something else than before it.
 
 A sub whose name says that it sets modes is not reported: `setup`, `metric`, `save_modes`, `set_g91`,
-`on_abort` and the like. Neither is a change that another call takes back, nor one in a file that asks
-for the mode (`#<_absolute>`) to set it back, nor a mode that no move depends on.)",
+`on_abort` and the like. Nor does owlint report a change that another call reverses, a change in a file
+that reads the mode (`#<_absolute>`) to restore it, or a mode that no move depends on.)",
             .why =
                 R"(Modes belong to the machine, not to the sub: LinuxCNC keeps them over `endsub`. There is no message. In
-the first program below the sub goes down step by step in `G91` and forgets `G90`: the second hole is
-drilled at X40 and not at X30.
+the first program below, the sub goes down in `G91` and does not switch back to `G90`: the second hole is
+at X40, not at X30.
 
 `M73` in a sub saves the modes and restores them when the sub ends, wherever it ends. `M70` and `M72`
 do the same by hand.
@@ -195,7 +194,7 @@ M2
                 R"(Set the mode back at the end of the sub, also before each `return`, or write `M73` at its beginning.
 Suppress it where the caller wants the new mode, or give the sub a name that says so.)",
             .level_reason =
-                "Warning: the program runs, and its author may want the new mode; but the caller does not show it.",
+                "Warning: the program runs, and its author may want the new mode, but the caller does not show it.",
             .interpreter = "",
             .options = "",
             .moves = "X40",

@@ -73,7 +73,7 @@ void check(const Input& in, Reporter& out) {
                          "this move " + one + " on one path, and " + two + " on another");
     relate_mode(in, f, h, set);
     f.help = "write `" + code_of_value(h.mode, set) + "` or `" + code_of_value(h.mode, other) +
-        "` where the paths have come together, before this move";
+        "` before this move, after the paths have joined";
     f.reach = h.reach;
     f.unproven = h.unproven;
   }
@@ -90,16 +90,16 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A move that two paths lead to, one of which has set a mode and the other not, or to another value: the
-same line is incremental or absolute, in inches or millimeters, an arc lies in XY or in XZ. The paths
-are the branches of an `if`, a loop with and without a pass, or the first pass of a loop and the next.
+                R"(Two paths lead to a move, and they set a mode differently: the same line is incremental or absolute, in
+inches or in millimeters, or an arc is in XY or in XZ. The paths are the branches of an `if`, a loop that
+runs or does not run, or the first pass of a loop and the next one.
 
-Not reported is an `if` that sets the mode in both ways, as a choice of inches or millimeters, nor a file
-that asks for the mode (`#<_absolute>`) to set it back. If the mode comes out of a call, OW851 reports
-the call.)",
+owlint does not report an `if` that sets the mode in both branches, such as a choice of inches or
+millimeters, or a file that reads the mode (`#<_absolute>`) to restore it. If a called sub has changed the
+mode, OW851 reports the call.)",
             .why =
-                R"(A mode stays in effect behind the `endif` and from one pass of a loop to the next. There is no message.
-The first program below goes to X50 if the probe touches nothing, and else 50 mm on from where it is.
+                R"(A mode stays in effect after the `endif`, and from one pass of a loop to the next. There is no message. The
+first program below goes to X50 if the probe touches nothing; otherwise it moves 50 mm from where it is.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -126,7 +126,7 @@ M2
             .fix =
                 R"(Set the mode back at the end of the branch, or once more where the paths have come together. Suppress it
 where the program sets the mode by a choice of its user and all its moves go by it.)",
-            .level_reason = "Warning: the program runs, but what the move does depends on the way to it.",
+            .level_reason = "Warning: the program runs, but what the move does depends on the path to it.",
             .interpreter = "",
             .options = "",
         },

@@ -57,12 +57,12 @@ extern const Rule kRule{
         {
             .what =
                 R"(The first move of a program, if no line before it sets the units (`G20`, `G21`) or the distance mode
-(`G90`, `G91`), and the first arc or drilling cycle without a plane (`G17`, `G18`, `G19`). Files that
-others call are not reported: they run in the modes of their caller.)",
+(`G90`, `G91`). Also the first arc or drilling cycle, if no line before it sets the plane (`G17`, `G18`,
+`G19`). owlint does not report files that other programs call: they run in the modes of their caller.)",
             .why =
-                R"(The program runs in the modes that the last program or the operator has left, or those of the INI's
-`RS274NGC_STARTUP_CODE`. `M2` sets `G90` and `G17` again, but not the units: on a machine that has run a
-program in inches, the first program below moves 254 mm.
+                R"(The program runs in the modes that the last program, the operator or the INI's `RS274NGC_STARTUP_CODE` has
+set. `M2` sets `G90` and `G17` again, but not the units: on a machine that has just run a program in inches,
+the first program below moves 254 mm.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G0 X10 Y10 Z5

@@ -161,10 +161,11 @@ bool check_probe(const Input& in, Reporter& out, uint32_t line) {
   const std::string code = shown(source, probe->span);
   const std::string what =
       use->sets.empty() ? "the probed point is used here" : "`" + use->sets + "` takes this position as probed";
-  Finding& f = out.add(use->span, what + ", and nothing looks at `#5070`: without contact `" + code + "` goes on");
+  Finding& f =
+      out.add(use->span, what + ", but nothing tests `#5070`: if the probe touches nothing, `" + code + "` goes on");
   f.related.push_back({probe->span, "`" + code + "` is here", nullptr});
   const bool away = find_word({*probe}, "G38.5") != nullptr;
-  f.help = fmt::format("test `#5070` behind `{}`, or write `{}`, which stops the program by itself", code,
+  f.help = fmt::format("test `#5070` after `{}`, or write `{}`, which stops the program by itself", code,
                        away ? "G38.4" : "G38.2");
   if (use->statement != kNoStatement) f.reach = in.flow.reach(use->statement);
   return true;
@@ -196,10 +197,9 @@ bool check_wait(const Input& in, Reporter& out, uint32_t line) {
   const std::vector<WrittenWord> words = words_of(source, source.line(line));
   if (!goes_on(in.program, line, words)) return false;
   const WrittenWord* code = find_word(words, "M66");
-  Finding& f =
-      out.add(code->span,
-              "`" + shown(source, code->span) + "` also goes on when its time is over, and nothing looks at `#5399`");
-  f.help = "test `#5399` behind it: it is -1 if the input has not come";
+  Finding& f = out.add(
+      code->span, "`" + shown(source, code->span) + "` also goes on when its time is over, but nothing tests `#5399`");
+  f.help = "test `#5399` after it: it is -1 if the input did not come";
   return true;
 }
 
@@ -228,28 +228,27 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW854",
     .name = "probe-unchecked",
-    .summary = "a probed point is used, or a wait for an input is over, and nothing looks at whether it came",
+    .summary = "a probed point is used, or a wait for an input ends, and nothing tests whether it came",
     .group = Group::kModes,
     .level = Severity::kWarning,
     .page =
         {
             .what =
-                R"(`#5061` to `#5069` behind `G38.3` or `G38.5`, in a word of a line, also by way of a parameter, where no line
-of the file, or of a file that it calls, looks at `#5070`. The same of `G92` and `G10 L20` right behind
-such a move.
+                R"(After `G38.3` or `G38.5`, a line uses the probed point (`#5061` to `#5069`), perhaps through another
+parameter, and no line of the file, or of a file that it calls, tests `#5070`. The same for `G92` and
+`G10 L20` right after such a move.
 
-`M66` that waits until an input is on or off (`L3`, `L4`) for some seconds, with moves behind it, where
-no line looks at `#5399`.
+`M66` waits some seconds for an input (`L3`, `L4`), moves follow, and no line tests `#5399`.
 
-A program that compares the point or the position with something has its own way to find out, and is
-not reported. Neither is `G38.3` as a move to a place, which stops if something is in the way: there
-`G38.2`, or a sub, does the probing.)",
+owlint does not report a program that compares the point or the position with something: it has its own
+way to find out. Nor does it report `G38.3` as a safe move to a place, where `G38.2` or a sub then does the
+probing.)",
             .why =
-                R"(`G38.2` and `G38.4` stop the program if nothing is touched. `G38.3` and `G38.5` do not: `#5070` is 0 then,
-and `#5061` to `#5069` are the end of the move. In the first program below the plate may be missing, or
-the wire of the probe: the zero is then set in the air, and the next move goes 10 mm too deep.
+                R"(`G38.2` and `G38.4` stop the program if the probe touches nothing. `G38.3` and `G38.5` do not: then `#5070`
+is 0, and `#5061` to `#5069` are the end of the move. In the first program below, the plate or the probe's
+wire may be missing: then the zero is set in the air, and the next move goes 10 mm too deep.
 
-`M66` goes on when the time `Q` is over, with -1 in `#5399`: the clamp that it waits for may be open.
+When the time `Q` is over, `M66` goes on with -1 in `#5399`: the clamp that it waits for may be open.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -269,8 +268,8 @@ G0 Z15
 M2
 )",
             .fix =
-                R"(Write `G38.2` where the program cannot go on without contact. Else test `#5070` behind `G38.3`, and `#5399`
-behind `M66`. Suppress it where the end of the move is as good as a point.)",
+                R"(Write `G38.2` if the program cannot go on without contact. Otherwise test `#5070` after `G38.3`, and `#5399`
+after `M66`. Suppress the finding where the end of the move is as good as a probed point.)",
             .level_reason = "Warning: the program is right as long as the probe touches something and the input comes.",
             .interpreter = "",
             .options = "",

@@ -56,15 +56,15 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A line with nothing but `G90`, and `G91` alone on the next; the same of `G20` and `G21`, of `G17`, `G18`
-and `G19`, of `G90.1` and `G91.1`, of `G7` and `G8`.
+                R"(A line with only `G90`, and the next line with only `G91`. The same for `G20` and `G21`, for `G17`, `G18` and
+`G19`, for `G90.1` and `G91.1`, and for `G7` and `G8`.
 
-Not reported are lines that set more than one mode, as at the beginning of programs, a mode that the
-next part sets again (`G91`, a move, `G90`, `G91`, a move), and two codes with other lines or comments
-between them.)",
+owlint does not report lines that set more than one mode, as at the beginning of a program; a mode that the
+next part sets again (`G91`, a move, `G90`, `G91`, a move); or two codes with other lines or comments between
+them.)",
             .why =
-                R"(The second code counts, and nothing has used the first. One of the two is a mistake, and LinuxCNC cannot
-know which: if it is the second, all moves below are wrong.
+                R"(The second code takes effect, and nothing has used the first. One of the two is probably a mistake. If it is
+the second, all moves below it are wrong.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17

@@ -42,19 +42,19 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A `G2` or `G3` with a center (`I`, `J`, `K`) whose end is farther from it, or nearer to it, than its start.
-No arc goes through both.)",
+                R"(A `G2` or `G3` with a center (`I`, `J`, `K`), whose end is farther from the center than its start, or nearer
+to it. No arc goes through both.)",
             .why =
                 R"(LinuxCNC stops with `Radius to end of arc differs from radius to start` and the numbers of the arc: r1 is the
-distance of the start from the center, r2 that of the end.
+distance from the center to the start, r2 the distance from the center to the end.
 
-The two may differ by 0.0283 mm, or 0.0028 inch in `G20`; by more if that is within a thousandth of the
-radius, but never by more than 2.83 mm or 0.283 inch. `[RS274NGC]CENTER_ARC_RADIUS_TOLERANCE_MM` and
-`..._INCH` in the INI make it stricter. Numbers with three decimals are always good enough.
+The two may differ by 0.0283 mm, or by 0.0028 inch in `G20`. For large arcs they may differ by a thousandth of
+the radius, but never by more than 2.83 mm or 0.283 inch. `[RS274NGC]CENTER_ARC_RADIUS_TOLERANCE_MM` and
+`..._INCH` in the INI make it stricter. Numbers with three decimals are always exact enough.
 
 The arc starts where the line before it ends. In `G91.1`, which is in effect unless a program writes `G90.1`,
-`I`, `J` and `K` count from that start; in `G90.1` they are the place of the center. In `G7` they are radii,
-though `X` is a diameter.
+`I`, `J` and `K` count from that start; in `G90.1` they are the position of the center. In `G7` they are
+radii, although `X` is a diameter.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17
@@ -72,12 +72,12 @@ G0 Z5
 M2
 )",
             .fix =
-                R"(Where the difference is small, compute the center with more decimals, or write `R` instead of `I` and `J` if the
-arc is less than half a circle. Where it is great, the start is not where the author thought, the center is
-written for the other one of `G90.1` and `G91.1`, or a word is missing or has the wrong sign.)",
+                R"(If the difference is small, compute the center with more decimals, or write `R` instead of `I` and `J` if the
+arc is less than half a circle. If it is large, the tool does not start where you think, the center is written
+for `G90.1` instead of `G91.1` or the other way round, or a word is missing or has the wrong sign.)",
             .level_reason = "Error if a run gets here: the program stops. Warning if only a machine does that was just "
                             "started, at X0 Y0 "
-                            "Z0 and without offsets. Where no run gets, owlint says nothing.",
+                            "Z0 and without offsets. Nothing is reported where no run gets.",
             .interpreter =
                 "Radius to end of arc differs from radius to start: start=(X0.0000,Y0.0000) center=(X10.1000,Y0.0000) "
                 "end=(X20.0000,Y0.0000) r1=10.1000 r2=9.9000 abs_err=0.2 rel_err=1.9802%",

@@ -18,7 +18,7 @@ std::string what_is_lacking(const WordStop& at, const ArcNumbers& arc) {
   const int decimals = telling_decimals(std::abs(arc.radius), arc.least_radius);
   std::string radius = subject(at);
   if (!at.value) radius += ", which is " + length(arc.radius, arc.inch, decimals) + ",";
-  return fmt::format("{} does not reach the end of the arc: that is {} away, which takes a radius of {} or more",
+  return fmt::format("{} does not reach the end of the arc: the end is {} away, so the radius must be {} or more",
                      radius, length(2 * arc.least_radius, arc.inch), length(arc.least_radius, arc.inch, decimals));
 }
 
@@ -57,11 +57,12 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A `G2` or `G3` with `R` whose end is farther from its start than twice that radius. No arc is so wide.)",
+                R"(A `G2` or `G3` with `R`, whose end is farther from its start than twice that radius. No arc with this radius
+reaches so far.)",
             .why =
-                R"(LinuxCNC stops with `Arc radius too small to reach end point`. A radius may lack 0.00127 mm, or 0.00005 inch,
-of half the distance: the arc then is half a circle. A negative `R`, which takes the longer way round, has to
-reach as far.
+                R"(LinuxCNC stops with `Arc radius too small to reach end point`. A radius may be up to 0.00127 mm, or
+0.00005 inch, less than half the distance: then the arc is half a circle. The same applies to a negative `R`,
+which takes the longer way round.
 
 The arc starts where the line before it ends.
 
@@ -81,11 +82,11 @@ G0 Z5
 M2
 )",
             .fix =
-                R"(Where little is missing, round the radius of a half circle up, or write its center as `I` and `J`. Where much
-is, the start or the end is not where the author thought.)",
+                R"(If only a little is missing, round the radius of the half circle up, or write its center with `I` and `J`. If
+much is missing, the start or the end is not where you think.)",
             .level_reason = "Error if a run gets here: the program stops. Warning if only a machine does that was just "
                             "started, at X0 Y0 "
-                            "Z0 and without offsets. Where no run gets, owlint says nothing.",
+                            "Z0 and without offsets. Nothing is reported where no run gets.",
             .interpreter = "Arc radius too small to reach end point",
             .options = "",
         },

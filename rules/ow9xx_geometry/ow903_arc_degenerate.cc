@@ -20,14 +20,14 @@ constexpr std::string_view kZero = "Zero-radius arc: ";
 constexpr std::string_view kSamePoint = "Current point same as end point";
 
 constexpr std::array kSaid = {
-    Said{"all missing for arc", kArc, "is an arc without a center and without a radius",
+    Said{"all missing for arc", kArc, "is an arc without a center or a radius",
          "write the center as `I` and `J`, or the radius as `R`; a straight move needs its `G1` or `G0`"},
-    Said{"Mixed radius ijk", "R", "gives a radius, and the line gives a center, too",
+    Said{"Mixed radius ijk", "R", "gives a radius, but the line also gives a center",
          "write `R` or the center, not both"},
-    Said{kLacksCenter, kArc, "lacks a word of its center, and `G90.1` is in effect", ""},
-    Said{kLacksEnd, "R", "gives a radius, and there is no end point in the plane of the arc", ""},
+    Said{kLacksCenter, kArc, "has only one word for its center, and `G90.1` is in effect", ""},
+    Said{kLacksEnd, "R", "gives a radius, but the line has no end point in the plane of the arc", ""},
     Said{kZero, "G2 G3 I J K *", "", ""},
-    Said{kSamePoint, "R", "gives a radius, and the arc ends where it starts", ""},
+    Said{kSamePoint, "R", "gives a radius, but the arc ends where it starts", ""},
 };
 
 /// `XZ`, as in `X and z words missing for arc in xz plane`.
@@ -47,7 +47,7 @@ void explain_place(const Input& in, const FlowStop& stop, Finding& f) {
   } else {
     const bool at_start = arc.start_radius < arc.tolerance.least_radius;
     f.message = subject(word_stop(in, stop, "G2 G3")) + " has its center at its " + (at_start ? "start" : "end") +
-        ", so that it has no radius";
+        ", so it has no radius";
     advise_about_zero_radius(in, stop, f);
   }
   tell_arc_start(in, stop, f);
@@ -62,7 +62,7 @@ void check(const Input& in, Reporter& out) {
       return &f;
     }
     if (said.ends_with(kLacksCenter)) {
-      f.help = fmt::format("write `{}` too, or `G91.1`, in which a missing one is 0", said.substr(0, 1));
+      f.help = fmt::format("write `{}` too, or `G91.1`, in which a missing word is 0", said.substr(0, 1));
       relate_setter(in, f, setter_of(in, stop, "G90.1"));
     } else if (const std::string plane = plane_in(said); !plane.empty()) {
       f.help = fmt::format("write `{}` or `{}`; a full circle needs its center instead of `R`", plane[0], plane[1]);
@@ -87,12 +87,12 @@ extern const Rule kRule{
             .what =
                 R"(A `G2` or `G3` without a center (`I`, `J`, `K`) and without a radius (`R`), or with both; with only one
 word of the center in `G90.1`; with `R` and no end point in the plane of the arc, or one that is the start; with the center at its start or
-its end. `G2` stays in effect: a line with only `X` and `Y` behind an arc is an arc as well.)",
+its end. `G2` stays in effect: a line after an arc with only `X` and `Y` is an arc, too.)",
             .why =
                 R"(LinuxCNC stops with `R i j k words all missing for arc`, `Mixed radius ijk format for arc`, `J word missing
 in absolute center arc` and the like.
 
-It stops with `Current point same as end point of arc` for a full circle with `R`, which may lie anywhere, and
+It stops with `Current point same as end point of arc` for a full circle with `R`, which could be anywhere, and
 with `Zero-radius arc` and the numbers of the arc where its center is less than 0.00127 mm, or 0.00005 inch,
 from an end.
 
@@ -117,8 +117,8 @@ G0 Z5
 M2
 )",
             .fix =
-                R"(Write the center or the radius of the arc. Behind an arc, write `G1` or `G0` on the next straight move.)",
-            .level_reason = "Error if a run gets here: the program stops. Where no run gets, owlint says nothing.",
+                R"(Write the center or the radius of the arc. After an arc, write `G1` or `G0` on the next straight move.)",
+            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
             .interpreter = "R i j k words all missing for arc",
             .options = "",
         },

@@ -19,14 +19,15 @@ constexpr std::string_view kBoring = " word missing with g87";
 
 constexpr std::array kSaid = {
     Said{"R clearance plane", kCycles, "drills without `R`, the height at which the feed begins",
-         "write `R`; it is kept from hole to hole, but not for another cycle, nor behind `G80`, `G0` or `G1`"},
-    Said{"zero repeats", "L", "drills no hole at all", "remove it, or skip the line with an `if`"},
+         "write `R`; LinuxCNC keeps it from hole to hole, but not for another cycle or after `G80`, `G0` or `G1`"},
+    Said{"zero repeats", "L", "drills no holes", "remove it, or skip the line with an `if`"},
     Said{kNoDepth, kCycles, "drills without its depth", ""},
     Said{kBelow, "R *", "", ""},
-    Said{"Dwell time p word", kCycles, "waits at the bottom, and has no time as `P`", "write `P` and the seconds"},
-    Said{"Q word missing", kCycles, "drills in pecks, and has no `Q`", "write `Q` and the depth of one peck"},
-    Said{"zero q value", "Q", "is no depth of a peck", "write a depth above 0: `Q` has no sign"},
-    Said{kBoring, kCycles, "bores from below, and lacks a word of its way through the hole", ""},
+    Said{"Dwell time p word", kCycles, "waits at the bottom, but has no `P` with the time",
+         "write `P` and the seconds"},
+    Said{"Q word missing", kCycles, "drills in pecks, but has no `Q`", "write `Q` and the depth of one peck"},
+    Said{"zero q value", "Q", "is not the depth of a peck", "write a depth above 0: `Q` has no sign"},
+    Said{kBoring, kCycles, "bores from below, but a word for its way through the hole is missing", ""},
 };
 
 /// The letter at a place in the message, as it is written on a line.
@@ -68,11 +69,11 @@ void explain_height(const Input& in, const FlowStop& stop, Finding& f) {
     if (height->kept) f.related.push_back({*height->kept, "this is kept", nullptr});
   }
   if (relate_distance(in, stop, f)) {
-    f.message = bottom.begins() + " lies above `R`, from which it counts in `G91`: the cycle would drill upward";
+    f.message = bottom.begins() + " is above `R`, because in `G91` it counts from `R`: the cycle would drill upward";
     if (bottom.here != nullptr) f.span = bottom.here->span;
     f.help = fmt::format("write a negative `{}`", depth);
   } else {
-    f.message = r.begins() + " lies below " + bottom.said + ": the cycle would drill upward";
+    f.message = r.begins() + " is below " + bottom.said + ": the cycle would drill upward";
     f.help = "write an `R` above the bottom of the hole";
   }
 }
@@ -85,7 +86,7 @@ void check(const Input& in, Reporter& out) {
       explain_height(in, stop, f);
     } else if (said.find(kNoDepth) != std::string::npos) {
       f.help = fmt::format(
-          "write `{}`; it is kept from hole to hole, but not for another cycle, nor behind `G80`, `G0` or `G1`",
+          "write `{}`; LinuxCNC keeps it from hole to hole, but not for another cycle or after `G80`, `G0` or `G1`",
           letter_at(said, 0));
       relate_setter(in, f, setter_of(in, stop, "G18 G19 G17"));
     } else if (said.find(kBoring) != std::string::npos) {
@@ -113,8 +114,8 @@ extern const Rule kRule{
 depth, with `L0`, without the `P` of `G82`, `G86`, `G88` and `G89`, without the `Q` of `G73` and `G83` or with
 one that is not above 0, without `I`, `J` or `K` of `G87`.)",
             .why =
-                R"(LinuxCNC keeps these words from hole to hole, so the lines behind the first may have only `X` and `Y`. It
-keeps them for the same code only: `G82` behind `G81` needs its own `R` and `Z`, and so does `G81` behind
+                R"(LinuxCNC keeps these words from hole to hole, so the lines after the first may have only `X` and `Y`. It
+keeps them for the same code only: `G82` after `G81` needs its own `R` and `Z`, and so does `G81` after
 `G80` or a `G0`. It stops with `R clearance plane unspecified in cycle`, `Z value unspecified in xy plane
 canned cycle`, `R less than z in cycle in xy plane` and the like.
 
@@ -139,9 +140,9 @@ G80
 M2
 )",
             .fix =
-                R"(Write the missing words on the first line of each cycle. For a way around a clamp, use `G98` and a high
-start instead of `G0` in the middle of a cycle, or begin the cycle anew with all words.)",
-            .level_reason = "Error if a run gets here: the program stops. Where no run gets, owlint says nothing.",
+                R"(Write the missing words on the first line of each cycle. To move around a clamp, use `G98` and a high
+start instead of `G0` in the middle of a cycle, or write the cycle again with all its words.)",
+            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
             .interpreter = "R clearance plane unspecified in cycle",
             .options = "",
         },

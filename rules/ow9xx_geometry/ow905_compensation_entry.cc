@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::array kSaid = {
     Said{"Length of cutter compensation entry", "G0 G1 * @ ^",
-         "is the first move with cutter compensation, and not longer than the tool's radius",
-         "make the entry move longer than the radius of the tool; a move along the tool belongs before `G41` or `G42`"},
+         "is the first move with cutter compensation, but it is not longer than the tool's radius",
+         "make the entry move longer than the radius of the tool; move along the tool axis before `G41` or `G42`"},
     Said{"Radius of cutter compensation entry", "G2 G3 *",
-         "is the first move with cutter compensation, and it ends no farther away than the tool's radius",
+         "is the first move with cutter compensation, but its end is not farther away than the tool's radius",
          "make the entry arc longer, or enter along a straight line"},
     Said{"Bug in tool radius comp", "G2 G3 *", "is an entry arc that LinuxCNC cannot compute",
          "enter along a straight line"},
@@ -40,13 +40,13 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A first move behind `G41`, `G42`, `G41.1` or `G42.1` that is not longer than the radius of the tool. A move of
-Z alone has no length in the plane of the path; it counts as the first move as well.)",
+                R"(The first move after `G41`, `G42`, `G41.1` or `G42.1` is not longer than the radius of the tool. A move of only
+Z has no length in the plane of the path, but it counts as the first move, too.)",
             .why =
-                R"(On the entry move the tool goes to the side of the path; at its end it stands beside the point that the
-program names. LinuxCNC stops with `Length of cutter compensation entry move is not greater than the tool
+                R"(During the entry move, the tool goes to the side of the path; at its end the tool is beside the programmed
+point. LinuxCNC stops with `Length of cutter compensation entry move is not greater than the tool
 radius`, or, for an arc, with `Radius of cutter compensation entry arc is not greater than the tool radius`,
-though what it measures is the straight distance between the ends of that arc.
+although it measures the straight distance between the ends of that arc.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17
@@ -68,11 +68,10 @@ G0 Z5
 M2
 )",
             .fix =
-                R"(Begin the entry move farther away, and go down to the depth before `G41` or `G42`. On the entry move the tool
-does not yet cut the path: it should begin off the part.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if that depends on where a machine "
-                            "stands when the "
-                            "program starts. Where no run gets, owlint says nothing.",
+                R"(Begin the entry move farther away, and go down to the depth before `G41` or `G42`. During the entry move the
+tool does not yet follow the path, so begin it off the part.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if that depends on the position "
+                            "of the machine when the program starts. Nothing is reported where no run gets.",
             .interpreter = "Length of cutter compensation entry move is not greater than the tool radius",
             .options = "",
         },

@@ -13,7 +13,7 @@ constexpr std::string_view kWider =
     "use a thinner tool, or make the corner and the moves beside it wider than the tool";
 
 constexpr std::array kSaid = {
-    Said{"Tool radius not less than arc radius", "G2 G3 *", "is an arc along whose inside the tool does not fit",
+    Said{"Tool radius not less than arc radius", "G2 G3 *", "is an inside arc that is too small for the tool",
          "use a tool whose radius is less than that of the arc, or make the arc wider"},
     Said{"Straight feed in concave corner", kMoves,
          "cuts back the straight move before it by more than its length: the tool does not fit between its corners",
@@ -21,12 +21,12 @@ constexpr std::array kSaid = {
     Said{"Straight traverse in concave corner", kMoves,
          "cuts back the rapid move before it by more than its length: the tool does not fit between its corners",
          kWider},
-    Said{"Arc move in concave corner", kMoves, "makes a corner with an arc that the tool does not fit into", kWider},
+    Said{"Arc move in concave corner", kMoves, "makes a corner with an arc, and the tool does not fit into it", kWider},
     Said{"Arc to straight motion makes a corner", kMoves,
-         "makes a corner with the arc before it that the tool does not fit into", kWider},
+         "makes a corner with the arc before it, and the tool does not fit into it", kWider},
     Said{"Arc to arc motion makes a corner", kMoves,
-         "makes a corner with the arc before it that the tool does not fit into", kWider},
-    Said{"arcs have the same center", kMoves, "has the center of the arc before it, and another radius",
+         "makes a corner with the arc before it, and the tool does not fit into it", kWider},
+    Said{"arcs have the same center", kMoves, "has the same center as the arc before it, but another radius",
          "put a straight move between the two arcs"},
     Said{"mismatched radii", kMoves, "makes a corner that LinuxCNC cannot compute",
          "begin compensation along a straight line"},
@@ -52,8 +52,8 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(With cutter compensation on: an inside arc whose radius is not greater than the tool's, a move that is too
-short between two inside corners, and a corner beside an arc into which the tool does not fit.)",
+                R"(With cutter compensation on: an inside arc whose radius is not greater than the tool's radius, a move between
+two inside corners that is too short, or a corner next to an arc that the tool does not fit into.)",
             .why =
                 R"(LinuxCNC stops with `Straight feed in concave corner cannot be reached by the tool without gouging`, `Tool
 radius not less than arc radius with comp`, `Arc to straight motion makes a corner the compensated tool can't
@@ -86,11 +86,10 @@ M2
 )",
             .fix =
                 R"(Use a tool that fits: its radius must be less than that of each inside arc, and each move between two inside
-corners must be long enough for it. Very short moves, as a CAM system makes them of curves, are too short for
-any tool if there is an inside corner between them.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if that depends on where a machine "
-                            "stands when the "
-                            "program starts. Where no run gets, owlint says nothing.",
+corners must be long enough for it. The very short moves that a CAM system makes from curves are too
+short for any tool if there is an inside corner between them.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if that depends on the position "
+                            "of the machine when the program starts. Nothing is reported where no run gets.",
             .interpreter = "Straight feed in concave corner cannot be reached by the tool without gouging",
             .options = "",
         },

@@ -15,37 +15,36 @@ constexpr std::string_view kFirst = "write it on the first line with `G6.2`";
 constexpr std::array kSaid = {
     Said{"requires a Q word", "G70 G71 G71.1 G71.2 G72 G72.1 G72.2", "has no `Q`",
          "write `Q` and the number of the sub with the contour"},
-    Said{"Splines may not have motion", "Z A B C", "cannot stand in a spline, which moves X and Y only",
+    Said{"Splines may not have motion", "Z A B C", "cannot be in a spline: a spline moves only X and Y",
          "move this axis on another line"},
-    Said{"both I and J with G5.1", "G5.1 G6.1", "needs its control point as both `I` and `J`",
-         "write the one that is missing, also if it is 0"},
+    Said{"both I and J with G5.1", "G5.1 G6.1", "needs both `I` and `J` for its control point",
+         "write the missing one, even if it is 0"},
     Said{"both I and J, or neither", "G5 I J", "has only one of `I` and `J`",
-         "write both, also a 0; without both, the curve goes on as the `G5` before it ended"},
-    Said{"both P and Q with G5", "G5 P Q", "needs its second control point as both `P` and `Q`",
-         "write the one that is missing, also if it is 0"},
+         "write both, even a 0; without both, the curve continues in the direction of the `G5` before it"},
+    Said{"both P and Q with G5", "G5 P Q", "needs both `P` and `Q` for its second control point",
+         "write the missing one, even if it is 0"},
     Said{"You must specify both", "X Y Z", "is only half of a control point", "write both words of the plane"},
-    Said{"P without X and Y", "P", "stands without a control point, and the curve has begun",
+    Said{"P without X and Y", "P", "has no control point, although the curve has begun",
          "write `X` and `Y`; a weight alone is for the start of a curve. A curve that was not ended with `G5.3` goes "
          "on"},
-    Said{"positive weight P", "P G5.2 *", "gives a control point no weight above 0", kCurve},
-    Said{"without G5.2 first", "G5.3", "ends a curve, and none has been begun",
-         "write the curve with `G5.2` before it"},
+    Said{"positive weight P", "P G5.2 *", "gives a control point a weight that is not above 0", kCurve},
+    Said{"without G5.2 first", "G5.3", "ends a curve, but no curve has begun", "write the curve with `G5.2` before it"},
     Said{"number of control points", "G5.3", "ends a curve with too few control points",
-         "write as many points, with the start, as the order `L` says: 3 without `L`"},
-    Said{"I must not be 0", "I", "gives the thread no crest",
+         "write at least as many points, with the start, as the order `L`, which is 3 if there is no `L`"},
+    Said{"I must not be 0", "I", "does not say where the crest of the thread is",
          "write how far the crest is from the drive line: negative for an external thread"},
-    Said{"J must be greater than 0", "J", "is no depth of a cut", "write a first depth above 0: `J` has no sign"},
-    Said{"K must be greater than J", "K", "is a full depth that is not above the first cut's, `J`",
-         "write a `K` above `J`"},
-    Said{"rotary axes with G76", "A B C U V W", "moves an axis that `G76` cannot: a thread has X, Y and Z only",
+    Said{"J must be greater than 0", "J", "is not the depth of a cut", "write a first depth above 0: `J` has no sign"},
+    Said{"K must be greater than J", "K", "is the full depth, but is not greater than the first cut, `J`",
+         "write a `K` greater than `J`"},
+    Said{"rotary axes with G76", "A B C U V W", "moves an axis that `G76` cannot move: a thread has only X, Y and Z",
          "move it on a line before"},
-    Said{"order P in the first block", "G6.2", "has no order as `P`", kFirst},
+    Said{"order P in the first block", "G6.2", "has no `P` with the order", kFirst},
     Said{"order P number", "P", "is not a whole number", "write the order of the curve as a whole number"},
-    Said{"Q value (1,2,3)", "Q G6.2", "has no kind of curve as `Q`", kFirst},
-    Said{"not in range 1 to 3", "Q", "is no kind of curve", "write `Q1`, `Q2` or `Q3`"},
+    Said{"Q value (1,2,3)", "Q G6.2", "has no `Q` with the kind of curve", kFirst},
+    Said{"not in range 1 to 3", "Q", "is not a kind of curve", "write `Q1`, `Q2` or `Q3`"},
     Said{"Q number is not an integer", "Q", "is not a whole number", "write `Q1`, `Q2` or `Q3`"},
-    Said{"nurbs weight R", "R *", "gives a control point no weight above 0", "write `R` and the weight"},
-    Said{"K number for every", "G6.2 *", "is a control point without its knot as `K`",
+    Said{"nurbs weight R", "R *", "gives a control point a weight that is not above 0", "write `R` and the weight"},
+    Said{"K number for every", "G6.2 *", "is a control point without a `K` for its knot",
          "write `K` and the number of the knot"},
     Said{"K number is not", "K", "is not a whole number", "write the number of the knot as a whole number"},
 };
@@ -64,7 +63,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW908",
     .name = "contour-malformed",
-    .summary = "a lathe contour, spline, curve or thread whose words do not make one",
+    .summary = "a lathe contour, spline, curve or thread with missing or wrong words",
     .group = Group::kGeometry,
     .level = Severity::kError,
     .page =
@@ -72,13 +71,13 @@ extern const Rule kRule{
             .what =
                 R"(A `G70` to `G72.2` without `Q`; a spline (`G5`, `G5.1`) without its control points, or with an axis other than
 X and Y; a NURBS curve (`G5.2`, `G5.3`) with points that lack a word or with too few of them; a `G76` whose
-`I`, `J` and `K` do not make a thread.)",
+`I`, `J` and `K` do not describe a thread.)",
             .why =
                 R"(LinuxCNC stops with `Must specify both P and Q with G5`, `You must specify a number of control points at
 least equal to the order L = 3`, `In G76, K must be greater than J` and the like.
 
-`G5` and `G5.1` do not stay in effect: the next line with only axis words is a move of the motion before
-them. The points of `G5.2` are kept until `G5.3`, before 2.10 even beyond the end of the program.
+`G5` and `G5.1` do not stay in effect: a next line with only axis words moves as the motion before them.
+LinuxCNC keeps the points of `G5.2` until `G5.3`; before 2.10, even after the end of the program.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17
@@ -95,8 +94,8 @@ G5 X10 Y0 I3 J3 P-3 Q3
 G0 Z5
 M2
 )",
-            .fix = R"(Write the words that are missing; a 0 must be written as well.)",
-            .level_reason = "Error if a run gets here: the program stops. Where no run gets, owlint says nothing.",
+            .fix = R"(Write the missing words, even if they are 0.)",
+            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
             .interpreter = "Must specify both P and Q with G5",
             .options = "",
         },

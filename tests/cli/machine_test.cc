@@ -68,6 +68,37 @@ TEST_CASE("of several INIs none is used", "[machine]") {
   CHECK(check(folder, "--isolated --ini other.ini programs").status == 1);
 }
 
+TEST_CASE("a code that one of several INIs remaps is no error", "[machine]") {
+  const Scratch folder;
+  folder.write("inch.ini", kIni + "REMAP = M13 modalgroup=10 ngc=both\n");
+  folder.write("metric.ini", kIni);
+  folder.write("subs/both.ngc", "o<both> sub\nM3\no<both> endsub\n");
+  folder.write("programs/a.ngc", "M13\nM2\n");
+  const Run run = check(folder, "--isolated programs");
+  CHECK(run.status == 0);
+  CHECK(contains(run.out, "info `M13` is not a code of LinuxCNC; one of the machine INIs near this program remaps it"));
+  folder.write("programs/a.ngc", "M14\nM2\n");
+  CHECK(check(folder, "--isolated programs").status == 1);
+}
+
+TEST_CASE("copies of an INI with one mistake are one finding, and several parts of configurations an info",
+          "[machine]") {
+  const Scratch folder;
+  for (const std::string name : {"a", "b", "c"}) {
+    folder.write(name + "/machine.ini",
+                 kIni + "RETAIN_G34 = 1\n[HAL]\nHALFILE = mill.hal\n[EMCIO]\nTOOL_TABLE = mill.tbl\n");
+    folder.write(name + "/p.ngc", "M2\n");
+  }
+  const Run copies = check(folder, "--isolated .");
+  CHECK(contains(copies.out, "a/machine.ini:5:1: warning LinuxCNC reads no `RETAIN_G34`"));
+  CHECK(contains(copies.out, "(3 places in 3 files)"));
+  CHECK_FALSE(contains(copies.out, "b/machine.ini:5:1: warning"));
+  CHECK(contains(copies.out,
+                 "info 3 files and folders that this INI names are not here: `subs`, `mill.hal`, `mill.tbl`"));
+  for (const std::string name : {"a", "b", "c"}) folder.write(name + "/mill.hal", "loadrt trivkins\n");
+  CHECK(contains(check(folder, "--isolated a").out, "warning the folder `subs` of `SUBROUTINE_PATH` does not exist"));
+}
+
 TEST_CASE("however many INIs there are, a check and an audit say it in two lines", "[machine]") {
   const Scratch folder;
   for (const std::string name : {"a", "b", "c", "d", "e"}) {

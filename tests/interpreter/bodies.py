@@ -112,7 +112,10 @@ def judge_bodies(interpreter, text, findings, seed):
         return [], 0, 0
     met = [f for f in findings if f["code"] in (HELPER_CLASH, IN_CALLED_FILE) and f["reach"] != "never"]
     # The other calls of the same helper are related places of its finding.
-    claims = {(f["code"], place["start"]["line"]) for f in met for place in [f, *(r for r in f.get("related", ()) if r["message"] == "so does this call")]}
+    claims = {(f["code"], f["start"]["line"]) for f in met}
+    claims |= {(HELPER_CLASH, r["start"]["line"]) for f in met for r in f.get("related", ()) if r["message"] == "so does this call"}
+    # An inner sub speaks for the calls of its label.
+    claims |= {(c["code"], c["start"]["line"]) for f in met for c in f.get("consequences", ()) if c["code"] == HELPER_CLASH}
     answers = {where: happens(interpreter, text, put, seed) for where, put in questions(text, claims).items()}
     seen = {place for place, yes in answers.items() if yes}
     found = [Disagreement(OTHER_BODY, frozenset({code}), line) for code, line in sorted(seen - claims)]

@@ -112,8 +112,11 @@ def main(argv):
                             said["OW407", re.search(r"`([^`]*)` of", words).group(1)] += 1
                         continue
                     what = re.search(r"`([^`]*)`", f["message"]).group(1)
-                    if f["code"] == "OW208":
-                        what = re.search(r"no file `(.*)\.ngc`", f["message"]).group(1)
+                    if f["code"] == "OW208":  # it may speak for others
+                        what = re.search(r"no file `([^`]*)\.ngc`", f["message"]).group(1)
+                        for related in f["related"]:
+                            if missing := re.search(r"`([^`]*)\.ngc` is not here either", related["message"]):
+                                said["OW208", missing.group(1)] += 1
                     if f["code"] == "OW408":
                         with open(file["path"], "rb") as source:
                             what = source.read()[f["start"]["offset"]:f["end"]["offset"]].decode()

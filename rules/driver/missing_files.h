@@ -1,0 +1,15 @@
+// One cause, one finding: files that an INI names and that are not here.
+#pragma once
+
+#include <vector>
+
+#include "rules/driver/rule.h"
+
+namespace owlint::rules {
+
+/// Folds findings with `missing`, all in one file of an INI and in the order of their places. If the INI's HAL files, tool table
+/// and Python are not here either, the folder has only a part of the configuration: the first finding says so and speaks for
+/// all. Otherwise those of one rule become one finding, which names all the files. The caller decides severities again.
+void fold_missing_files(const SetupInput& in, std::vector<Finding>& findings);
+
+}  // namespace owlint::rules
