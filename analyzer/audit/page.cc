@@ -17,6 +17,7 @@
 #include "analyzer/audit/history.h"
 #include "analyzer/audit/packed.h"
 #include "analyzer/audit/page_blocks.h"
+#include "analyzer/audit/page_extents.h"
 #include "analyzer/audit/page_lines.h"
 #include "analyzer/audit/page_template.h"
 #include "analyzer/audit/reading.h"
@@ -143,7 +144,11 @@ class Page {
     const ProgramRow& row = programs_[number];
     static const std::vector<Finding> kNone;
     const std::vector<Finding>& findings = report == nullptr ? kNone : report->findings;
-    Json json{{"lineCount", row.lines}, {"source", Json::array()}, {"findings", Json::array()}, {"blocks", nullptr}};
+    Json json{{"lineCount", row.lines},
+              {"source", Json::array()},
+              {"findings", Json::array()},
+              {"blocks", nullptr},
+              {"extents", nullptr}};
     for (const Finding& f : findings) json["findings"].push_back(shown(*report->source, f));
     std::string error;
     const auto source = disk().read(row.path, &error);
@@ -154,6 +159,9 @@ class Page {
     }
     const auto program = library_.load(source);
     json["source"] = shown_lines(*program, findings);
+    if (kinds_[number] == kProgram)
+      json["extents"] =
+          page_extents(source, settings->profile, [this](const std::string& path) { return number_of(path); });
     if (program->blocks.empty() && program->calls.empty() && program->regions.size() < 2) return json;
     constexpr size_t kMost = 2000;  // more than that nobody can look at
     const Linked linked(program, settings->profile, library_);

@@ -16,6 +16,8 @@ int graph_command(const CommandLine& line, const std::string& format);
 int debug_flow_command(const CommandLine& line, size_t states);
 /// Prints which modes are in effect before the line `at`; 0: what each line changes. `format`: text or json.
 int modes_command(const CommandLine& line, uint32_t at, const std::string& format);
+/// Prints how far a program goes. `format`: text or json.
+int extents_command(const CommandLine& line, const std::string& format);
 int lsp_command();
 /// `check`: change nothing, exit with 1 if something would change; `diff`: print the changes instead of making them.
 int format_command(const CommandLine& line, bool check, bool diff);

@@ -52,6 +52,7 @@ int run_command(const CLI::App& app, const Said& said) {
   if (app.got_subcommand("audit")) return run_audit(*app.get_subcommand("audit"), said.audit);
   if (app.got_subcommand("graph")) return graph_command(said.graph, said.graph_format);
   if (app.got_subcommand("modes")) return modes_command(said.modes, said.modes_line, said.modes_format);
+  if (app.got_subcommand("extents")) return extents_command(said.extents, said.extents_format);
   if (app.got_subcommand("debug-flow")) return debug_flow_command(said.debugged, said.debugged_states);
   if (app.got_subcommand("fmt")) return format_command(said.format, said.format_check, said.format_diff);
   if (app.got_subcommand("lsp")) return lsp_command();

@@ -239,6 +239,17 @@ void add_modes(CLI::App& app, Said& said) {
   add_configuration_options(modes, said.modes, "Options");
 }
 
+void add_extents(CLI::App& app, Said& said) {
+  CLI::App& extents = *app.add_subcommand(
+      "extents",
+      "show how far a program goes: the least and the greatest coordinate of each axis, and what is unknown");
+  said.extents.paths.resize(1);
+  extents.add_option("FILE", said.extents.paths[0], "the program")->required();
+  add_format(extents, said.extents_format, {"text", "json"}, "the form of the tables");
+  add_machine_options(extents, said.extents, "Options");
+  add_configuration_options(extents, said.extents, "Options");
+}
+
 /// For those who work on the analysis: not shown.
 void add_debug_flow(CLI::App& app, Said& said) {
   CLI::App& debug = *app.add_subcommand(
@@ -286,6 +297,7 @@ void add_commands(CLI::App& app, Said& said) {
   add_audit(app, said.audit);
   add_graph(app, said);
   add_modes(app, said);
+  add_extents(app, said);
   add_fmt(app, said);
   CLI::App& lsp = *app.add_subcommand("lsp", "run a language server for editors, on standard input and output");
   lsp.add_flag_function(

@@ -12,9 +12,9 @@ namespace owlint::cli {
 
 /// What the command line said, by command.
 struct Said {
-  CommandLine check, graph, modes, format, config, debugged;
+  CommandLine check, graph, modes, extents, format, config, debugged;
   AuditLine audit;
-  std::string graph_format = "dot", modes_format = "text", rules_format = "text";
+  std::string graph_format = "dot", modes_format = "text", extents_format = "text", rules_format = "text";
   uint32_t modes_line = 0;
   std::string code;            ///< to explain
   std::string pages;           ///< folder for the rules' pages

@@ -85,6 +85,7 @@ enum class HazardKind : uint8_t {
   kModeDependsOnPath,  ///< a move in one mode or another, by the way to it
   kModeAssumed,        ///< a move in a mode that the program has not set
   kModeInactive,       ///< a mode is set, and set again before anything depends on it
+  kLimitExceeded,      ///< a move that ends beyond a limit of the machine
 };
 
 struct Hazard {
@@ -104,8 +105,9 @@ struct Hazard {
   uint32_t set_line = 0;
   const Program* needed_in = nullptr;  ///< the move, or the second setting
   uint32_t needed_line = 0;
-  bool not_always = false;  ///< other runs execute these lines without a problem
-  bool unproven = false;    ///< seen only where paths were joined: it may be that no run does it
+  bool not_always = false;                  ///< other runs execute these lines without a problem
+  bool unproven = false;                    ///< seen only where paths were joined: it may be that no run does it
+  std::shared_ptr<const LimitFault> limit;  ///< of kLimitExceeded
 };
 
 struct FlowStatistics {

@@ -24,6 +24,7 @@ struct Profile {
   Version version = Version::k2_9;
   bool version_given = false;
   bool block_delete = false;        ///< lines that begin with `/` are skipped: so LinuxCNC starts; off in rs274
+  bool measures_extents = false;    ///< how far programs go is noted: Syntax::extents
   std::optional<uint32_t> feature;  ///< from --feature or the configuration
   std::shared_ptr<const MachineSetup> setup;  ///< what the INI says; null without one
   /// Codes in capitals that INIs above the program remap, of which it is not known which one is the machine's; null: none.

@@ -102,13 +102,63 @@ void set_tolerance(const Ini& ini, const char* key, double least, double* tolera
   if (problem == std::errc{} && number >= least && number <= *tolerance) *tolerance = number;
 }
 
+/// A value that is one number as a whole, as LinuxCNC reads it.
+std::optional<double> whole_number(const Ini::Entry* entry) {
+  if (entry == nullptr) return std::nullopt;
+  const char* const last = entry->value.data() + entry->value.size();
+  const char* const first = entry->value.data() + (entry->value.starts_with('+') ? 1 : 0);
+  double number = 0;
+  const auto [end, problem] = std::from_chars(first, last, number);
+  if (problem != std::errc{} || end != last) return std::nullopt;
+  return number;
+}
+
+/// The joint of an axis where each joint is one: trivkins, whose letters are in the order of the joints.
+std::optional<size_t> joint_of(const Ini& ini, size_t axis) {
+  constexpr std::string_view kTrivial = "trivkins", kOption = "coordinates=";
+  const Ini::Entry* const entry = ini.find("KINS", "KINEMATICS");
+  const std::string kinematics = entry == nullptr ? std::string() : small_letters(entry->value);
+  if (!kinematics.starts_with(kTrivial)) return std::nullopt;
+  const size_t option = kinematics.find(kOption);
+  std::string letters = kAxisOrder;
+  if (option != std::string::npos) letters = kinematics.substr(option + kOption.size());
+  letters = letters.substr(0, letters.find_first_of(" \t"));
+  const size_t joint = letters.find(kAxisOrder[axis]);
+  return joint == std::string::npos ? std::nullopt : std::optional(joint);
+}
+
+bool is_in_degrees(const Ini& ini) {
+  const Ini::Entry* const entry = ini.find("TRAJ", "ANGULAR_UNITS");
+  const std::string text = entry == nullptr ? std::string() : small_letters(entry->value);
+  return text == "deg" || text == "degree";
+}
+
+AxisLimits limits_of(const Ini& ini, size_t axis) {
+  AxisLimits limits;
+  if (!is_length(axis) && !is_in_degrees(ini)) return limits;
+  limits.least = whole_number(limit_entry(ini, axis, false)).value_or(limits.least);
+  limits.greatest = whole_number(limit_entry(ini, axis, true)).value_or(limits.greatest);
+  return limits.least < limits.greatest ? limits
+                                        : AxisLimits{};  // else no move is right, and that is no program's mistake
+}
+
 }  // namespace
+
+const Ini::Entry* limit_entry(const Ini& ini, size_t axis, bool greatest) {
+  const char* const key = greatest ? "MAX_LIMIT" : "MIN_LIMIT";
+  const char letter = static_cast<char>(kAxisOrder[axis] - 'a' + 'A');
+  const Ini::Entry* const entry = ini.find(std::string("AXIS_") + letter, key);
+  if (entry != nullptr) return entry;
+  const std::optional<size_t> joint = joint_of(ini, axis);
+  return joint ? ini.find("JOINT_" + std::to_string(*joint), key) : nullptr;
+}
 
 Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
 
 WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::started()) {
   words.start = &start;
   words.release = release_of(profile);
+  words.measures_extents = profile.measures_extents;
   words.unsure = profile.setup == nullptr;
   if (words.unsure) return;
   words.axes = axes_of(*profile.setup);
@@ -128,6 +178,10 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
     if (const Ini::Entry* const locks = ini.find(section, "LOCKING_INDEXER_JOINT");
         locks != nullptr && locks->value != "-1")
       words.indexing |= letter_set({&letter, 1});
+  }
+  for (size_t axis = 0; axis < words.limits.size(); ++axis) {
+    if ((words.axes & letter_set({&kAxisOrder[axis], 1})) != 0) words.limits[axis] = limits_of(ini, axis);
+    words.has_limits = words.has_limits || words.limits[axis] != AxisLimits{};
   }
   words.spindles = profile.setup->spindles;
   words.change_keeps_spindle = profile.setup->change_keeps_spindle;
@@ -152,6 +206,9 @@ std::string WordsOfMachine::key() const {
       (words.retains_offset ? "r" : "");
   key += " =" + std::to_string(words.units_per_mm) + ',' + std::to_string(words.arc_tolerance_mm) + ',' +
       std::to_string(words.arc_tolerance_inch);
+  if (words.measures_extents) key += " extents";
+  for (const AxisLimits& limits : words.limits)
+    key += ' ' + std::to_string(limits.least) + ':' + std::to_string(limits.greatest);
   key += ',' + std::to_string(words.wrapped) + ',' + std::to_string(words.indexing);
   for (const ValueSet values : start.now.may) key += ',' + std::to_string(values);
   if (words.tools) key += " T" + std::to_string(tools.size()) + ':' + std::to_string(hash_of(tools));

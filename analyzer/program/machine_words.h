@@ -20,6 +20,10 @@ Release release_of(const Profile& profile);
 /// and for M codes that stay what they are.
 std::optional<RemappedCode> remapped_code(std::string_view remap);
 
+/// The entry of an INI that limits an axis (by Axis): `[AXIS_X]MAX_LIMIT`, or if it has none, that of its joint, where each joint
+/// is an axis. Null if there is none. Limits are in units of the machine.
+const Ini::Entry* limit_entry(const Ini& ini, size_t axis, bool greatest);
+
 struct WordsOfMachine {
   explicit WordsOfMachine(const Profile& profile);
   WordsOfMachine(const WordsOfMachine&) = delete;

@@ -180,6 +180,13 @@ struct Tool {
   bool has_offset;
   std::array<double, 9> offset{};  ///< X Y Z A B C U V W, in machine units
 };
+/// How far an axis of the machine goes, in its units.
+struct AxisLimits {
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+
+  bool operator==(const AxisLimits&) const = default;
+};
 struct ModeState;
 struct MachineWords {
   Release release = Release::k2_8;
@@ -194,8 +201,11 @@ struct MachineWords {
   double arc_tolerance_inch = 0.002 * 1.4142135623730951;
   /// The modes with which a program starts; null: those of an interpreter that was just started.
   const ModeState* start = nullptr;
-  uint32_t wrapped = 0;   ///< rotary axes that count one turn
-  uint32_t indexing = 0;  ///< rotary axes that are locked in place, and move alone
+  uint32_t wrapped = 0;                ///< rotary axes that count one turn
+  uint32_t indexing = 0;               ///< rotary axes that are locked in place, and move alone
+  std::array<AxisLimits, 9> limits{};  ///< X Y Z A B C U V W
+  bool has_limits = false;             ///< some of them end somewhere
+  bool measures_extents = false;       ///< it is asked how far programs go
   /// Without a table nothing is claimed of tools.
   std::optional<std::span<const Tool>> tools = std::nullopt;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analyzer/syntax/mode_faults.h"
+#include "analyzer/syntax/moves.h"
 
 namespace owlint {
 
@@ -23,9 +24,9 @@ inline constexpr double kWholeSlack = 0.0001;
 class ModeLine : public ModeFaults {
  public:
   ModeLine(const MachineWords& machine, const WordLine& words, ModeState* state, std::vector<ModeFault>* faults,
-           Place* place)
-      : ModeFaults(state, faults), machine_(machine), words_(words), place_(place) {}
-  /// The same line, on some runs.
+           Place* place, MoveWatch watch = {})
+      : ModeFaults(state, faults), machine_(machine), words_(words), place_(place), watch_(watch) {}
+  /// The same line, on some runs; nobody is told where it goes.
   ModeLine(const ModeLine& line, ModeState* state, std::vector<ModeFault>* faults, Place* place)
       : ModeLine(line.machine_, line.words_, state, faults, place) {}
 
@@ -33,6 +34,8 @@ class ModeLine : public ModeFaults {
   const WordLine& words() const { return words_; }
   /// Null if positions are not followed.
   Place* place() const { return place_; }
+  /// Who is told where the line goes; only with a place.
+  const MoveWatch& watch() const { return watch_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
   /// Where the machine is not known, a line that chooses one says so.
@@ -69,6 +72,7 @@ class ModeLine : public ModeFaults {
   const MachineWords& machine_;
   const WordLine& words_;
   Place* const place_;
+  const MoveWatch watch_;
 };
 
 /// The checks of the complete line, and its motion: for each motion that may be in effect (mode_motion.cc).

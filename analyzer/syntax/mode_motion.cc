@@ -192,6 +192,7 @@ bool stops_moving(ModeLine& line) {
     return stops_moving_by(line, mode);
   }
   const bool open = line.now().is_open(Mode::kMotion);
+  places::lose_moves(line, places::named_axes(line));
   FaultsByMotion found(true, open, motions, line.faults());
   std::optional<ModeState> joined;
   std::optional<Place> behind;

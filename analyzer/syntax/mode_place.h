@@ -39,6 +39,14 @@ bool agree(double a, double b);
 double here(Coordinate coordinate);
 double elsewhere(Coordinate coordinate, size_t axis);
 
+/// The axes of the planes of arcs, and the letters of their centers; in the order of modes::Plane.
+struct ArcAxes {
+  Axis first, second;
+  char first_center, second_center;
+};
+inline constexpr ArcAxes kArcAxes[] = {
+    {Axis::kX, Axis::kY, 'i', 'j'}, {Axis::kZ, Axis::kX, 'k', 'i'}, {Axis::kY, Axis::kZ, 'j', 'k'}};
+
 /// Whether the point is the origin, from where a polar word alone leads nowhere.
 Verdict at_origin(Coordinate x, Coordinate y);
 /// Gives X and Y other numbers, in both places.
@@ -50,6 +58,14 @@ void change_plane(Point* at, Change change) {
   x = {changed.first, other.first};
   y = {changed.second, other.second};
 }
+
+/// The axes that the line names, also by polar words.
+AxisSet named_axes(const ModeLine& line);
+/// Tells those who watch that the line moves to a point, by which it names these axes; or that it moves somewhere.
+void visit(const ModeLine& line, MoveKind kind, const Point& end, AxisSet axes);
+void lose_moves(const ModeLine& line, AxisSet axes = kAllAxes);
+/// The same of an arc, which moves the axes of its plane in any case.
+void visit_arc(const ModeLine& line, Motion motion, const Point& end);
 
 /// Where the line goes; true if it stops for its polar words.
 bool end_point(ModeLine& line, Point* end);
@@ -109,6 +125,8 @@ std::optional<Verdict> heights(ModeLine& line, modes::Plane plane);
 /// The first hole, and those behind it; true if it stops for its polar words.
 bool first_hole(ModeLine& line, modes::Plane plane, Point* at);
 bool further_holes(ModeLine& line, modes::Plane plane, Point* at);
+/// Tells those who watch of the hole at a point.
+void visit_hole(const ModeLine& line, modes::Plane plane, const Point& at);
 void leave_cycle(ModeLine& line, modes::Plane plane, const Point& at);
 /// Behind a cycle in a plane that is not known.
 void lose_cycle(ModeLine& line);

@@ -7,14 +7,6 @@
 namespace owlint::places {
 namespace {
 
-struct ArcAxes {
-  Axis first, second;
-  char first_center, second_center;
-};
-/// In the order of modes::Plane.
-constexpr ArcAxes kArcAxes[] = {
-    {Axis::kX, Axis::kY, 'i', 'j'}, {Axis::kZ, Axis::kX, 'k', 'i'}, {Axis::kY, Axis::kZ, 'j', 'k'}};
-
 /// The points of an arc in its plane, in one of the two places.
 struct Ends {
   Flat start, end;

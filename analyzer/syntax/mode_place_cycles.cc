@@ -22,6 +22,20 @@ constexpr Hole kHoles[] = {{Axis::kZ, Axis::kX, Axis::kY}, {Axis::kY, Axis::kZ, 
 
 size_t index(Axis axis) { return static_cast<size_t>(axis); }
 
+AxisSet plane_axes(const Hole& hole) {
+  return static_cast<AxisSet>(axis_set(index(hole.first)) | axis_set(index(hole.second)));
+}
+
+/// Of a hole, in the coordinates in effect.
+struct Heights {
+  Coordinate r, bottom;
+};
+Heights heights_of(const Place& place, bool incremental) {
+  if (!incremental) return {place.clearance, place.bottom};
+  const Coordinate r = place.clearance + place.height;
+  return {r, r + place.bottom};
+}
+
 /// Whether R lies below the bottom.
 Verdict is_below(Coordinate r, Coordinate bottom, size_t axis) {
   const double depth = here(bottom) - here(r);
@@ -97,10 +111,8 @@ std::optional<Verdict> heights(ModeLine& line, modes::Plane plane) {
   if (const auto bottom = axis_word(line, index(hole.along))) place.bottom = *bottom;
   const std::optional<uint8_t> distance = line.only(Mode::kDistance);
   if (!distance) return std::nullopt;
-  const bool incremental = *distance == modes::kG91;
-  const Coordinate r = incremental ? place.clearance + place.height : place.clearance;
-  const Coordinate bottom = incremental ? r + place.bottom : place.bottom;
-  return is_below(r, bottom, index(hole.along));
+  const Heights heights = heights_of(place, *distance == modes::kG91);
+  return is_below(heights.r, heights.bottom, index(hole.along));
 }
 
 bool first_hole(ModeLine& line, modes::Plane plane, Point* at) {
@@ -123,8 +135,22 @@ bool further_holes(ModeLine& line, modes::Plane plane, Point* at) {
   if (number > kMostHoles) lose_plane(hole, at);
   for (int32_t i = 1; i < std::min(number, kMostHoles); ++i) {
     if (advance(line, hole, at)) return true;
+    visit(line, MoveKind::kRapid, *at, plane_axes(hole));
   }
   return false;
+}
+
+void visit_hole(const ModeLine& line, modes::Plane plane, const Point& at) {
+  if (line.watch().visitor == nullptr) return;
+  const Hole& hole = kHoles[plane];
+  const std::optional<uint8_t> distance = line.only(Mode::kDistance);
+  if (!distance) return lose_moves(line, kAllAxes);
+  const Heights heights = heights_of(*line.place(), *distance == modes::kG91);
+  Point end = at;
+  end[hole.along] = heights.r;
+  visit(line, MoveKind::kRapid, end, plane_axes(hole) | axis_set(index(hole.along)));
+  end[hole.along] = heights.bottom;
+  visit(line, MoveKind::kFeed, end, axis_set(index(hole.along)));
 }
 
 void lose_cycle(ModeLine& line) {
@@ -132,6 +158,7 @@ void lose_cycle(ModeLine& line) {
   if (place == nullptr) return;
   place->clearance = place->bottom = place->height = Coordinate::unknown();
   place->keeps_height = true;
+  lose_moves(line);
   place->lose_point();
 }
 
@@ -144,10 +171,11 @@ void leave_cycle(ModeLine& line, modes::Plane plane, const Point& at) {
   Coordinate& along = end[hole.along];
   along = Coordinate::unknown();
   if (distance) {
-    const Coordinate r = *distance == modes::kG91 ? place.clearance + place.height : place.clearance;
+    const Coordinate r = heights_of(place, *distance == modes::kG91).r;
     if (retract == modes::kG99) along = r;
     if (retract == modes::kG98) along = higher(place.height, r);
   }
+  visit(line, MoveKind::kRapid, end, axis_set(index(hole.along)));
   arrive(line, end);
 }
 

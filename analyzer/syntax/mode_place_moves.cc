@@ -151,6 +151,7 @@ bool go_home(ModeLine& line) {
   if (place == nullptr) return false;
   Point end;
   if (end_point(line, &end)) return true;
+  if (line.words().has_axis_words()) visit(line, MoveKind::kRapid, end, named_axes(line));
   const Point stored = from_machine(line, home_of(line));
   const Point home = (stored - place->system.origin - place->tool).turned(-place->system.rotation) - place->offset;
   const bool all = !line.words().has_axis_words();
@@ -158,6 +159,7 @@ bool go_home(ModeLine& line) {
     if (!all && !line.has(kAxisOrder[i])) continue;
     end[i] = i < 2 ? home[i] : stored[i] - place->system.origin[i] - place->offset[i] - place->tool[i];
   }
+  visit(line, MoveKind::kRapid, end, all ? kAllAxes : named_axes(line));
   arrive(line, end);
   return false;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_place.h"
 #include "analyzer/syntax/mode_restore.h"
 
 namespace owlint {
@@ -72,6 +72,7 @@ bool run_from_m72(ModeLine& line) {
   const Restored restored = restore(line.machine(), as_before.saved, word, line);
   if (restored.something == Answer::kNo) return !stops_at(kRest, line);
   if (restored.stops) return false;
+  if (restored.something == Answer::kMaybe) places::lose_moves(line);
   std::optional<Place> place = place_of(line.place());
   restore_place(as_before, line.place());
   if (restored.something == Answer::kYes) return true;
@@ -91,13 +92,14 @@ bool ModeRun::check(ModeState* state, std::vector<ModeFault>* faults) const {
   return !stops_before_it_acts(line_, state, faults);
 }
 
-bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place) const {
+bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place, MoveWatch watch) const {
   if (line_.has_unknown_code() || line_.has_remapped_code()) {
     *state = ModeState::unknown();
     if (place != nullptr) *place = Place::unknown();
+    if (watch.visitor != nullptr) watch.visitor->lose(watch.line, kAllAxes);
     return true;
   }
-  ModeLine line(machine_, line_, state, faults, place);
+  ModeLine line(machine_, line_, state, faults, place, watch);
   if (stops_at(kFirstSteps, line)) return false;
   const bool restores = line.code(MGroup::kSpindle) == code::kM72;
   if (restores ? !run_from_m72(line) : stops_at(kRest, line)) return false;

@@ -10,6 +10,7 @@
 
 #include "analyzer/geometry/arc.h"
 #include "analyzer/syntax/modes.h"
+#include "analyzer/syntax/moves.h"
 #include "analyzer/syntax/place.h"
 #include "analyzer/syntax/word_line.h"
 
@@ -50,13 +51,13 @@ class ModeRun {
 
   /// Carries out the line. `*state` becomes that of the runs that go on behind it; the faults are appended in the order in which
   /// the interpreter would find them. False if no run goes on: then the last fault is certain. `*place`, if there is one, becomes
-  /// that behind the line, too.
-  bool run(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr) const {
-    return check(state, faults) && act(state, faults, place);
+  /// that behind the line, too; then `watch` is told where the line goes.
+  bool run(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr, MoveWatch watch = {}) const {
+    return check(state, faults) && act(state, faults, place, watch);
   }
   /// Its two parts: the checks before the line does anything, even set parameters, and what it does.
   bool check(ModeState* state, std::vector<ModeFault>* faults) const;
-  bool act(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr) const;
+  bool act(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr, MoveWatch watch = {}) const;
 
  private:
   const MachineWords& machine_;

@@ -162,6 +162,7 @@ bool cycle(ModeLine& line, Motion motion) {
     places::lose_cycle(line);
     return false;
   }
+  places::visit_hole(line, in->plane, at);
   if (places::further_holes(line, in->plane, &at)) return true;
   places::leave_cycle(line, in->plane, at);
   return false;

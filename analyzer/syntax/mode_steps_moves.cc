@@ -143,6 +143,7 @@ bool straight(ModeLine& line, Motion motion) {
   if (feed_of(line, motion) || places::end_point(line, &end) || machine_coordinates(line) || compensates_uvw(line) ||
       places::follow_path(line, motion, end))
     return true;
+  places::visit(line, motion == Motion::kG0 ? MoveKind::kRapid : MoveKind::kFeed, end, places::named_axes(line));
   if (motion == Motion::kG1) keep_feed(line);
   enter(line);
   places::arrive(line, end);
@@ -167,6 +168,7 @@ bool arc(ModeLine& line, Motion motion) {
   Point end;
   if (places::end_point(line, &end) || places::arc(line, end) || places::follow_path_by_arc(line, motion, end))
     return true;
+  places::visit_arc(line, motion, end);
   keep_feed(line);
   enter(line);
   places::arrive(line, end);
@@ -184,6 +186,12 @@ bool thread(ModeLine& line, Motion motion) {
       thread_spindle(line, "Invalid spindle ($) number in G33.1 move", "Spindle not turning in G33.1"))
     return true;
   if (motion == Motion::kG76 && g76(line, end)) return true;
+  if (motion == Motion::kG76) {
+    places::lose_moves(line, axis_set(0) | axis_set(2));
+  } else {
+    const MoveKind kind = motion == Motion::kG33_1 ? MoveKind::kTap : MoveKind::kFeed;
+    places::visit(line, kind, end, places::named_axes(line));
+  }
   if (motion == Motion::kG33_1) places::return_to_start(line, &end);
   places::arrive(line, end);
   return false;
@@ -196,6 +204,7 @@ bool probe(ModeLine& line, Motion motion) {
   if (places::end_point(line, &end)) return true;
   const bool has_to_move = motion == Motion::kG38_2 || motion == Motion::kG38_4;
   if (has_to_move && places::starts_at_end(line, end)) return true;
+  places::visit(line, MoveKind::kProbe, end, places::named_axes(line));
   places::go_towards(line, end);
   return false;
 }
@@ -213,6 +222,7 @@ bool contour(ModeLine& line, Motion motion) {
                    line.mover()))
     return true;
   // What it cuts is not followed.
+  places::lose_moves(line, axis_set(0) | axis_set(2));
   places::lose_point(line);
   line.set_open(Mode::kStraightOwed);
   if (line.holds({kCompensationMoves}) != Answer::kNo) line.set_open(Mode::kEntry);

@@ -142,6 +142,7 @@ bool spline(ModeLine& line, Motion motion) {
   Point end;
   if (spline_words(line, motion, &end)) return true;
   line.set(Mode::kNurbs, modes::kNoPoints);
+  places::lose_moves(line, places::named_axes(line));
   places::arrive(line, end);
   return false;
 }
@@ -166,6 +167,7 @@ bool end_nurbs(ModeLine& line) {
   if (line.stop_in({{Mode::kMotion, ~set_of(Motion::kG5_2)}}, kSplineWords, "Cannot use G5.3 without G5.2 first", word))
     return true;
   if (too_few_points(line, word)) return true;
+  places::lose_moves(line, axis_set(0) | axis_set(1));
   places::end_curve(line);
   line.set(Mode::kNurbs, modes::kNoPoints);
   return false;

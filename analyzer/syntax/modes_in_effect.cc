@@ -258,7 +258,7 @@ bool ModesInEffect::stays_rapid(const WordLine& words) const {
 bool ModesInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
   asks_ = asks_place_ = false;
-  if (statement.item_count > 0 && writes_offsets(statement)) places_.leave();
+  if (statement.item_count > 0 && writes_offsets(statement)) places_.leave_writing();
   const WordLine* words = parser_.words();
   if (words == nullptr || statement.has_error()) {
     if (const WordLine* of_call = parser_.words_of_call(); of_call != nullptr && !statement.has_error()) {
@@ -266,12 +266,16 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
       ModeRun(machine_, *of_call).check(&after, &faults_);
       asks_ = !faults_.empty();
     }
+    // The first one may begin the program, the next one ends it.
+    if (statement.kind == LineKind::kPercent && ++percents_ > (out_.percent ? 1 : 0)) places_.end();
     // At O-words runs come from elsewhere, or go elsewhere and come back; behind a line that stops there is none.
     const bool stops = statement.kind == LineKind::kWords && statement.has_error();
     if (keep && (!stops || statement.block_delete)) {
       flush();
       forget();
       if (!stops && statement.kind != LineKind::kPercent) places_.leave();
+    } else if (stops) {
+      places_.stop(statement.line);
     }
     return keep;
   }
@@ -286,11 +290,15 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;
   if (faults_.size() == 1 && faults_.front().fault.certain && !quotes_all) {
     statement.error = parser_.add_error(faults_.front().fault);
-    if (statement.block_delete) forget();
+    if (statement.block_delete) {
+      forget();
+    } else {
+      places_.stop(statement.line);
+    }
     return true;
   }
   asks_ = asks(*words, after, alone);
-  const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement.block_delete, asks_);
+  const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement, asks_);
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
   if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());

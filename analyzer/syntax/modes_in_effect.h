@@ -24,9 +24,9 @@ class ModesInEffect {
 
   /// Takes in plain lines, whose numbers count from `before` on; `last`: the number of the last of them.
   void pass(const PlainEffect& effect, uint32_t before, uint32_t last);
-  /// Follows where plain lines go; see PlacesInEffect::pass. To be called before pass().
-  size_t follow(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect) {
-    return stopped_ ? to : places_.pass(bytes, from, to, effect, state_.now);
+  /// Follows where plain lines go, the first of which has this number; see PlacesInEffect::pass. To be called before pass().
+  size_t follow(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect) {
+    return stopped_ ? to : places_.pass(bytes, from, to, line, effect, state_.now);
   }
   /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
   /// Returns whether the line is to be kept: `keep`, or because of its words.
@@ -34,7 +34,10 @@ class ModesInEffect {
   /// Keeps the line that was judged, with the question that it has.
   void push(const Statement& statement);
   /// No line comes after those that were taken in.
-  void finish() { flush(); }
+  void finish() {
+    flush();
+    places_.finish();
+  }
 
  private:
   void forget();
@@ -66,6 +69,7 @@ class ModesInEffect {
   std::array<ModeChange, kModes> last_set_{};  // by mode, where unused_ has it
   ModeMask unused_ = 0;                        // set, and not needed since
   bool feeds_ = false;                         // lines since the last statement move, not at the rapid rate alone
+  int percents_ = 0;                           // lines of `%`
   bool stopped_ = false;                       // no run goes on behind a line since the last O-word
   bool asks_ = false;                          // of the line that was judged
   bool asks_place_ = false;                    // the same, and for its numbers alone

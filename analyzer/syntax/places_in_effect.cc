@@ -50,8 +50,6 @@ void for_letters(uint32_t letters, const Do& apply) {
   for (; letters != 0; letters &= letters - 1) apply(static_cast<size_t>(std::countr_zero(letters)));
 }
 
-size_t axis_of(size_t letter) { return std::string_view(kAxisOrder).find(static_cast<char>('a' + letter)); }
-
 bool has_computed_place(const WordLine& words) {
   for (size_t i = 0; i < words.size(); ++i) {
     if (!words[i].known && (letter_set({&words[i].letter, 1}) & (kPlaceLetters | letter_set("ijkr"))) != 0) return true;
@@ -79,6 +77,29 @@ void PlacesInEffect::leave(const Place& place) {
   left_ = true;
   out_.left_at = static_cast<StatementId>(out_.statements.size());
   out_.place_at_start = place;
+  if (machine_.measures_extents) out_.asks_place = true;
+  // Where offsets are known, any move may end beyond a limit.
+  const auto& origin = place.system.origin.axes;
+  if (machine_.has_limits && std::ranges::any_of(origin, [](const Coordinate& axis) { return axis.is_known(); }))
+    out_.asks_place = true;
+}
+
+void PlacesInEffect::leave_writing() {
+  leave();
+  if (machine_.has_limits) out_.asks_place = true;
+}
+
+void PlacesInEffect::stop(uint32_t line) {
+  if (left_) return;
+  if (machine_.measures_extents) extents_->stop({0, line});
+  visitor_ = nullptr;
+}
+
+/// Behind these lines moves may end beyond a limit, whatever the machine's offsets.
+void PlacesInEffect::note_limits(const WordLine& words) {
+  const GCode* const code = words.code(GGroup::kNonModal);
+  if (machine_.has_limits && code != nullptr && (code->tenths == code::kG53 || code->tenths == code::kG10))
+    out_.asks_place = true;
 }
 
 bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
@@ -86,7 +107,8 @@ bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
       assumed_.now[Mode::kCompensation] == value_bit(modes::kG40);
 }
 
-bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool block_delete, bool asked) {
+bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const Statement& statement, bool asked) {
+  const bool block_delete = statement.block_delete;
   const bool unknown = words.has_unknown_code() || words.has_remapped_code();
   if (!words.has_axis_words() && !words.has_polar_words() && !has_code_of_place(words) && !unknown) return false;
   assume(before);
@@ -95,12 +117,16 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
   const bool compensates = assumed_.now[Mode::kCompensation] != value_bit(modes::kG40);
   const bool pauses = compensates && words.code(MGroup::kStop) != nullptr;  // which ends the move before it
   const bool computed = has_computed_place(words);
+  const bool leaves = computed || block_delete || unknown;
   faults_.clear();
-  ModeRun(machine_, words).run(&assumed_, &faults_, &place_);
+  // Further lines are carried out by the flow, which tells of them.
+  const MoveWatch watch{left_ || leaves ? nullptr : visitor_, statement.line};
+  ModeRun(machine_, words).run(&assumed_, &faults_, &place_, watch);
   const bool stops = std::ranges::any_of(
       faults_, [](const ModeFault& fault) { return fault.by_place && (fault.fault.certain || fault.believed); });
-  if (!left_ && (stops || computed || block_delete || unknown)) leave(start);
+  if (!left_ && (stops || leaves)) leave(start);
   if (!left_) return false;
+  note_limits(words);
   const bool moves = words.has_axis_words() || words.has_polar_words();
   const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
   const bool needs_no_question =
@@ -120,7 +146,9 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
     }
     PlainMoves line;
     line.add(written);
-    note(line, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
+    PlainReaches reaches;
+    (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(written, line, statement.line);
+    note(line, &reaches, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
     return false;
   }
   if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops) return false;
@@ -166,7 +194,7 @@ bool PlacesInEffect::arc_passes(const PlainWords& words) const {
       (first.is_known() && second.is_known() ? true : !left_ || passes(first.other, second.other));
 }
 
-size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect,
+size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect,
                             const ModeSets& before) {
   if (effect.axes == 0 && effect.first_arc == 0) return to;
   const bool alone = effect.alone && !std::has_single_bit(before[Mode::kMotion]);
@@ -179,17 +207,22 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, cons
   }
   const bool sums = !is_known(before, Mode::kDistance) || before[Mode::kDistance] != value_bit(modes::kG90);
   if (effect.first_arc == 0 && !compensates) {
+    place_.keeps_height = false;
+    if (visitor_ != nullptr) {
+      walk(bytes, from, to, line, before, alone);
+      return to;
+    }
     const PlainMoves moves = plain_moves(bytes, from, to, effect.axes, sums);
     for_letters(moves.letters, [&](size_t letter) { go(letter, moves.last[letter], moves.sum[letter]); });
-    if (left_) note(moves, before, alone);
-    place_.keeps_height = false;
+    if (left_) note(moves, nullptr, before, alone);
     return to;
   }
   constexpr MotionSet kArcs = set_of(Motion::kG2) | set_of(Motion::kG3);
   auto motion = static_cast<Motion>(only_value(assumed_.now, Mode::kMotion));
   PlainWords words;
   PlainMoves passed;
-  while (from < to) {
+  PlainReaches reaches;
+  for (; from < to; ++line) {
     const size_t next = read_plain_words(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if (compensates && words.letters != 0) break;
@@ -197,19 +230,24 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, cons
       const bool asks = left_ ? questions_ < kMostQuestions : !arc_passes(words);
       if (asks) break;
     }
+    if (visitor_ != nullptr && !left_) tell_line(words, motion, line);
     for_letters(words.letters & kAxesOfPlainLines,
                 [&](size_t letter) { go(letter, words.values[letter], words.values[letter]); });
     if (left_) passed.add(words);
+    if (left_ && visitor_ != nullptr) {
+      (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(words, passed, line);
+      reaches.curves = reaches.curves || contains(kArcs, motion);
+    }
     from = next;
   }
   place_.keeps_height = false;
-  if (left_) note(passed, before, alone);
+  if (left_) note(passed, &reaches, before, alone);
   return from;
 }
 
 /// A plain line has this word for the axis; or several have, with this sum.
 void PlacesInEffect::go(size_t letter, double last, double sum) {
-  const size_t axis = axis_of(letter);
+  const size_t axis = axis_of_letter(letter);
   const bool halved = axis == 0 && assumed_.now[Mode::kDiameter] == value_bit(modes::kG7);
   const bool incremental = assumed_.now[Mode::kDistance] == value_bit(modes::kG91);
   const double way = incremental ? sum : last;
@@ -222,15 +260,21 @@ PlaceChange& PlacesInEffect::pending(const ModeSets& before, bool alone) {
   const uint8_t distance = known(Mode::kDistance), diameter = known(Mode::kDiameter);
   if (pending_.empty() || pending_.back().lost || pending_.back().distance != distance ||
       pending_.back().diameter != diameter || pending_.back().alone != alone)
-    pending_.push_back({0, alone, false, distance, diameter, 0, {}, {}});
+    pending_.push_back({0, alone, false, distance, diameter, 0, {}, {}, nullptr});
   return pending_.back();
 }
 
-void PlacesInEffect::note(const PlainMoves& moves, const ModeSets& before, bool alone) {
+void PlacesInEffect::note(const PlainMoves& moves, const PlainReaches* reaches, const ModeSets& before, bool alone) {
   if (moves.letters == 0) return;
   PlaceChange& change = pending(before, alone);
+  if (visitor_ != nullptr && reaches != nullptr) {
+    if (change.reaches == nullptr) change.reaches = std::make_shared<PlainReaches>();
+    change.reaches->rapid.add(reaches->rapid, change.sum);
+    change.reaches->feed.add(reaches->feed, change.sum);
+    change.reaches->curves = change.reaches->curves || reaches->curves;
+  }
   for_letters(moves.letters, [&](size_t letter) {
-    const size_t axis = axis_of(letter);
+    const size_t axis = axis_of_letter(letter);
     change.axes |= static_cast<uint16_t>(1U << axis);
     change.last[axis] = moves.last[letter];
     change.sum[axis] += moves.sum[letter];
@@ -239,7 +283,7 @@ void PlacesInEffect::note(const PlainMoves& moves, const ModeSets& before, bool 
 
 void PlacesInEffect::note_lost() {
   pending_.clear();
-  pending_.push_back({0, false, true, ModeChange::kAny, ModeChange::kAny, 0, {}, {}});
+  pending_.push_back({0, false, true, ModeChange::kAny, ModeChange::kAny, 0, {}, {}, nullptr});
 }
 
 void PlacesInEffect::flush() {

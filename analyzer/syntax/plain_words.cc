@@ -45,6 +45,23 @@ void PlainMoves::add(const PlainWords& words) {
   }
 }
 
+void PlainReach::add(const PlainWords& line, const PlainMoves& moves, uint32_t number) {
+  for (uint32_t axes = line.letters & kAxisLetters; axes != 0; axes &= axes - 1) {
+    const auto i = static_cast<size_t>(std::countr_zero(axes));
+    words[axis_of_letter(i)].add(line.values[i], number);
+    sums[axis_of_letter(i)].add(moves.sum[i], number);
+  }
+  letters |= line.letters & kAxisLetters;
+}
+
+void PlainReach::add(const PlainReach& other, const std::array<double, kAxes>& before) {
+  for (size_t axis = 0; axis < kAxes; ++axis) {
+    words[axis].add(other.words[axis]);
+    sums[axis].add(other.sums[axis], before[axis]);
+  }
+  letters |= other.letters;
+}
+
 PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to, uint32_t axes, bool sums) {
   PlainMoves moves;
   if (sums) {

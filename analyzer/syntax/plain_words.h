@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 #include "analyzer/syntax/codes.h"
@@ -21,6 +22,13 @@ struct PlainWords {
 /// Reads the plain line at `from`. Returns the offset of the next line.
 size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words);
 
+/// Of an axis, by Axis, from its letter's index.
+constexpr size_t axis_of_letter(size_t letter) {
+  constexpr size_t kU = 'u' - 'a', kX = 'x' - 'a';
+  constexpr size_t kFirstRotary = 3, kFirstFurther = 6;
+  return letter >= kX ? letter - kX : letter >= kU ? letter - kU + kFirstFurther : letter + kFirstRotary;
+}
+
 /// How far plain lines go along each axis: the words of X, Y, Z, A, B and C.
 struct PlainMoves {
   uint32_t letters = 0;                 ///< axes that move
@@ -29,6 +37,49 @@ struct PlainMoves {
 
   void add(const PlainWords& words);
 };
+/// The least and the greatest of some numbers, with their lines.
+struct Extremes {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+  uint32_t least_line = 0, greatest_line = 0;
+
+  void add(double number, uint32_t line) {
+    if (number < least) {
+      least = number;
+      least_line = line;
+    }
+    if (number > greatest) {
+      greatest = number;
+      greatest_line = line;
+    }
+  }
+  /// Those of other numbers, to which `by` is added.
+  void add(const Extremes& other, double by = 0) {
+    if (!(other.least <= other.greatest)) return;
+    add(other.least + by, other.least_line);
+    add(other.greatest + by, other.greatest_line);
+  }
+};
+
+/// Where plain lines move to along each axis, by Axis.
+struct PlainReach {
+  static constexpr size_t kAxes = 9;
+
+  uint32_t letters = 0;
+  std::array<Extremes, kAxes> words;  ///< in G90
+  std::array<Extremes, kAxes> sums;   ///< in G91, from where the lines begin
+
+  /// `moves`: those up to the line, with it.
+  void add(const PlainWords& line, const PlainMoves& moves, uint32_t number);
+  /// Moves behind others, which go so far.
+  void add(const PlainReach& other, const std::array<double, kAxes>& before);
+};
+/// The same by the rate.
+struct PlainReaches {
+  PlainReach rapid, feed;
+  bool curves = false;  ///< some are arcs, which go further between their ends
+};
+
 /// Of the plain lines in [from, to), which move these axes. Without `sums` only the last words are looked for, from the end on.
 PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to, uint32_t axes, bool sums);
 

@@ -224,10 +224,10 @@ class Reader {
   /// Plain lines: what they set, where they go, and of arcs whether they fit. One that has to be looked at is read like any line.
   void pass(const Found& found) {
     size_t from = found.plain_begin;
-    size_t next = modes_.follow(bytes_, from, found.begin, found.plain_effect);
+    uint32_t line = before_ + found.plain_before;
+    size_t next = modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect);
     if (next == found.begin) return modes_.pass(found.plain_effect, before_, out_.last_code);
     const std::string_view plain = bytes_.substr(0, found.begin);
-    uint32_t line = before_ + found.plain_before;
     Proven proven = found.proven;
     const auto pass_until = [&](size_t end) {
       const Passed passed = pass_plain_lines(plain.substr(0, end), from, proven);
@@ -243,7 +243,7 @@ class Reader {
       from = next;
       proven = pass_plain_lines(plain.substr(0, end + 1), from, proven).proven;
       from = end + 1;
-      next = modes_.follow(bytes_, from, found.begin, found.plain_effect);
+      next = modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect);
     }
     pass_until(found.begin);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,10 +11,13 @@
 
 #include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/expression.h"
+#include "analyzer/syntax/extents.h"
 #include "analyzer/syntax/keyword.h"
+#include "analyzer/syntax/limit_checks.h"
 #include "analyzer/syntax/modes.h"
 #include "analyzer/syntax/names.h"
 #include "analyzer/syntax/place.h"
+#include "analyzer/syntax/plain_words.h"
 #include "analyzer/syntax/stop.h"
 #include "analyzer/text/source.h"
 
@@ -98,6 +102,7 @@ struct PlaceChange {
   uint16_t axes = 0;                      ///< that move, by Axis
   std::array<double, kAxisCount> last{};  ///< of each the last word: where it is in G90
   std::array<double, kAxisCount> sum{};   ///< of all words: how far it has gone in G91
+  std::shared_ptr<PlainReaches> reaches;  ///< where it has been on the way, if that is asked for
 };
 
 /// A mode that is set, and set again before any line depends on it.
@@ -195,10 +200,12 @@ struct Syntax {
   /// The first statement from where runs may go elsewhere than to the next line, and where the machine is there.
   StatementId left_at = kNoStatement;
   Place place_at_start;
-  bool asks_place = false;                ///< some kModeLine may stop for where the machine is
-  std::vector<ModeNeed> first_needs;      ///< of plain lines before the first statement
-  std::vector<ModeChange> first_changes;  ///< by plain lines before the first statement
-  std::vector<uint32_t> input_lines;      ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
+  std::vector<LimitFault> limit_faults;    ///< of lines up to that one
+  std::shared_ptr<const Extents> extents;  ///< the same, if that is asked for
+  bool asks_place = false;                 ///< some kModeLine may stop for where the machine is
+  std::vector<ModeNeed> first_needs;       ///< of plain lines before the first statement
+  std::vector<ModeChange> first_changes;   ///< by plain lines before the first statement
+  std::vector<uint32_t> input_lines;       ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
   std::vector<Directive> directives;
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;

@@ -3,7 +3,10 @@
 #include <sstream>
 
 #include "analyzer/findings/edits.h"
+#include "analyzer/flow/engine/extent_map.h"
+#include "analyzer/report/extents.h"
 #include "analyzer/report/formats.h"
+#include "analyzer/text/memory_files.h"
 #include "rules/driver/lint.h"
 
 using namespace owlint;
@@ -44,6 +47,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     std::ostringstream out;
     write_json(out, {report});
     write_text(out, report, {true, ""});
+  }
+  if ((data[0] & 16) != 0) {
+    profile.measures_extents = true;
+    const MemoryFiles none;
+    Library library(none);
+    const Linked linked(library.load(report.source, profile), profile, library);
+    require(!extents_text(flow::extents_of(linked, profile), linked).empty());
   }
   return 0;
 }

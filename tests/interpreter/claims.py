@@ -25,7 +25,7 @@ def said_by(finding):
             yield {**finding, "start": place["start"], "interpreter": re.sub(r"from line: \d+", "from line: %d" % line, finding.get("interpreter", ""))}
 
 # What LinuxCNC does with an INI before it has an interpreter, or without one: machines.py holds it against LinuxCNC itself.
-OF_LINUXCNC = frozenset(("OW412", "OW414", "OW415", "OW419", "OW421", "OW422", "OW424"))
+OF_LINUXCNC = frozenset(("OW412", "OW414", "OW415", "OW419", "OW421", "OW422", "OW424", "OW907"))
 
 
 class Claims:

@@ -76,6 +76,8 @@ TEST_CASE("other texts are as in their snapshots", "[snapshots]") {
   snapshot("rules-markdown", "rules --format markdown");
   snapshot("graph-dot", "graph OW104/label-if-reused-in-other-sub.ngc");
   snapshot("graph-mermaid", "graph --format mermaid OW104/label-if-reused-in-other-sub.ngc");
+  snapshot("extents", "extents --isolated OW904/depth-in-a-loop.ngc");
+  snapshot("extents-json", "extents --isolated --format json OW904/depth-in-a-loop.ngc");
   snapshot("graph-json", "graph --format json OW104/label-if-reused-in-other-sub.ngc");
 }
 

@@ -80,7 +80,9 @@ void AbstractMachine::set_coarse(bool passes_over) {
 }
 
 const CalmStretch* AbstractMachine::pass_over(State& state, const Context& context) {
-  if (!calm_ || context.contour || state.skip != kNoLabel || state.defining != kNoName || state.looped) return nullptr;
+  if (!calm_ || (place_watch_ != nullptr && place_watch_->sees_all()) || context.contour || state.skip != kNoLabel ||
+      state.defining != kNoName || state.looped)
+    return nullptr;
   const CalmStretch* stretch = calm_->at(state.position);
   if (stretch == nullptr) return nullptr;
   const bool called = context.depth > 0;
@@ -114,9 +116,22 @@ const CalmStretch* AbstractMachine::pass_over(State& state, const Context& conte
   return stretch;
 }
 
+/// The lines behind a statement go somewhere.
+void AbstractMachine::go(State& state, StatementId line) {
+  const std::span<const PlaceChange> changes = program_.syntax.places_after(line);
+  if (place_watch_ == nullptr || !mode_uses_.follows_place()) return modes_.go(state.parameters, changes);
+  place_watch_->begin(state, line);
+  const Statement& s = program_.at(line);
+  const uint32_t first = s.plain_code_follows ? s.first_plain_line : s.line + 1;
+  for (const PlaceChange& change : changes) {
+    modes_.tell(state.parameters, change, {place_watch_, first});
+    modes_.go(state.parameters, {&change, 1});
+  }
+}
+
 void AbstractMachine::leave_modes(State& state, StatementId line) {
   if (watch_ != nullptr) watch_->left(state, line);
-  if (program_.at(line).changes_place) modes_.go(state.parameters, program_.syntax.places_after(line));
+  if (program_.at(line).changes_place) go(state, line);
   if (program_.at(line).changes_modes) modes_.apply(state.parameters, program_.syntax.changes_after(line));
 }
 

@@ -21,6 +21,7 @@
 #include "analyzer/flow/interpreter/evaluator.h"
 #include "analyzer/flow/interpreter/mode_access.h"
 #include "analyzer/flow/interpreter/mode_watch.h"
+#include "analyzer/flow/interpreter/place_watch.h"
 #include "analyzer/flow/interpreter/refinement.h"
 #include "analyzer/flow/limits.h"
 #include "analyzer/flow/summaries/effects.h"
@@ -157,6 +158,7 @@ class AbstractMachine {
   void leave_modes(State& state, StatementId line);
   /// From now on `watch` is told.
   void set_watch(ModeWatch* watch) { watch_ = watch; }
+  void set_watch(PlaceWatch* watch) { place_watch_ = watch; }
   Evaluator& evaluator() { return evaluator_; }
   /// The modes in which a program begins.
   const ModeState& start() const { return start_; }
@@ -183,6 +185,7 @@ class AbstractMachine {
   friend struct Step;
 
   void index();
+  void go(State& state, StatementId line);
   StatementId next_stop(const State& state, StatementId from) const;
 
   const Linked& linked_;
@@ -200,6 +203,7 @@ class AbstractMachine {
   ModeUses mode_uses_;
   ModeAccess modes_;
   ModeWatch* watch_ = nullptr;
+  PlaceWatch* place_watch_ = nullptr;
   Definers definers_;
   StateDomain states_;
   bool no_fanuc_;     // DISABLE_FANUC_STYLE_SUB

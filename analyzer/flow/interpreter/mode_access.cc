@@ -25,6 +25,38 @@ double number_by_line(const ModeChange& change) {
   return -2 - (static_cast<double>(change.after) * kLines + change.line % kLines);
 }
 
+/// The only value of a mode, as a line says it or as it is in effect; else kAny.
+uint8_t value_of(const ModeSets& modes, Mode mode, uint8_t said) {
+  if (said != ModeChange::kAny || !std::has_single_bit(modes[mode])) return said;
+  return static_cast<uint8_t>(std::countr_zero(modes[mode]));
+}
+
+/// Whether lines that are not carried out one by one go somewhere.
+bool is_lost(const PlaceChange& change, const ModeSets& modes) {
+  constexpr MotionSet kPlain = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
+  const bool other = change.alone && (modes[Mode::kMotion] & ~kPlain) != 0;
+  return change.lost || other || modes[Mode::kCompensation] != value_bit(modes::kG40);
+}
+
+/// What the numbers of such lines mean.
+class MoveReading {
+ public:
+  MoveReading(const PlaceChange& change, const ModeSets& modes)
+      : distance_(value_of(modes, Mode::kDistance, change.distance)),
+        diameter_(value_of(modes, Mode::kDiameter, change.diameter)) {}
+
+  bool is_summed() const { return distance_ == modes::kG91; }
+  /// Where an axis is behind words that are `word` in G90, and come to `sum` in G91.
+  Coordinate end(Coordinate from, size_t axis, double word, double sum) const {
+    if (distance_ == ModeChange::kAny || (axis == 0 && diameter_ == ModeChange::kAny)) return Coordinate::unknown();
+    const double share = axis == 0 && diameter_ == modes::kG7 ? 0.5 : 1;
+    return is_summed() ? from + Coordinate::of(sum * share) : Coordinate::of(word * share);
+  }
+
+ private:
+  uint8_t distance_, diameter_;
+};
+
 constexpr ModeMask kLevel = mask_of(Mode::kSaved);  // belongs to a level of calls, as what is saved does
 
 }  // namespace
@@ -111,35 +143,52 @@ void ModeAccess::go(Parameters& p, std::span<const PlaceChange> changes) {
   if (!uses_.follows_place() || changes.empty()) return;
   Place place = this->place(p);
   const ModeSets modes = state(p).now;
-  const auto mode = [&](Mode of, uint8_t said) {
-    if (said != ModeChange::kAny) return said;
-    return std::has_single_bit(modes[of]) ? static_cast<uint8_t>(std::countr_zero(modes[of])) : ModeChange::kAny;
-  };
   for (const PlaceChange& change : changes) {
-    constexpr MotionSet kPlain = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
-    const bool other = change.alone && (modes[Mode::kMotion] & ~kPlain) != 0;
-    if (change.lost || other || modes[Mode::kCompensation] != value_bit(modes::kG40)) {
+    if (is_lost(change, modes)) {
       place.lose_offsets();
       continue;
     }
-    const uint8_t distance = mode(Mode::kDistance, change.distance);
-    const uint8_t diameter = mode(Mode::kDiameter, change.diameter);
+    const MoveReading reading(change, modes);
     for (size_t axis = 0; axis < kAxisCount; ++axis) {
       if ((change.axes >> axis & 1) == 0) continue;
-      const double share = axis == 0 && diameter == modes::kG7 ? 0.5 : 1;
-      Coordinate& at = place.at[axis];
-      if (distance == ModeChange::kAny || (axis == 0 && diameter == ModeChange::kAny)) {
-        at = Coordinate::unknown();
-      } else if (distance == modes::kG91) {
-        at = at + Coordinate::of(change.sum[axis] * share);
-      } else {
-        at = Coordinate::of(change.last[axis] * share);
-      }
+      place.at[axis] = reading.end(place.at[axis], axis, change.last[axis], change.sum[axis]);
     }
     place.keeps_height = false;
   }
   place.settle();
   set_place(p, place);
+}
+
+void ModeAccess::tell(const Parameters& p, const PlaceChange& change, MoveWatch watch) const {
+  const ModeSets modes = state(p).now;
+  if (is_lost(change, modes)) return watch.visitor->lose(watch.line, kAllAxes);
+  if (change.reaches == nullptr) return;
+  const Place place = this->place(p);
+  const MoveReading reading(change, modes);
+  for (const bool rapid : {true, false}) {
+    const PlainReach& reach = rapid ? change.reaches->rapid : change.reaches->feed;
+    if (reach.letters == 0) continue;
+    Moves moves;
+    moves.kind = rapid ? MoveKind::kRapid : MoveKind::kFeed;
+    moves.place = &place;
+    if (std::has_single_bit(modes[Mode::kSystem]))
+      moves.system = static_cast<uint8_t>(std::countr_zero(modes[Mode::kSystem]));
+    moves.unit = unit_in_effect(modes);
+    moves.end_at(place.at, watch.line);
+    for (size_t axis = 0; axis < kAxisCount; ++axis) {
+      const Extremes& words = reach.words[axis];
+      const Extremes& sums = reach.sums[axis];
+      if (!(words.least <= words.greatest)) continue;
+      const bool summed = reading.is_summed();
+      moves.axes |= axis_set(axis);
+      moves.ways[axis] = {reading.end(place.at[axis], axis, words.least, sums.least),
+                          reading.end(place.at[axis], axis, words.greatest, sums.greatest),
+                          summed ? sums.least_line : words.least_line,
+                          summed ? sums.greatest_line : words.greatest_line};
+    }
+    watch.visitor->visit(moves);
+  }
+  if (change.reaches->curves) watch.visitor->lose(watch.line, axis_set(0) | axis_set(1) | axis_set(2));
 }
 
 void ModeAccess::begin_level(Parameters& p) {

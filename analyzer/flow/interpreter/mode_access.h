@@ -6,6 +6,7 @@
 #include "analyzer/flow/domain/known_parameters.h"
 #include "analyzer/flow/domain/modes.h"
 #include "analyzer/flow/facts/mode_uses.h"
+#include "analyzer/syntax/moves.h"
 
 namespace owlint::flow {
 
@@ -24,6 +25,8 @@ class ModeAccess {
   void set_place(Parameters& p, const Place& place);
   /// The machine goes as far as some lines that are not carried out one by one.
   void go(Parameters& p, std::span<const PlaceChange> changes);
+  /// Tells where such lines go, before go().
+  void tell(const Parameters& p, const PlaceChange& change, MoveWatch watch) const;
   /// A call begins: on its level nothing is saved.
   void begin_level(Parameters& p);
   /// Whether cutter compensation is surely on.

@@ -110,8 +110,13 @@ void AbstractMachine::Step::modes() {
   if (line_computes().read_only != kNoName) return next_line();
   faults.clear();
   std::optional<Place> place;
-  if (goes) place = m.modes_.place(state.parameters);
-  run.act(&after, &faults, place ? &*place : nullptr);
+  MoveWatch watch;
+  if (goes) {
+    place = m.modes_.place(state.parameters);
+    watch = {m.place_watch_, s.line};
+    if (watch.visitor != nullptr) m.place_watch_->begin(state, here);
+  }
+  run.act(&after, &faults, place ? &*place : nullptr, watch);
   if (s.for_place) std::erase_if(faults, [](const ModeFault& fault) { return !fault.by_place; });
   if (!take_faults(faults)) return;
   if (!s.for_place) m.modes_.set(state.parameters, after);

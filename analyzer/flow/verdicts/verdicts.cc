@@ -219,6 +219,7 @@ FlowResult Verdicts::finish() {
   find_ends_in_subs(analysis_, hazards_);
   find_arguments_not_passed();
   mode_hazards_.find(hazards_);
+  limit_hazards_.find(hazards_);
   find_endless_recursions();
   result.reachability = std::make_shared<Reachability>(analysis_.trace(), analysis_.limits());
   size_t paths = 0;

@@ -10,6 +10,7 @@
 
 #include "analyzer/flow/engine/iteration.h"
 #include "analyzer/flow/verdicts/hazards.h"
+#include "analyzer/flow/verdicts/limit_hazards.h"
 #include "analyzer/flow/verdicts/mode_hazards.h"
 #include "analyzer/flow/verdicts/stops.h"
 
@@ -23,8 +24,10 @@ class Verdicts final : public Events {
         program_(analysis.program()),
         trace_(*analysis.trace()),
         stops_(analysis.linked(), trace_),
-        mode_hazards_(analysis) {
+        mode_hazards_(analysis),
+        limit_hazards_(analysis.machine().machine_words()) {
     analysis.machine().set_watch(&mode_hazards_);
+    if (analysis.machine().machine_words().has_limits) analysis.machine().set_watch(&limit_hazards_);
   }
 
   void stop(const State& at, StopReport report) override;
@@ -55,6 +58,7 @@ class Verdicts final : public Events {
   Stops stops_;
   Hazards hazards_;
   ModeHazards mode_hazards_;
+  LimitHazards limit_hazards_;
   std::vector<NotPassed> not_passed_;
   std::unordered_set<RecordId> warned_;  // records with an error that FEATURE 0x20 turned into a message
   std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond LinuxCNC's depth

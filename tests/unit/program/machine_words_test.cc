@@ -106,3 +106,43 @@ TEST_CASE("machines whose lines may run otherwise have other keys", "[machine]")
   }
   CHECK(key_of(Machine("", "")) != key_of(Machine("[EMCIO]\nDB_PROGRAM = x\n")));
 }
+
+TEST_CASE("an axis has the limits of its section", "[machine]") {
+  const Machine machine("[AXIS_X]\nMIN_LIMIT = -10\nMAX_LIMIT = +400.5\n[AXIS_Z]\nMAX_LIMIT = 0\n");
+  const MachineWords& words = WordsOfMachine(machine.profile).words;
+  CHECK(words.has_limits);
+  CHECK(words.limits[0] == AxisLimits{-10, 400.5});
+  CHECK(words.limits[1] == AxisLimits{});
+  CHECK(words.limits[2] == AxisLimits{AxisLimits{}.least, 0});
+  CHECK(limit_entry(machine.profile.setup->ini, 2, true)->section == "AXIS_Z");
+  CHECK(limit_entry(machine.profile.setup->ini, 2, false) == nullptr);
+}
+
+TEST_CASE("a value that is no number, or limits that are exchanged, limit nothing", "[machine]") {
+  for (const char* limit : {"MAX_LIMIT = 100 # mm", "MAX_LIMIT = 7mm", "MAX_LIMIT = -5\nMIN_LIMIT = 5"}) {
+    INFO(limit);
+    CHECK_FALSE(WordsOfMachine(Machine(std::string("[AXIS_X]\n") + limit + "\n").profile).words.has_limits);
+  }
+}
+
+TEST_CASE("where joints are axes, the limit of a joint is that of its axis", "[machine]") {
+  const char* const joint = "[JOINT_1]\nMAX_LIMIT = 80\n";
+  const auto limit_of = [&](const std::string& kinematics, size_t axis) {
+    const Machine machine("[TRAJ]\nCOORDINATES = X Y Z\n[KINS]\nKINEMATICS = " + kinematics + "\n" + joint);
+    return WordsOfMachine(machine.profile).words.limits[axis].greatest;
+  };
+  CHECK(limit_of("trivkins coordinates=XYZ", 1) == 80);
+  CHECK(limit_of("trivkins", 1) == 80);
+  CHECK(limit_of("trivkins coordinates=XZ", 2) == 80);
+  CHECK(limit_of("5axiskins", 1) == AxisLimits{}.greatest);
+}
+
+TEST_CASE("limits of rotary axes are degrees, or unknown", "[machine]") {
+  const auto limited = [](const std::string& units) {
+    const Machine machine("[TRAJ]\nCOORDINATES = X Y Z A\n" + units + "[AXIS_A]\nMAX_LIMIT = 90\n");
+    return WordsOfMachine(machine.profile).words.has_limits;
+  };
+  CHECK(limited("ANGULAR_UNITS = degree\n"));
+  CHECK_FALSE(limited("ANGULAR_UNITS = rad\n"));
+  CHECK_FALSE(limited(""));
+}

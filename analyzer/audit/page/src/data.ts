@@ -48,12 +48,26 @@ export interface Blocks {
   calls: { title: string; line: number; scope: number; to: { file: number; line: number } | null }[];
 }
 
+/** `file`: its number, -1 for one that this page does not have. */
+export interface LineOf { file: number; line: number }
+export interface Range { least: number; greatest: number }
+
+/** How far a program goes: as `owlint extents --format json` has it. */
+export interface Extents {
+  unit: string;
+  origins: { system: string | null; g92: boolean; from_start: boolean; axes: Record<string, Range & { least_at: LineOf; greatest_at: LineOf; rapid: Range | null; feed: Range | null }> }[];
+  complete: boolean;
+  unknown: (LineOf & { axes: string[]; why: string })[];
+  stops_at: LineOf | null;
+}
+
 export interface Details {
   lineCount: number;
   /** Stretches of lines: the number of the first, and their texts. */
   source: [number, string[]][];
   findings: Finding[];
   blocks: Blocks | null;
+  extents: Extents | null;
 }
 
 async function unpacked(id: string): Promise<string> {

@@ -3,6 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import { BlocksView } from "./blocks";
 import { CallsView } from "./calls";
 import { machine, readDetails, type Details } from "./data";
+import { ExtentsTable } from "./extents";
 import type { Model } from "./model";
 import { number, plural } from "./model";
 import { useNarrow } from "./narrow";
@@ -82,6 +83,7 @@ function Known({ model, route, file }: { model: Model; route: Route; file: numbe
           {tab === "calls" && hasCalls && <CallsView model={model} file={file} />}
         </div>
         <aside aria-label="about this program">
+          {details?.extents && <ExtentsTable extents={details.extents} />}
           <Files model={model} title="Called by" files={model.callers(file)} />
           <Files model={model} title="Calls" files={model.calls(file)} />
           {code && !narrow && tab === "lines" && <RulePage model={model} code={code} />}
