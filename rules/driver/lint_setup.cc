@@ -33,7 +33,7 @@ void decide(const SeverityPolicy& policy, std::vector<Finding>& findings) {
 
 ByFile lint_one_version(const Profile& profile, const LintOptions& options, Library& library) {
   std::vector<Finding> findings;
-  const rules::SetupInput input{*profile.setup, profile, library};
+  const SetupInput input{*profile.setup, profile, library};
   for (const Rule* rule : catalogue()) {
     if (rule->check_setup == nullptr || !selected(*rule, options)) continue;
     Reporter reporter(*rule, findings);
