@@ -13,7 +13,6 @@ void check(const Input& in, Reporter& out) {
   if (nature.other_mark.end > nature.other_mark.begin)
     f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
   f.help = "leave the file out of the check";
-  f.group = nature.controller;  // a folder of such programs is one mistake
   f.reach = Reach::kAlways;
 }
 

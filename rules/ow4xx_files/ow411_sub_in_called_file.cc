@@ -27,7 +27,6 @@ Finding& report_sub(const Program& p, const Hazard& h, Reporter& out) {
                        "`" + p.head(h.statement) + "` is inside `" + p.head(region.opener) +
                            "`: its lines run here at once, and its `endsub` ends the outer sub");
   f.help = "move this sub to a file of its own, and give both a name that no other file uses";
-  f.group = "inner " + p.head(h.statement);  // the same helper in several files
   return f;
 }
 
