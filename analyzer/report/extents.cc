@@ -42,7 +42,7 @@ std::string system_name(const Extents::Origin& origin) {
 std::string title_of(const Extents::Origin& origin) {
   std::string title = system_name(origin);
   if (origin.shifted) title += " with G92";
-  if (origin.from_start) title += ", from where the machine stands at the start";
+  if (origin.from_start) title += ", counted from where the machine stands";
   return title;
 }
 

@@ -48,7 +48,7 @@ class Extents final : public MoveVisitor {
 
     uint8_t system = 0;       ///< G54 is 0
     bool shifted = false;     ///< by G92 or G52
-    bool from_start = false;  ///< from where the machine stands when the program begins
+    bool from_start = false;  ///< from where the machine stands before the first of these moves
 
     auto operator<=>(const Origin&) const = default;
   };

@@ -45,6 +45,7 @@ std::optional<LimitFault> beyond_limit(const MachineWords& machine, const Moves&
   fault.axis = static_cast<uint8_t>(axis);
   fault.greatest = greatest;
   fault.kind = moves.kind;
+  fault.machine = moves.machine;
   fault.position = fault.furthest = end;
   fault.limit = limit;
   const Way& written = moves.ways[axis];

@@ -22,6 +22,7 @@ struct LimitFault {
   uint8_t axis = 0;
   bool greatest = false;  ///< the limit
   MoveKind kind = MoveKind::kRapid;
+  bool machine = false;  ///< the line has G53
   Needs needs = Needs::kNothing;
   double position = 0;  ///< where the move ends; of a distance how long it is
   double limit = 0;     ///< of a distance all that the axis has

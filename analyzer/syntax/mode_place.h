@@ -61,6 +61,8 @@ void change_plane(Point* at, Change change) {
 
 /// The axes that the line names, also by polar words.
 AxisSet named_axes(const ModeLine& line);
+/// All axes of the machine; X, Y and Z where it is not known.
+AxisSet axes_of(const MachineWords& machine);
 /// Tells those who watch that the line moves to a point, by which it names these axes; or that it moves somewhere.
 void visit(const ModeLine& line, MoveKind kind, const Point& end, AxisSet axes);
 void lose_moves(const ModeLine& line, AxisSet axes = kAllAxes);

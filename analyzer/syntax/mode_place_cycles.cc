@@ -22,9 +22,7 @@ constexpr Hole kHoles[] = {{Axis::kZ, Axis::kX, Axis::kY}, {Axis::kY, Axis::kZ, 
 
 size_t index(Axis axis) { return static_cast<size_t>(axis); }
 
-AxisSet plane_axes(const Hole& hole) {
-  return static_cast<AxisSet>(axis_set(index(hole.first)) | axis_set(index(hole.second)));
-}
+AxisSet plane_axes(const Hole& hole) { return axis_set(index(hole.first)) | axis_set(index(hole.second)); }
 
 /// Of a hole, in the coordinates in effect.
 struct Heights {

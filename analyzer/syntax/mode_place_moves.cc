@@ -159,7 +159,12 @@ bool go_home(ModeLine& line) {
     if (!all && !line.has(kAxisOrder[i])) continue;
     end[i] = i < 2 ? home[i] : stored[i] - place->system.origin[i] - place->offset[i] - place->tool[i];
   }
-  visit(line, MoveKind::kRapid, end, all ? kAllAxes : named_axes(line));
+  // A point that the program has not stored itself is another one on each machine.
+  Point told = end;
+  for (Coordinate& axis : told.axes) {
+    if (!axis.is_known()) axis = Coordinate::unknown();
+  }
+  visit(line, MoveKind::kRapid, told, all ? axes_of(line.machine()) : named_axes(line));
   arrive(line, end);
   return false;
 }

@@ -52,6 +52,15 @@ AxisSet named_axes(const ModeLine& line) {
   return line.words().has_polar_words() ? axes | axis_set(0) | axis_set(1) : axes;
 }
 
+AxisSet axes_of(const MachineWords& machine) {
+  const uint32_t letters = machine.unsure ? letter_set("xyz") : machine.axes;
+  AxisSet axes = 0;
+  for (size_t i = 0; i < kAxisCount; ++i) {
+    if ((letters & letter_set({&kAxisOrder[i], 1})) != 0) axes |= axis_set(i);
+  }
+  return axes;
+}
+
 void visit(const ModeLine& line, MoveKind kind, const Point& end, AxisSet axes) {
   if (line.watch().visitor != nullptr && line.place() != nullptr)
     line.watch().visitor->visit(moves_of(line, kind, end, axes));

@@ -42,6 +42,13 @@ bool has_own_offsets(const Moves& moves, size_t axis) {
       place.system.origin[axis].is_known() && g92 && tool && turned;
 }
 
+/// Of a move of G53 along a rotary axis, whose words leave the tool offset out.
+bool has_no_tool(const Moves& moves, size_t axis) {
+  const Place& place = *moves.place;
+  const Coordinate without = moves.ways[axis].least + place.offset[axis] + place.system.origin[axis];
+  return !is_length(axis) && place.tool[axis].value == 0 && places::agree(without.value, without.other);
+}
+
 }  // namespace
 
 double unit_in_effect(const ModeSets& modes) {
@@ -66,7 +73,7 @@ MachineWay machine_way(const Moves& moves, size_t axis, double units_per_mm) {
   way.base = (straight.other - straight.value) * unit;
   if (places::agree(least.value, least.other) && places::agree(greatest.value, greatest.other)) {
     way.trust = MachineWay::Trust::kCertain;
-  } else if (has_own_offsets(moves, axis)) {
+  } else if (has_own_offsets(moves, axis) || (moves.machine && has_no_tool(moves, axis))) {
     way.trust = MachineWay::Trust::kOffsets;
   } else if (!std::isnan(way.base)) {
     way.trust = MachineWay::Trust::kDistance;

@@ -23,8 +23,8 @@ enum class MoveKind : uint8_t {
 /// Millimetres in the unit in effect; NaN if it is not known which.
 double unit_in_effect(const ModeSets& modes);
 
-using AxisSet = uint16_t;  ///< by Axis
-constexpr AxisSet axis_set(size_t axis) { return static_cast<AxisSet>(1U << axis); }
+using AxisSet = uint32_t;  ///< by Axis
+constexpr AxisSet axis_set(size_t axis) { return 1U << axis; }
 inline constexpr AxisSet kAllAxes = (1U << kAxisCount) - 1;
 
 /// The ends of moves along one axis, in the units and the coordinate system in effect.

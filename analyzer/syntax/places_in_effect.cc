@@ -257,10 +257,18 @@ void PlacesInEffect::go(size_t letter, double last, double sum) {
 
 PlaceChange& PlacesInEffect::pending(const ModeSets& before, bool alone) {
   const auto known = [&](Mode mode) { return is_known(before, mode) ? only_value(before, mode) : ModeChange::kAny; };
-  const uint8_t distance = known(Mode::kDistance), diameter = known(Mode::kDiameter);
-  if (pending_.empty() || pending_.back().lost || pending_.back().distance != distance ||
-      pending_.back().diameter != diameter || pending_.back().alone != alone)
-    pending_.push_back({0, alone, false, distance, diameter, 0, {}, {}, nullptr});
+  PlaceChange change;
+  change.alone = alone;
+  change.distance = known(Mode::kDistance);
+  change.diameter = known(Mode::kDiameter);
+  change.units = known(Mode::kUnits);
+  change.system = known(Mode::kSystem);
+  change.compensation = known(Mode::kCompensation);
+  const auto same = [&](const PlaceChange& last) {
+    return !last.lost && last.alone == alone && last.distance == change.distance && last.diameter == change.diameter &&
+        last.units == change.units && last.system == change.system && last.compensation == change.compensation;
+  };
+  if (pending_.empty() || !same(pending_.back())) pending_.push_back(change);
   return pending_.back();
 }
 
@@ -283,7 +291,7 @@ void PlacesInEffect::note(const PlainMoves& moves, const PlainReaches* reaches, 
 
 void PlacesInEffect::note_lost() {
   pending_.clear();
-  pending_.push_back({0, false, true, ModeChange::kAny, ModeChange::kAny, 0, {}, {}, nullptr});
+  pending_.emplace_back().lost = true;
 }
 
 void PlacesInEffect::flush() {

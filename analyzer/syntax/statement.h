@@ -94,15 +94,18 @@ struct ModeChange {
 
 /// How far lines behind a statement, before the next one, go: straight lines and arcs with nothing but their ends.
 struct PlaceChange {
-  StatementId after = 0;                  ///< the statement
-  bool alone = false;                     ///< by a motion that the lines do not say, if it is one of G0 to G3
-  bool lost = false;                      ///< the machine is somewhere
-  uint8_t distance = ModeChange::kAny;    ///< what the distance mode is, if the lines say it
-  uint8_t diameter = ModeChange::kAny;    ///< the same of the diameter mode
-  uint16_t axes = 0;                      ///< that move, by Axis
-  std::array<double, kAxisCount> last{};  ///< of each the last word: where it is in G90
-  std::array<double, kAxisCount> sum{};   ///< of all words: how far it has gone in G91
-  std::shared_ptr<PlainReaches> reaches;  ///< where it has been on the way, if that is asked for
+  StatementId after = 0;                    ///< the statement
+  bool alone = false;                       ///< by a motion that the lines do not say, if it is one of G0 to G3
+  bool lost = false;                        ///< the machine is somewhere
+  uint8_t distance = ModeChange::kAny;      ///< what the distance mode is, if the lines say it
+  uint8_t diameter = ModeChange::kAny;      ///< the same of the diameter mode
+  uint8_t units = ModeChange::kAny;         ///< of the units
+  uint8_t system = ModeChange::kAny;        ///< of the coordinate system
+  uint8_t compensation = ModeChange::kAny;  ///< and of cutter compensation
+  uint16_t axes = 0;                        ///< that move, by Axis
+  std::array<double, kAxisCount> last{};    ///< of each the last word: where it is in G90
+  std::array<double, kAxisCount> sum{};     ///< of all words: how far it has gone in G91
+  std::shared_ptr<PlainReaches> reaches;    ///< where it has been on the way, if that is asked for
 };
 
 /// A mode that is set, and set again before any line depends on it.

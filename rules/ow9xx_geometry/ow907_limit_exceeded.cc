@@ -174,6 +174,14 @@ bool assumes(const Input& in, Mode mode, uint32_t line) {
   });
 }
 
+/// Whether a move that is beyond a limit in millimetres is so in inches, too.
+bool is_beyond_in_inches(const LimitFault& fault) {
+  constexpr double kInch = 25.4;
+  if (fault.is_distance() || !is_length(fault.axis)) return true;
+  const double position = fault.position * kInch;
+  return fault.greatest ? position > fault.limit : position < fault.limit;
+}
+
 void add_doubts(const Input& in, const LimitFault& fault, Finding& f) {
   if (fault.needs == Needs::kNoOffsets) {
     f.message += ", if the machine has no other offset or tool";
@@ -182,8 +190,12 @@ void add_doubts(const Input& in, const LimitFault& fault, Finding& f) {
     f.message += ", unless the coordinate system is turned";
     f.unproven = true;
   }
-  if (is_length(fault.axis) && assumes(in, Mode::kUnits, fault.line)) {
+  if (assumes(in, Mode::kUnits, fault.line) && !is_beyond_in_inches(fault)) {
     f.message += ", in millimeters";
+    f.unproven = true;
+  }
+  if (!fault.machine && assumes(in, Mode::kDistance, fault.line)) {
+    f.message += ", in `G90`";
     f.unproven = true;
   }
 }
@@ -263,7 +275,8 @@ MAX_LIMIT = 0
 write `G53 G0 Z0`. Programs that fit nowhere need another machine, or the part turned.)",
             .level_reason =
                 "Error if a run gets here: the program stops. Warning if that takes a machine without other "
-                "offsets, tools or rotations than those of the program.",
+                "offsets, tools or rotations than those of the program, or a unit or distance mode that it does not "
+                "set.",
             .interpreter = "Linear move on line N would exceed Z's positive limit",
             .options = "--ini machine.ini",
         },

@@ -125,6 +125,14 @@ test("a finding in the boxes of the blocks leads to its line", () => reading("#/
   await eventually(async () => assert.ok(await line.evaluate((element) => element.getBoundingClientRect().top < innerHeight)));
 }));
 
+test("beside its lines stands how far a program goes", () => reading(program("longer-than-the-axis.ngc"), {}, async (page) => {
+  const extents = page.locator(".extents");
+  await says(extents, /Extents in mm/);
+  await says(extents.locator("tbody tr").first(), /X\s+0\s+600/);
+  await extents.getByRole("link", { name: "600" }).click();
+  await eventually(async () => assert.match(page.url(), /line=8/));
+}));
+
 test("blocks are boxes in each other, with what they call and what is found in them", () => reading(program("new.ngc", "?view=blocks"), {}, async (page) => {
   const main = page.locator(".blocks > .box.scope", { hasText: "main program" });
   await says(main.locator("> .head"), /main program/);

@@ -28,7 +28,19 @@ BEFORE = ("refuses", "crash", "hang")
 # By the beginning of a probe's name, or its whole name.
 OPEN = {
     # Programs: limits, words and modes that the machine decides on are not followed there yet.
-    "limit-": "moves are not held against the limits",
+    "limit-arc-bulge-homed": "between its ends an arc is not held against the limits",
+    "limit-arc-end": "the zero of the part is not known before the program runs",
+    "limit-cycle": "the zero of the part is not known before the program runs",
+    "limit-g0": "the zero of the part is not known before the program runs",
+    "limit-g54-offset": "the zero of the part is not known before the program runs",
+    "limit-g92-offset": "the zero of the part is not known before the program runs",
+    "limit-inch-program": "the zero of the part is not known before the program runs",
+    "limit-incremental": "the zero of the part is not known before the program runs",
+    "limit-not-homed": "the zero of the part is not known before the program runs",
+    "limit-probe": "the zero of the part is not known before the program runs",
+    "limit-rigid-tap": "the zero of the part is not known before the program runs",
+    "limit-tool-length": "the zero of the part is not known before the program runs",
+    "limit-two-axes": "the zero of the part is not known before the program runs",
     "arc-tolerance-mm-tight": "the tolerance of the INI is not used",
     "axis-letter-u-in-rs274": "the INI has no axes, rs274 those that it always has",
     "coordinates-without-z": "check_config says that the axes differ, and the program is read with those of COORDINATES",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace owlint::flow {
 namespace {
@@ -35,7 +36,15 @@ uint8_t value_of(const ModeSets& modes, Mode mode, uint8_t said) {
 bool is_lost(const PlaceChange& change, const ModeSets& modes) {
   constexpr MotionSet kPlain = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
   const bool other = change.alone && (modes[Mode::kMotion] & ~kPlain) != 0;
-  return change.lost || other || modes[Mode::kCompensation] != value_bit(modes::kG40);
+  return change.lost || other || value_of(modes, Mode::kCompensation, change.compensation) != modes::kG40;
+}
+
+/// The modes of these lines, as far as they are one value; what the lines say is applied behind them.
+ModeSets modes_of(const PlaceChange& change, ModeSets modes) {
+  for (const auto& [mode, said] : {std::pair(Mode::kUnits, change.units), std::pair(Mode::kSystem, change.system)}) {
+    if (said != ModeChange::kAny) modes[mode] = value_bit(said);
+  }
+  return modes;
 }
 
 /// What the numbers of such lines mean.
@@ -160,7 +169,7 @@ void ModeAccess::go(Parameters& p, std::span<const PlaceChange> changes) {
 }
 
 void ModeAccess::tell(const Parameters& p, const PlaceChange& change, MoveWatch watch) const {
-  const ModeSets modes = state(p).now;
+  const ModeSets modes = modes_of(change, state(p).now);
   if (is_lost(change, modes)) return watch.visitor->lose(watch.line, kAllAxes);
   if (change.reaches == nullptr) return;
   const Place place = this->place(p);

@@ -18,7 +18,7 @@ function At({ at, children }: { at: LineOf; children: string }) {
 
 function titleOf({ system, g92, from_start }: Extents["origins"][number]): string {
   const name = system === "machine" ? "Machine (G53)" : system ?? "Several coordinate systems";
-  return name + (g92 ? " with G92" : "") + (from_start ? ", from the start" : "");
+  return name + (g92 ? " with G92" : "") + (from_start ? ", counted from where the machine stands" : "");
 }
 
 export function ExtentsTable({ extents }: { extents: Extents }) {
