@@ -1,4 +1,4 @@
-# The list of all rules, from the names of their files: rules/ow1xx_abort_list/ow104_if_label_reused.cc defines kOw104.
+# The list of all rules, from the names of their files: rules/ow1xx_abort_list/ow104_if_label_reused.cc defines ow104::kRule.
 # Sorted by code, which is the order of every table that is made from the catalogue.
 file(GLOB RULE_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rules/ow*/ow*.cc)
 set(RULE_CODES "")
@@ -12,6 +12,6 @@ endforeach()
 list(SORT RULE_CODES)
 set(RULE_LIST "// Made by cmake/rules.cmake.\n")
 foreach(RULE_CODE IN LISTS RULE_CODES)
-  string(APPEND RULE_LIST "OWLINT_RULE(kOw${RULE_CODE})\n")
+  string(APPEND RULE_LIST "OWLINT_RULE(ow${RULE_CODE})\n")
 endforeach()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/generated/catalogue.inc CONTENT "${RULE_LIST}")

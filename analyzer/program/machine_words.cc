@@ -148,6 +148,7 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   }
   words.spindles = profile.setup->spindles;
   words.change_keeps_spindle = profile.setup->change_keeps_spindle;
+  words.retains_offset = profile.setup->retains_offset;
   if (profile.setup->tools) {
     for (const ToolRow& row : profile.setup->tools->rows)
       tools.push_back({row.number, row.diameter, row.orientation, row.has_offset, row.offset});
@@ -165,7 +166,8 @@ std::string WordsOfMachine::key() const {
     key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group)) + '>';
     key += code.sub;
   }
-  key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "");
+  key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "") +
+      (words.retains_offset ? "r" : "");
   key += " =" + std::to_string(words.units_per_mm) + ',' + std::to_string(words.arc_tolerance_mm) + ',' +
       std::to_string(words.arc_tolerance_inch);
   key += ',' + std::to_string(words.wrapped) + ',' + std::to_string(words.indexing);

@@ -193,8 +193,9 @@ struct MachineWords {
   std::span<const RemappedCode> remapped;
   bool unsure = false;  ///< the machine is not known: it may have other axes, and codes M200 to M999 of its own
   int32_t spindles = 1;
-  bool change_keeps_spindle = false;                    ///< M6 does not stop the spindle
-  double units_per_mm = 0.03937007874016;               ///< of the machine
+  bool change_keeps_spindle = false;       ///< M6 does not stop the spindle
+  bool retains_offset = false;             ///< RETAIN_G43: each line repeats G43 for the tool in the spindle
+  double units_per_mm = 0.03937007874016;  ///< of the machine
   double arc_tolerance_mm = 0.02 * 1.4142135623730951;  ///< of arcs by their center, in G21
   double arc_tolerance_inch = 0.002 * 1.4142135623730951;
   /// The modes with which a program starts; null: those of an interpreter that was just started.

@@ -60,6 +60,8 @@ bool moves_indexing_axis(ModeLine& line, Motion motion);
 bool goes_round(ModeLine& line, Point* point);
 /// Somewhere.
 void lose_point(ModeLine& line);
+/// A probe: somewhere on the way there.
+void go_towards(ModeLine& line, const Point& end);
 /// G33.1 goes back, but for other axes than X, Y and Z.
 void return_to_start(ModeLine& line, Point* end);
 /// G28 and G30: from the end point on.

@@ -128,6 +128,19 @@ void lose_point(ModeLine& line) {
   if (line.place() != nullptr) line.place()->lose_point();
 }
 
+void go_towards(ModeLine& line, const Point& end) {
+  Place* const place = line.place();
+  if (place == nullptr) return;
+  for (size_t i = 0; i < kAxisCount; ++i) {
+    if (end[i] != place->at[i]) place->at[i] = Coordinate::unknown();
+  }
+  // What is asked from the machine is turned back.
+  constexpr Coordinate kNoRotation{};
+  if (place->system.rotation != kNoRotation && (place->at[0].is_unknown() || place->at[1].is_unknown()))
+    lose_plane(&place->at);
+  place->settle();
+}
+
 void return_to_start(ModeLine& line, Point* end) {
   if (line.place() == nullptr) return;
   for (const Axis axis : {Axis::kX, Axis::kY, Axis::kZ}) (*end)[axis] = line.place()->at[axis];

@@ -196,7 +196,7 @@ bool probe(ModeLine& line, Motion motion) {
   if (places::end_point(line, &end)) return true;
   const bool has_to_move = motion == Motion::kG38_2 || motion == Motion::kG38_4;
   if (has_to_move && places::starts_at_end(line, end)) return true;
-  places::lose_point(line);
+  places::go_towards(line, end);
   return false;
 }
 

@@ -6,6 +6,7 @@
 namespace owlint::steps {
 namespace {
 
+constexpr const char* kNoOffsetChange = "Cannot change tool offset with cutter radius compensation on";
 constexpr ValueSet kAnyOffset = value_bit(modes::kG49) | value_bit(modes::kOffsetOn);
 
 /// The number of a word that has to be whole; false if it is not known.
@@ -81,6 +82,30 @@ bool set_number(ModeLine& line) {
   return line.lacks_tool(nearest_integer(number), line.at('q'), word);
 }
 
+/// RETAIN_G43: while an offset is on, each line begins with G43 for the tool in the spindle, and G49 does nothing.
+bool repeats_offset(ModeLine& line) {
+  const BadMode on{Mode::kToolOffset, value_bit(modes::kOffsetOn)};
+  if (line.stop_in({on, kCompensationOn}, StopKind::kCompensation, kNoOffsetChange,
+                   line.at(GGroup::kCutterCompensation), line.at(GGroup::kToolLength)))
+    return true;
+  places::set_unknown_tool_offset(line);
+  line.set_open(Mode::kToolOffset, kAnyOffset);
+  return false;
+}
+
+/// True if no run goes on.
+bool change_offset(ModeLine& line, int code) {
+  switch (code) {
+    case code::kG43: return from_table(line);
+    case code::kG43_1: return from_words(line);
+    case code::kG43_2: return further(line);
+    default:
+      line.set(Mode::kToolOffset, modes::kG49);
+      places::set_tool_offset(line, Point{});
+      return false;
+  }
+}
+
 }  // namespace
 
 bool select_tool(ModeLine& line) {
@@ -101,20 +126,16 @@ bool change_tool(ModeLine& line) {
 }
 
 bool tool_length(ModeLine& line) {
+  const bool retains = line.machine().retains_offset;
+  const bool repeats = retains && line.now()[Mode::kToolOffset] != value_bit(modes::kG49);
+  if (repeats && repeats_offset(line)) return true;
   const int code = line.code(GGroup::kToolLength);
   if (code < 0) return false;
-  if (line.refused_by_compensation("Cannot change tool offset with cutter radius compensation on",
-                                   line.at(GGroup::kToolLength)))
-    return true;
-  switch (code) {
-    case code::kG43: return from_table(line);
-    case code::kG43_1: return from_words(line);
-    case code::kG43_2: return further(line);
-    default:
-      line.set(Mode::kToolOffset, modes::kG49);
-      places::set_tool_offset(line, Point{});
-      return false;
-  }
+  if (line.refused_by_compensation(kNoOffsetChange, line.at(GGroup::kToolLength))) return true;
+  if (repeats && code == code::kG49) return false;
+  if (change_offset(line, code)) return true;
+  if (retains) places::set_unknown_tool_offset(line);
+  return false;
 }
 
 }  // namespace owlint::steps

@@ -9,7 +9,10 @@
 namespace owlint {
 namespace rules {
 
-#define OWLINT_RULE(rule) extern const Rule rule;
+#define OWLINT_RULE(code)  \
+  namespace code {         \
+  extern const Rule kRule; \
+  }
 #include "generated/catalogue.inc"
 #undef OWLINT_RULE
 
@@ -43,7 +46,7 @@ std::string_view group_title(Group group) { return kGroupTitles[static_cast<size
 const std::vector<const Rule*>& catalogue() {
   using namespace rules;
   static const std::vector<const Rule*> all = {
-#define OWLINT_RULE(rule) &(rule),
+#define OWLINT_RULE(code) &code::kRule,
 #include "generated/catalogue.inc"
 #undef OWLINT_RULE
   };

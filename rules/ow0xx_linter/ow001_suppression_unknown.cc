@@ -2,7 +2,7 @@
 // Depends on no fact about the interpreter: to LinuxCNC every suppression is an ordinary comment.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow001 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -30,7 +30,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw001{
+extern const Rule kRule{
     .code = "OW001",
     .name = "suppression-unknown",
     .summary = "a suppression names a code that does not exist",
@@ -68,4 +68,4 @@ allowed; it means all codes that begin with it.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow001

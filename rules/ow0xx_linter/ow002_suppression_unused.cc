@@ -4,7 +4,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow002 {
 namespace {
 
 /// The code; with the blanks before it and the whole comment, or its line, where nothing else is left.
@@ -48,7 +48,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw002{
+extern const Rule kRule{
     .code = "OW002",
     .name = "suppression-unused",
     .summary = "a suppression that suppresses nothing",
@@ -92,4 +92,4 @@ the whole file.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow002

@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow101 {
 namespace {
 
 /// The line above, as `o<f> sbu`, that was to begin the sub that this one ends.
@@ -52,7 +52,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw101{
+extern const Rule kRule{
     .code = "OW101",
     .name = "return-outside-sub",
     .summary = "`return` or `endsub` that is not inside a sub",
@@ -103,4 +103,4 @@ sub, put the `sub` line back before the sub's first line.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow101

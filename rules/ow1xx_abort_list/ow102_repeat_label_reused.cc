@@ -3,14 +3,14 @@
 // a `repeat` with a label from another line is an error.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow102 {
 namespace {
 
 void check(const Input& in, Reporter& out) { check_label_reused(in, out, Keyword::kRepeat); }
 
 }  // namespace
 
-extern const Rule kOw102{
+extern const Rule kRule{
     .code = "OW102",
     .name = "repeat-label-reused",
     .summary = "a label on `repeat` that another block already has",
@@ -67,4 +67,4 @@ local to a sub, so another sub may use the same number.)",
     .label_reused = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow102

@@ -4,14 +4,14 @@
 // because `while` also closes a `do`.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow103 {
 namespace {
 
 void check(const Input& in, Reporter& out) { check_label_reused(in, out, Keyword::kWhile); }
 
 }  // namespace
 
-extern const Rule kOw103{
+extern const Rule kRule{
     .code = "OW103",
     .name = "while-label-reused",
     .summary = "a label on `while` that another block already has, and that does not close a `do`",
@@ -69,4 +69,4 @@ M2
     .label_reused = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow103

@@ -2,14 +2,14 @@
 // Depends on: an `if` with a label from another line is an error, even if that other block was skipped.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow104 {
 namespace {
 
 void check(const Input& in, Reporter& out) { check_label_reused(in, out, Keyword::kIf); }
 
 }  // namespace
 
-extern const Rule kOw104{
+extern const Rule kRule{
     .code = "OW104",
     .name = "if-label-reused",
     .summary = "a label on `if` that another block already has",
@@ -65,4 +65,4 @@ of blocks are local to a sub, so another sub may use the same number.)",
     .label_reused = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow104

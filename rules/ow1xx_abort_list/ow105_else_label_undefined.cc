@@ -3,7 +3,7 @@
 // an error. While the interpreter skips to another label, it ignores the line.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow105 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -13,7 +13,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw105{
+extern const Rule kRule{
     .code = "OW105",
     .name = "else-label-undefined",
     .summary = "`else` or `elseif` with a label that no `if` has",
@@ -57,4 +57,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow105

@@ -2,7 +2,7 @@
 // Depends on: the three look their label up when executed; it is an error unless an `if` opened it.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow106 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw106{
+extern const Rule kRule{
     .code = "OW106",
     .name = "if-part-mismatch",
     .summary = "`else`, `elseif` or `endif` with a label that does not belong to an `if`",
@@ -65,4 +65,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow106

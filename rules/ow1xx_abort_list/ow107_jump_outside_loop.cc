@@ -3,7 +3,7 @@
 // it. A loop that has ended still counts.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow107 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -13,7 +13,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw107{
+extern const Rule kRule{
     .code = "OW107",
     .name = "jump-outside-loop",
     .summary = "`break` or `continue` with a label that does not belong to a `while` or `do`",
@@ -72,4 +72,4 @@ change it into a `while` with a counter.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow107

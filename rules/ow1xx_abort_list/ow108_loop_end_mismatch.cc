@@ -2,7 +2,7 @@
 // Depends on: both look their label up when executed; an unknown label, or a label of another kind, is an error.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow108 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw108{
+extern const Rule kRule{
     .code = "OW108",
     .name = "loop-end-mismatch",
     .summary = "`endrepeat` or `endwhile` with a label that does not belong to a `repeat` or `while`",
@@ -57,4 +57,4 @@ of its first line.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow108

@@ -3,7 +3,7 @@
 // definition of the name is an error, also under 0x20.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow201 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id, const Elsewhere& first) {
@@ -30,7 +30,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw201{
+extern const Rule kRule{
     .code = "OW201",
     .name = "sub-redefined",
     .summary = "two definitions of one sub, in one program or in several files",
@@ -80,4 +80,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow201

@@ -5,7 +5,7 @@
 
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow202 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id, RegionId outer) {
@@ -79,7 +79,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw202{
+extern const Rule kRule{
     .code = "OW202",
     .name = "sub-nested",
     .summary = "a `sub` inside another sub",
@@ -126,4 +126,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow202

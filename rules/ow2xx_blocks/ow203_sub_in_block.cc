@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow203 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -40,7 +40,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw203{
+extern const Rule kRule{
     .code = "OW203",
     .name = "sub-in-block",
     .summary = "a sub defined inside an `if` or loop: unknown if skipped, an error the second time",
@@ -89,4 +89,4 @@ and choose the `call`.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow203

@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow204 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -53,7 +53,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw204{
+extern const Rule kRule{
     .code = "OW204",
     .name = "sub-not-closed",
     .summary = "`sub` without its `endsub`",
@@ -97,4 +97,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow204

@@ -5,7 +5,7 @@
 
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow205 {
 namespace {
 
 /// Whether an end at the suggested line would be this block's: not inside a sub within the block, and no inner block with
@@ -121,7 +121,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw205{
+extern const Rule kRule{
     .code = "OW205",
     .name = "block-not-closed",
     .summary = "`if`, `while`, `do` or `repeat` without its end",
@@ -166,4 +166,4 @@ label.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow205

@@ -3,7 +3,7 @@
 // undefined label if the outer one was skipped.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow206 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -25,7 +25,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw206{
+extern const Rule kRule{
     .code = "OW206",
     .name = "blocks-crossed",
     .summary = "two blocks that overlap",
@@ -73,4 +73,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow206

@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow207 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -50,7 +50,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw207{
+extern const Rule kRule{
     .code = "OW207",
     .name = "call-before-define",
     .summary = "`call` before the definition",
@@ -96,4 +96,4 @@ before them.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow207

@@ -9,7 +9,7 @@
 #include "rules/driver/ini_places.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow208 {
 namespace {
 
 std::string number_only(const std::string& name) {
@@ -188,7 +188,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw208{
+extern const Rule kRule{
     .code = "OW208",
     .name = "call-undefined",
     .summary = "a `call` or M98 of a sub that LinuxCNC cannot find",
@@ -241,4 +241,4 @@ Python function, and owlint does not report it.)",
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow208

@@ -2,7 +2,7 @@
 // Depends on: a call fills #1 to #30; a 31st bracket is an error when the line is read.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow209 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id, Span extra) {
@@ -21,7 +21,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw209{
+extern const Rule kRule{
     .code = "OW209",
     .name = "call-too-many-arguments",
     .summary = "more than 30 arguments on a `call`",
@@ -78,4 +78,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow209

@@ -2,7 +2,7 @@
 // Depends on: nine calls may be open at once; the tenth is an error. Each called file and M98 counts.
 #include "rules/driver/ini_places.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow210 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -38,7 +38,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw210{
+extern const Rule kRule{
     .code = "OW210",
     .name = "call-too-deep",
     .summary = "calls or recursion more than nine levels deep",
@@ -86,4 +86,4 @@ than nine levels deep.)",
     .of_callers = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow210

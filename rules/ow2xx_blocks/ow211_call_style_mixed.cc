@@ -4,7 +4,7 @@
 
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow211 {
 namespace {
 
 /// The line of G70, G71 or G72 that has called the sub for its contour; nothing if it was another call.
@@ -83,7 +83,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw211{
+extern const Rule kRule{
     .code = "OW211",
     .name = "call-style-mixed",
     .summary = "M98, M99 or a bare `O` number mixed with `sub`, `call`, `endsub`",
@@ -134,4 +134,4 @@ both kinds if each is called in its own way.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow211

@@ -3,7 +3,7 @@
 // not count the `else` lines.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow212 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -29,7 +29,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw212{
+extern const Rule kRule{
     .code = "OW212",
     .name = "else-misplaced",
     .summary = "a second `else`, or an `elseif` after `else`",
@@ -75,4 +75,4 @@ M2
     .fades = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow212

@@ -3,7 +3,7 @@
 // skipping the label counts.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow213 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -27,7 +27,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw213{
+extern const Rule kRule{
     .code = "OW213",
     .name = "return-other-label",
     .summary = "a `return` with a label other than its sub's",
@@ -74,4 +74,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow213

@@ -3,7 +3,7 @@
 // taken.
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow214 {
 namespace {
 
 bool stands_in_its_label(const Program& p, BlockId block) {
@@ -43,7 +43,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw214{
+extern const Rule kRule{
     .code = "OW214",
     .name = "label-shared",
     .summary = "one label on several blocks of one scope, but no run gets to two of them",
@@ -97,4 +97,4 @@ M2
     .label_shared = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow214

@@ -3,7 +3,7 @@
 // works.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow215 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -37,7 +37,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw215{
+extern const Rule kRule{
     .code = "OW215",
     .name = "label-shared-across-scopes",
     .summary = "one number used in several subs, or both as sub and as block",
@@ -82,4 +82,4 @@ select it.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow215

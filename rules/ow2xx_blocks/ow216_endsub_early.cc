@@ -6,7 +6,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow216 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -30,7 +30,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw216{
+extern const Rule kRule{
     .code = "OW216",
     .name = "endsub-early",
     .summary = "an `endsub` before the last `endsub` of its sub",
@@ -80,4 +80,4 @@ too.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow216

@@ -8,7 +8,7 @@
 #include "analyzer/syntax/questions.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow217 {
 namespace {
 
 constexpr const char* kTimes = "write a whole number after `L`: `L3` calls the sub three times";
@@ -167,7 +167,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw217{
+extern const Rule kRule{
     .code = "OW217",
     .name = "m98-beside-words",
     .summary = "M98 or M99 on a line with other words",
@@ -217,4 +217,4 @@ M99
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow217

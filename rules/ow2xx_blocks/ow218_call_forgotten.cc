@@ -4,32 +4,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
-namespace {
-
-/// Whether an O-word without a keyword is the first thing in the program, where its number belongs.
-bool begins_program(const Program& p, StatementId id) {
-  const uint32_t plain = p.syntax.first_plain_line;
-  if (plain != 0 && plain < p.at(id).line) return false;
-  return id == 0 || (id == 1 && p.at(0).kind == LineKind::kPercent && !p.at(0).plain_code_follows);
-}
-
-}  // namespace
-
-bool lacks_call(const Input& in, StatementId id) {
-  const Program& p = in.program;
-  const Statement& s = p.at(id);
-  if (!s.is(Keyword::kBare) || s.name_open || s.refused) return false;
-  if (s.label == kNoName) return s.label_expr != kNoExpr && !begins_program(p, id);
-  const auto lines = p.by_label[s.label];
-  if (std::ranges::any_of(lines, [&](StatementId line) { return p.at(line).is(Keyword::kSub); }))
-    return s.named || !begins_program(p, id);
-  const auto file = in.linked.search_path().find(p.name(s.label));
-  if (!file || file->path == p.source->path()) return false;
-  // A number may be the program's own.
-  return s.named;
-}
-
+namespace owlint::rules::ow218 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -52,7 +27,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw218{
+extern const Rule kRule{
     .code = "OW218",
     .name = "call-forgotten",
     .summary = "the label of a sub without `call`",
@@ -101,4 +76,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow218

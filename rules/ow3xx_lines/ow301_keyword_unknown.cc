@@ -5,7 +5,7 @@
 
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow301 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -34,7 +34,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw301{
+extern const Rule kRule{
     .code = "OW301",
     .name = "keyword-unknown",
     .summary = "an unknown word after the label",
@@ -89,4 +89,4 @@ loop.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow301

@@ -6,25 +6,7 @@
 #include "analyzer/syntax/known_line.h"
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
-
-std::string arguments_in_comment(const Program& p, StatementId id) {
-  const Statement& s = p.at(id);
-  if (!s.is(Keyword::kCall) || s.value_count > 0) return {};
-  std::string_view text = p.source->slice({s.offset + s.keyword_to, s.end()});
-  std::string written;
-  for (;;) {
-    text.remove_prefix(std::min(text.find_first_not_of(" \t\r"), text.size()));
-    if (text.empty()) return written;
-    const size_t close = text.find(')');
-    if (text[0] != '(' || close == std::string_view::npos) return {};
-    const std::string value = "[" + std::string(text.substr(1, close - 1)) + "]";
-    if (!surely_runs("#1=" + value)) return {};
-    written += (written.empty() ? "" : " ") + value;
-    text.remove_prefix(close + 1);
-  }
-}
-
+namespace owlint::rules::ow302 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -78,7 +60,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw302{
+extern const Rule kRule{
     .code = "OW302",
     .name = "condition-missing",
     .summary = "`if`, `elseif`, `while` or `repeat` without `[`, or arguments in round brackets",
@@ -122,4 +104,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow302

@@ -3,7 +3,7 @@
 // evaluated, not when the line is skipped.
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow303 {
 namespace {
 
 struct Words {
@@ -73,7 +73,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw303{
+extern const Rule kRule{
     .code = "OW303",
     .name = "expression-malformed",
     .summary = "a missing or extra bracket, an unknown operator or function, a missing value",
@@ -119,4 +119,4 @@ EQ 0]` for "not".)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow303

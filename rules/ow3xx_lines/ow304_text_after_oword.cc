@@ -4,7 +4,7 @@
 #include "analyzer/syntax/known_line.h"
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow304 {
 namespace {
 
 /// Whether the words after such a line were never dropped, and would run where they are put: after a jump they would not.
@@ -73,7 +73,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw304{
+extern const Rule kRule{
     .code = "OW304",
     .name = "text-after-oword",
     .summary = "other text on the line after the O-word",
@@ -117,4 +117,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow304

@@ -3,7 +3,7 @@
 // interpreter knows.
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow305 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -23,7 +23,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw305{
+extern const Rule kRule{
     .code = "OW305",
     .name = "word-before-oword",
     .summary = "a word before the O-word",
@@ -65,4 +65,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow305

@@ -3,7 +3,7 @@
 // line is the name if there is no `>`, and an O-word without keyword is a program number.
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow306 {
 namespace {
 
 void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
@@ -62,7 +62,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw306{
+extern const Rule kRule{
     .code = "OW306",
     .name = "label-malformed",
     .summary = "a label that is missing, not a whole number, or a name without its `>`",
@@ -113,4 +113,4 @@ room for more blocks.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow306

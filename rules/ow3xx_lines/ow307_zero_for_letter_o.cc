@@ -3,7 +3,7 @@
 // nothing.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow307 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -24,7 +24,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw307{
+extern const Rule kRule{
     .code = "OW307",
     .name = "zero-for-letter-o",
     .summary = "the digit 0 instead of the letter O",
@@ -66,4 +66,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow307

@@ -3,7 +3,7 @@
 // uncalled subs too.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow308 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -30,7 +30,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw308{
+extern const Rule kRule{
     .code = "OW308",
     .name = "comment-malformed",
     .summary = "a nested or unclosed comment",
@@ -74,4 +74,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow308

@@ -3,7 +3,7 @@
 // comments count.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow309 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -21,7 +21,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw309{
+extern const Rule kRule{
     .code = "OW309",
     .name = "line-too-long",
     .summary = "a line longer than LinuxCNC reads",
@@ -59,4 +59,4 @@ into a named parameter first.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow309

@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow310 {
 namespace {
 
 /// Whether nothing but comments and blanks is in `text`.
@@ -45,7 +45,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw310{
+extern const Rule kRule{
     .code = "OW310",
     .name = "comment-on-oword-line",
     .summary = "a comment on an O-word line",
@@ -87,4 +87,4 @@ because an ordinary comment after an O-word is harmless in all versions that wer
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow310

@@ -2,7 +2,7 @@
 // Depends on: LinuxCNC changes letters to lower case before it reads a line, so this always works.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow311 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -20,7 +20,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw311{
+extern const Rule kRule{
     .code = "OW311",
     .name = "uppercase-o",
     .summary = "a capital `O` that looks like a zero",
@@ -58,4 +58,4 @@ unless you select it.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow311

@@ -3,7 +3,7 @@
 // always works.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow312 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -24,7 +24,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw312{
+extern const Rule kRule{
     .code = "OW312",
     .name = "label-spelling",
     .summary = "leading zeros, decimals, spaces or capital letters in a label",
@@ -65,4 +65,4 @@ off unless you select it.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow312

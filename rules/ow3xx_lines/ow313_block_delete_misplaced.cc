@@ -3,7 +3,7 @@
 // error.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow313 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -23,7 +23,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw313{
+extern const Rule kRule{
     .code = "OW313",
     .name = "block-delete-misplaced",
     .summary = "block delete `/` after the line number",
@@ -61,4 +61,4 @@ N60 M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow313

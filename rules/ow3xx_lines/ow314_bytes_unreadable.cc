@@ -3,7 +3,7 @@
 // feed, not at CR.
 #include "rules/driver/idioms.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow314 {
 namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -78,7 +78,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw314{
+extern const Rule kRule{
     .code = "OW314",
     .name = "bytes-unreadable",
     .summary = "a byte order mark, NUL, CR-only line ends, or characters that LinuxCNC does not know",
@@ -123,4 +123,4 @@ LF. Type the marked character again.)",
     .any_file = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow314

@@ -6,7 +6,7 @@
 #include "analyzer/machine/setup.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow315 {
 namespace {
 
 /// Whether a `%` is the first of two.
@@ -115,7 +115,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw315{
+extern const Rule kRule{
     .code = "OW315",
     .name = "program-end-missing",
     .summary = "the program reaches the end of the file without M2, M30 or `%`",
@@ -164,4 +164,4 @@ M2
     .of_programs = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow315

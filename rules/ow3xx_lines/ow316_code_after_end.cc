@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow316 {
 namespace {
 
 /// Whether `line` belongs to a sub, where calls can lead.
@@ -90,7 +90,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw316{
+extern const Rule kRule{
     .code = "OW316",
     .name = "code-after-end",
     .summary = "lines after the program end that no run reaches",
@@ -140,4 +140,4 @@ should run only sometimes, put it into an `if`.)",
     .leaves_out = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow316

@@ -5,7 +5,7 @@
 #include "analyzer/syntax/last_statement.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow317 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -33,7 +33,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw317{
+extern const Rule kRule{
     .code = "OW317",
     .name = "blank-in-number",
     .summary = "a space inside a number in brackets: LinuxCNC reads one number",
@@ -71,4 +71,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow317

@@ -2,7 +2,7 @@
 // Depends on: the marks in analyzer/syntax/controllers.cc, each of which stops LinuxCNC, or a comment that names the controller.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow319 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -18,7 +18,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw319{
+extern const Rule kRule{
     .code = "OW319",
     .name = "other-controller",
     .summary = "a program for another controller",
@@ -62,4 +62,4 @@ M2
     .other_controller = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow319

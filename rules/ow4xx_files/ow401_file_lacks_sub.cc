@@ -2,7 +2,7 @@
 // Depends on: LinuxCNC opens `name.ngc` and looks for `o<name> sub`; the end of that file is an error.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow401 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -53,7 +53,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw401{
+extern const Rule kRule{
     .code = "OW401",
     .name = "file-lacks-sub",
     .summary = "the called file exists but does not define the sub",
@@ -92,4 +92,4 @@ o<bore> endsub
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow401

@@ -2,7 +2,7 @@
 // Depends on: LinuxCNC changes a called name to small letters, whatever `NO_DOWNCASE_OWORD` says (measured, 2.9).
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow402 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -41,7 +41,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw402{
+extern const Rule kRule{
     .code = "OW402",
     .name = "file-name-case",
     .summary = "a file whose name has capital letters can never be called",
@@ -87,4 +87,4 @@ o<probe> endsub
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow402

@@ -4,7 +4,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow403 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -43,7 +43,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw403{
+extern const Rule kRule{
     .code = "OW403",
     .name = "file-several-subs",
     .summary = "more than one sub in a called file: LinuxCNC 2.10 stops at the call of the second",
@@ -88,4 +88,4 @@ o<pocket_side> endsub
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow403

@@ -2,7 +2,7 @@
 // Depends on: the interpreter ignores everything before the called sub.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow404 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -24,7 +24,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw404{
+extern const Rule kRule{
     .code = "OW404",
     .name = "file-sub-before-entry",
     .summary = "a helper before the called sub in its file is unknown",
@@ -73,4 +73,4 @@ and stops from 2.10 on.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow404

@@ -4,7 +4,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow405 {
 namespace {
 
 bool same_bytes(const Files& files, const std::string& a, const std::string& b) {
@@ -55,7 +55,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw405{
+extern const Rule kRule{
     .code = "OW405",
     .name = "file-shadowed",
     .summary = "a sub hides a file, or a file hides another one further along the search path",
@@ -102,4 +102,4 @@ o<face> endsub
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow405

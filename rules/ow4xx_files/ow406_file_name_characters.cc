@@ -2,7 +2,7 @@
 // Depends on: such names run today, but LinuxCNC's documentation does not say so.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow406 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -27,7 +27,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw406{
+extern const Rule kRule{
     .code = "OW406",
     .name = "file-name-characters",
     .summary = "a called name with characters other than small letters, digits, `-` and `_`",
@@ -65,4 +65,4 @@ o<drill-v2> endsub
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow406

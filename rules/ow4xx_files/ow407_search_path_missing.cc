@@ -6,7 +6,7 @@
 #include "rules/driver/machine_rules.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow407 {
 namespace {
 
 void check(const Input&, Reporter&) {}
@@ -60,7 +60,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw407{
+extern const Rule kRule{
     .code = "OW407",
     .name = "search-path-missing",
     .summary = "a folder in PROGRAM_PREFIX or SUBROUTINE_PATH that does not exist",
@@ -106,4 +106,4 @@ o<face> endsub
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow407

@@ -2,7 +2,7 @@
 // Depends on: since 2.8 LinuxCNC reads a key for each bit, and not the mask (measured).
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow408 {
 namespace {
 
 struct Bit {
@@ -39,7 +39,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw408{
+extern const Rule kRule{
     .code = "OW408",
     .name = "feature-mask-ignored",
     .summary = "the INI sets the FEATURE mask, which LinuxCNC ignores since 2.8",
@@ -83,4 +83,4 @@ to convert it.)",
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow408

@@ -2,7 +2,7 @@
 // Depends on: in such a program every `%` line ends it, also one in a called file.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow409 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -24,7 +24,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw409{
+extern const Rule kRule{
     .code = "OW409",
     .name = "file-percent-delimited",
     .summary = "a sub file with `%` lines, called from a program with `%` lines: the interpreter stops",
@@ -66,4 +66,4 @@ o<slot> endsub
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow409

@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow410 {
 namespace {
 
 /// The line on which this file defines the sub that a call was meant for.
@@ -56,7 +56,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw410{
+extern const Rule kRule{
     .code = "OW410",
     .name = "helper-clash",
     .summary = "two files have a helper sub with the same label: LinuxCNC always calls the first one",
@@ -125,4 +125,4 @@ other file uses, such as `o<probe_right_500>`.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow410

@@ -4,7 +4,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow411 {
 namespace {
 
 /// The sub whose body is left early: null where nothing of it is left.
@@ -68,7 +68,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw411{
+extern const Rule kRule{
     .code = "OW411",
     .name = "sub-in-called-file",
     .summary = "a `sub`, or an `endsub` with another label, inside a called sub: other lines run than intended",
@@ -123,4 +123,4 @@ with the sub's own label.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow411

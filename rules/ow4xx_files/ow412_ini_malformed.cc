@@ -9,7 +9,7 @@
 #include "rules/driver/start_refusals.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow412 {
 namespace {
 
 using Kind = IniLine::Kind;
@@ -307,7 +307,7 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 
 }  // namespace
 
-extern const Rule kOw412{
+extern const Rule kRule{
     .code = "OW412",
     .name = "ini-malformed",
     .summary = "a line of the INI that LinuxCNC does not read as it looks",
@@ -353,4 +353,4 @@ RETAIN_G43 = 1
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow412

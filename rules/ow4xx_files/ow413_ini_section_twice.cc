@@ -5,7 +5,7 @@
 
 #include "rules/driver/machine_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow413 {
 namespace {
 
 std::string list(const std::vector<std::string>& names) {
@@ -50,7 +50,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw413{
+extern const Rule kRule{
     .code = "OW413",
     .name = "ini-section-twice",
     .summary = "a second section of one name in the INI, of which LinuxCNC reads only the first",
@@ -93,4 +93,4 @@ LINEAR_UNITS = mm
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow413

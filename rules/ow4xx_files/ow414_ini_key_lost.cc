@@ -9,7 +9,7 @@
 #include "rules/driver/start_refusals.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow414 {
 namespace {
 
 using Kind = IniLine::Kind;
@@ -181,7 +181,7 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 
 }  // namespace
 
-extern const Rule kOw414{
+extern const Rule kRule{
     .code = "OW414",
     .name = "ini-key-lost",
     .summary = "a key of the INI whose value LinuxCNC never uses",
@@ -223,4 +223,4 @@ own HAL files read are not judged, whatever their names.)",
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow414

@@ -8,7 +8,7 @@
 #include "rules/driver/ini_values.h"
 #include "rules/driver/start_refusals.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow415 {
 namespace {
 
 using Type = IniKey::Type;
@@ -227,7 +227,7 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 
 }  // namespace
 
-extern const Rule kOw415{
+extern const Rule kRule{
     .code = "OW415",
     .name = "value-malformed",
     .summary = "a value of the INI that LinuxCNC does not read as it looks",
@@ -265,4 +265,4 @@ RETAIN_G43 = 1
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow415

@@ -2,7 +2,7 @@
 // Depends on: the interpreter reads all REMAP lines when it starts, and refuses to start for one bad one (measured).
 #include "rules/driver/remap_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow416 {
 namespace {
 
 using Problem = RemapLine::Problem;
@@ -92,7 +92,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw416{
+extern const Rule kRule{
     .code = "OW416",
     .name = "remap-malformed",
     .summary = "a REMAP line with which LinuxCNC does not start",
@@ -142,4 +142,4 @@ group from 4 to 10, G codes in group 1, T, S and F without a group. A comment be
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow416

@@ -5,7 +5,7 @@
 
 #include "rules/driver/remap_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow417 {
 namespace {
 
 constexpr std::array kBuiltInM{2, 3, 4, 5, 7, 8, 19, 30, 48, 49, 50, 51, 52, 53, 70, 71, 72, 73, 98, 99};
@@ -94,7 +94,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw417{
+extern const Rule kRule{
     .code = "OW417",
     .name = "remap-never-called",
     .summary = "a REMAP of a code that LinuxCNC never hands over to the sub",
@@ -141,4 +141,4 @@ o<start> endsub
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow417

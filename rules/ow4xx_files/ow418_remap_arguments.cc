@@ -8,7 +8,7 @@
 
 #include "rules/driver/remap_sub.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow418 {
 namespace {
 
 /// The group in which a code is the built-in one inside its own sub.
@@ -211,7 +211,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw418{
+extern const Rule kRule{
     .code = "OW418",
     .name = "remap-arguments",
     .summary = "a REMAP line that passes something else to its sub than it looks like",
@@ -262,4 +262,4 @@ o<greet> endsub
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow418

@@ -7,7 +7,7 @@
 #include "rules/driver/lint.h"
 #include "rules/driver/machine_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow419 {
 namespace {
 
 constexpr size_t kMostCommands = 200;  // a machine has a few
@@ -311,7 +311,7 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 
 }  // namespace
 
-extern const Rule kOw419{
+extern const Rule kRule{
     .code = "OW419",
     .name = "command-in-ini",
     .summary = "a line of G-code in the INI that stops, hangs or crashes LinuxCNC",
@@ -360,4 +360,4 @@ o<on_abort> endsub
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow419

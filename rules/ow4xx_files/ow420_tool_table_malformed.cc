@@ -5,7 +5,7 @@
 #include "analyzer/machine/tool_lines.h"
 #include "rules/driver/ini_values.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow420 {
 namespace {
 
 class Checker {
@@ -112,7 +112,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw420{
+extern const Rule kRule{
     .code = "OW420",
     .name = "tool-table-malformed",
     .summary = "a line of the tool table that LinuxCNC skips or takes for another tool",
@@ -158,4 +158,4 @@ T2 P2 D8 Z40 ;end mill
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow420

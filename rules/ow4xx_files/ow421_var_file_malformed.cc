@@ -8,7 +8,7 @@
 #include "rules/driver/ini_places.h"
 #include "rules/driver/machine_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow421 {
 namespace {
 
 std::string path_of_file(const MachineSetup& setup) {
@@ -126,7 +126,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw421{
+extern const Rule kRule{
     .code = "OW421",
     .name = "var-file-malformed",
     .summary = "a file of parameters with which LinuxCNC does not start",
@@ -173,4 +173,4 @@ PARAMETER_FILE = machine.var
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow421

@@ -6,7 +6,7 @@
 #include "rules/driver/ini_values.h"
 #include "rules/driver/start_refusals.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow422 {
 namespace {
 
 class Checker {
@@ -168,7 +168,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw422{
+extern const Rule kRule{
     .code = "OW422",
     .name = "limits-inconsistent",
     .summary = "limits, joints, coordinates or units of the INI that contradict each other or are missing",
@@ -213,4 +213,4 @@ MAX_LIMIT = 100
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow422

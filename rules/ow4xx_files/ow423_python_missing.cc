@@ -6,7 +6,7 @@
 #include "analyzer/machine/ini_keys.h"
 #include "rules/driver/remap_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow423 {
 namespace {
 
 /// What is known of `[PYTHON]TOPLEVEL`.
@@ -165,7 +165,7 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 
 }  // namespace
 
-extern const Rule kOw423{
+extern const Rule kRule{
     .code = "OW423",
     .name = "python-missing",
     .summary = "a REMAP needs Python that the INI does not provide",
@@ -215,4 +215,4 @@ o<greet> endsub
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow423

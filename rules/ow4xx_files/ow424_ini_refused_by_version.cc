@@ -3,7 +3,7 @@
 #include "analyzer/machine/strict_ini.h"
 #include "rules/driver/machine_rules.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow424 {
 namespace {
 
 using Kind = StrictRefusal::Kind;
@@ -112,7 +112,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw424{
+extern const Rule kRule{
     .code = "OW424",
     .name = "ini-refused-by-version",
     .summary = "what another LinuxCNC version refuses in this INI",
@@ -155,4 +155,4 @@ COLOUR = red
     .check_setup = check_setup,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow424

@@ -2,7 +2,7 @@
 // Depends on: all loops share one "breaking" flag, and only the `while` that closes a `do` clears it.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow501 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -22,7 +22,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw501{
+extern const Rule kRule{
     .code = "OW501",
     .name = "stale-break",
     .summary = "a `break` out of a `while` makes a later `do … while` loop end after one pass",
@@ -91,4 +91,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow501

@@ -3,7 +3,7 @@
 // `return` does not reset the count.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow502 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -22,7 +22,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw502{
+extern const Rule kRule{
     .code = "OW502",
     .name = "stale-repeat-count",
     .summary = "after a `return` out of a `repeat`, the next call of the sub runs only the remaining passes",
@@ -82,4 +82,4 @@ and skip the work inside.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow502

@@ -3,7 +3,7 @@
 // anyway, which ends the process.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow503 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -24,7 +24,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw503{
+extern const Rule kRule{
     .code = "OW503",
     .name = "warnonly-crash",
     .summary = "under FEATURE 0x20, an error after which the interpreter crashes",
@@ -67,4 +67,4 @@ remove `OWORD_WARNONLY` from the INI.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow503

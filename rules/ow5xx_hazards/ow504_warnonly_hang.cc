@@ -3,7 +3,7 @@
 // second jumps back to it.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow504 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -23,7 +23,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw504{
+extern const Rule kRule{
     .code = "OW504",
     .name = "warnonly-hang",
     .summary = "under FEATURE 0x20, an error after which the program never ends",
@@ -77,4 +77,4 @@ remove `OWORD_WARNONLY` from the INI.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow504

@@ -2,7 +2,7 @@
 // Depends on: the name of an unknown sub is expanded as a shell does, commands included (measured, 2.9).
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow505 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -31,7 +31,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw505{
+extern const Rule kRule{
     .code = "OW505",
     .name = "shell-in-name",
     .summary = "a called name that LinuxCNC passes to a shell (security)",
@@ -68,4 +68,4 @@ error, correct it.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow505

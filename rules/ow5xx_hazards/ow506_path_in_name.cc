@@ -2,7 +2,7 @@
 // Depends on: LinuxCNC adds the name of an unknown sub to each folder of the search path, and opens that file.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow506 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -21,7 +21,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw506{
+extern const Rule kRule{
     .code = "OW506",
     .name = "path-in-name",
     .summary = "a called name that leads out of the search path: absolute, `..`, `~` (security)",
@@ -56,4 +56,4 @@ the file is.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow506

@@ -7,7 +7,7 @@
 #include "rules/driver/parameter_helpers.h"
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow507 {
 namespace {
 
 using Reads = std::map<uint32_t, const Hazard*>;  // the first read of each argument, by its number
@@ -57,7 +57,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw507{
+extern const Rule kRule{
     .code = "OW507",
     .name = "argument-not-passed",
     .summary = "the sub reads `#n`, but this call does not pass it: it is 0",
@@ -107,4 +107,4 @@ it, or test it in the sub.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow507

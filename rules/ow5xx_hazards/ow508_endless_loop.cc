@@ -9,7 +9,7 @@
 #include "analyzer/syntax/line_parser.h"
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow508 {
 namespace {
 
 /// A line after the end of the loop that ends it once more.
@@ -148,7 +148,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw508{
+extern const Rule kRule{
     .code = "OW508",
     .name = "endless-loop",
     .summary = "a loop that no run leaves",
@@ -199,4 +199,4 @@ operator stops it, suppress the finding with a reason.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow508

@@ -3,7 +3,7 @@
 // of a skip clear it.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow509 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -26,7 +26,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw509{
+extern const Rule kRule{
     .code = "OW509",
     .name = "stale-continue",
     .summary = "a `continue` in a `do … while` makes a later `break` go on, or a later `repeat` run its passes twice",
@@ -84,4 +84,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow509

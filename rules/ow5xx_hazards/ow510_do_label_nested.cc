@@ -5,7 +5,7 @@
 
 #include "rules/driver/block_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow510 {
 namespace {
 
 /// Whether the flow has found that some run never leaves the loop that begins here.
@@ -41,7 +41,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw510{
+extern const Rule kRule{
     .code = "OW510",
     .name = "do-label-nested",
     .summary = "a `do` inside a `do` with the same label: never ends",
@@ -91,4 +91,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow510

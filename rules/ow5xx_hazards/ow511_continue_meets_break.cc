@@ -3,7 +3,7 @@
 // even if the `if` around it is skipped.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow511 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -22,7 +22,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw511{
+extern const Rule kRule{
     .code = "OW511",
     .name = "continue-meets-break",
     .summary = "a `continue` in a `do` loop with a `break` of that loop below it: the loop ends there",
@@ -74,4 +74,4 @@ replace the `continue` by an `if`.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow511

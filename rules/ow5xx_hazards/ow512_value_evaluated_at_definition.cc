@@ -6,7 +6,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow512 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -27,7 +27,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw512{
+extern const Rule kRule{
     .code = "OW512",
     .name = "value-evaluated-at-definition",
     .summary = "the value of a `return` or `endsub` is computed when the definition is skipped, and fails there",
@@ -82,4 +82,4 @@ skipped with the definition, and a name that is not set yet does no harm there.)
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow512

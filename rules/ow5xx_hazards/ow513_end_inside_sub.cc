@@ -2,7 +2,7 @@
 // Depends on: M2 and M30 end the run everywhere, also in a called file (measured).
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow513 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -27,7 +27,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw513{
+extern const Rule kRule{
     .code = "OW513",
     .name = "end-inside-sub",
     .summary = "M2 or M30 in a sub ends the program: the lines after the call do not run",
@@ -77,4 +77,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow513

@@ -5,7 +5,7 @@
 
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow601 {
 namespace {
 
 /// Whether the program reads `#<_value_returned>` after the line and before the next call: then its author knows.
@@ -40,7 +40,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw601{
+extern const Rule kRule{
     .code = "OW601",
     .name = "value-missing",
     .summary = "`#<_value>` is read after a call whose sub may return no value",
@@ -90,4 +90,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow601

@@ -2,7 +2,7 @@
 // Depends on: every `endsub`, `return` and M99 without a value sets `#<_value>` to 0, whatever call came before (measured).
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow602 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -23,7 +23,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw602{
+extern const Rule kRule{
     .code = "OW602",
     .name = "value-cleared",
     .summary = "`#<_value>` is read after another call has set it to 0",
@@ -72,4 +72,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow602

@@ -10,7 +10,7 @@
 #include "analyzer/syntax/look_alike.h"
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow603 {
 namespace {
 
 /// The comment lines that a program begins with, in small letters and without blanks.
@@ -296,7 +296,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw603{
+extern const Rule kRule{
     .code = "OW603",
     .name = "name-undefined",
     .summary = "`#<name>` is read but not assigned on every path",
@@ -351,4 +351,4 @@ underscore.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow603

@@ -3,7 +3,7 @@
 // check is made when the line is executed.
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow604 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -23,7 +23,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw604{
+extern const Rule kRule{
     .code = "OW604",
     .name = "name-read-only",
     .summary = "an assignment to a predefined or read-only parameter",
@@ -66,4 +66,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow604

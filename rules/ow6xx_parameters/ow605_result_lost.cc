@@ -5,7 +5,7 @@
 
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow605 {
 namespace {
 
 /// Numbers that a sub assigns without using them, and that the main program reads after the call.
@@ -159,7 +159,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw605{
+extern const Rule kRule{
     .code = "OW605",
     .name = "result-lost",
     .summary = "a sub assigns #1 to #30 for its caller, but the call restores them",
@@ -208,4 +208,4 @@ begin with `_`.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow605

@@ -4,7 +4,7 @@
 
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow606 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -32,7 +32,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw606{
+extern const Rule kRule{
     .code = "OW606",
     .name = "argument-unused",
     .summary = "an argument that the sub never reads",
@@ -75,4 +75,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow606

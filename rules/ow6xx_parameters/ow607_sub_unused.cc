@@ -4,7 +4,7 @@
 
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow607 {
 namespace {
 
 /// Whether some call has a name that is known only when it is made.
@@ -86,7 +86,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw607{
+extern const Rule kRule{
     .code = "OW607",
     .name = "sub-unused",
     .summary = "a sub that nothing calls",
@@ -143,4 +143,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow607

@@ -2,7 +2,7 @@
 // Depends on: a condition that is 0 is false, any other is true.
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow608 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -29,7 +29,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw608{
+extern const Rule kRule{
     .code = "OW608",
     .name = "condition-constant",
     .summary = "a condition that is the same every time; a branch that never runs",
@@ -76,4 +76,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow608

@@ -5,7 +5,7 @@
 
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow609 {
 namespace {
 
 // Depth is bounded by the length of a line.
@@ -51,7 +51,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw609{
+extern const Rule kRule{
     .code = "OW609",
     .name = "set-and-read-on-line",
     .summary = "a parameter set and read on one line: the line reads the old value",
@@ -89,4 +89,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow609

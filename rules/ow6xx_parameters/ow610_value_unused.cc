@@ -7,7 +7,7 @@
 #include "analyzer/syntax/look_alike.h"
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow610 {
 namespace {
 
 std::string sorted(std::string text) {
@@ -106,7 +106,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw610{
+extern const Rule kRule{
     .code = "OW610",
     .name = "value-unused",
     .summary = "a parameter that is assigned but never read, or overwritten before it is read",
@@ -153,4 +153,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow610

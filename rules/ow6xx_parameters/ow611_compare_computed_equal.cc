@@ -3,7 +3,7 @@
 // more than that.
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow611 {
 namespace {
 
 /// Parameters that are assigned something computed with fractions.
@@ -57,7 +57,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw611{
+extern const Rule kRule{
     .code = "OW611",
     .name = "compare-computed-equal",
     .summary = "`EQ` or `NE` on computed values",
@@ -109,4 +109,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow611

@@ -5,7 +5,7 @@
 
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow612 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -28,7 +28,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw612{
+extern const Rule kRule{
     .code = "OW612",
     .name = "repeat-count-odd",
     .summary = "a `repeat` count that is negative, zero or not a whole number",
@@ -73,4 +73,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow612

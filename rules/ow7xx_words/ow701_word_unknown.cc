@@ -6,7 +6,7 @@
 #include "rules/driver/idioms.h"
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow701 {
 namespace {
 
 void text_outside_comment(const Input& in, const FlowStop& stop, const std::string& text, Finding& f) {
@@ -48,7 +48,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw701{
+extern const Rule kRule{
     .code = "OW701",
     .name = "word-unknown",
     .summary = "text, a word of another language, or a word of an axis that the machine lacks",
@@ -96,4 +96,4 @@ the axes.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow701

@@ -6,7 +6,7 @@
 #include "rules/driver/idioms.h"
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow702 {
 namespace {
 
 /// From the word's letter on to the line's end, as the interpreter sees it.
@@ -114,7 +114,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw702{
+extern const Rule kRule{
     .code = "OW702",
     .name = "number-malformed",
     .summary = "a word without a number, or with one that is wrongly written",
@@ -156,4 +156,4 @@ meant.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow702

@@ -6,7 +6,7 @@
 
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow703 {
 namespace {
 
 constexpr double kWraps = 2147483647;  // what is larger becomes the smallest number
@@ -97,7 +97,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw703{
+extern const Rule kRule{
     .code = "OW703",
     .name = "number-out-of-range",
     .summary = "a number that its word cannot have: negative, too large, or not whole",
@@ -138,4 +138,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow703

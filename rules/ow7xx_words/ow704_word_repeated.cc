@@ -5,7 +5,7 @@
 
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow704 {
 namespace {
 
 void check(const Input& in, Reporter& out) {
@@ -30,7 +30,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw704{
+extern const Rule kRule{
     .code = "OW704",
     .name = "word-repeated",
     .summary = "one letter twice on a line",
@@ -72,4 +72,4 @@ value.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow704

@@ -10,7 +10,7 @@
 #include "rules/driver/ini_places.h"
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow705 {
 namespace {
 
 constexpr int kUserFirst = 100;
@@ -95,7 +95,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw705{
+extern const Rule kRule{
     .code = "OW705",
     .name = "code-unknown",
     .summary = "a G or M code that LinuxCNC does not have and the machine does not define",
@@ -141,4 +141,4 @@ INI.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow705

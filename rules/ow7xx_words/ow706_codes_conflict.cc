@@ -8,7 +8,7 @@
 
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow706 {
 namespace {
 
 const WrittenWord* word_at(const WordStop& at, uint64_t byte) {
@@ -97,7 +97,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw706{
+extern const Rule kRule{
     .code = "OW706",
     .name = "codes-conflict",
     .summary = "two codes that cannot stand on one line, or more M codes than LinuxCNC takes",
@@ -135,4 +135,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow706

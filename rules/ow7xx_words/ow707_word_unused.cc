@@ -7,7 +7,7 @@
 
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow707 {
 namespace {
 
 /// The codes that take a word.
@@ -69,7 +69,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw707{
+extern const Rule kRule{
     .code = "OW707",
     .name = "word-unused",
     .summary = "a word that no code on the line takes",
@@ -113,4 +113,4 @@ in effect: `G0` or `G80` between two holes ends it.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow707

@@ -8,7 +8,7 @@
 #include "rules/driver/ini_places.h"
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow708 {
 namespace {
 
 struct Needed {
@@ -109,7 +109,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw708{
+extern const Rule kRule{
     .code = "OW708",
     .name = "word-missing",
     .summary = "a code without a word that it needs",
@@ -150,4 +150,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow708

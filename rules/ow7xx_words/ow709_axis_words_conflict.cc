@@ -7,7 +7,7 @@
 
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow709 {
 namespace {
 
 void explain(const WordStop& at, Finding& f) {
@@ -58,7 +58,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw709{
+extern const Rule kRule{
     .code = "OW709",
     .name = "axis-words-conflict",
     .summary = "axis words with no code that uses them, or with two",
@@ -101,4 +101,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow709

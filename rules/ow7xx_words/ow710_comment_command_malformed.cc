@@ -11,7 +11,7 @@
 #include "analyzer/syntax/next_comment.h"
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow710 {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -272,7 +272,7 @@ void check(const Input& in, Reporter& out) { Checker(in, out).run(); }
 
 }  // namespace
 
-extern const Rule kOw710{
+extern const Rule kRule{
     .code = "OW710",
     .name = "comment-command-malformed",
     .summary = "a comment that is meant to act, such as MSG or PRINT, and does not",
@@ -325,4 +325,4 @@ begin it with another word.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow710

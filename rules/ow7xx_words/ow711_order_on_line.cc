@@ -8,7 +8,7 @@
 
 #include "rules/driver/words.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow711 {
 namespace {
 
 constexpr int kUserFirst = 100;
@@ -137,7 +137,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw711{
+extern const Rule kRule{
     .code = "OW711",
     .name = "order-on-line",
     .summary = "a line that does something first that is written last",
@@ -180,4 +180,4 @@ which they act.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow711

@@ -7,7 +7,7 @@
 
 #include "rules/driver/modes.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow801 {
 namespace {
 
 constexpr std::array kSaid = {
@@ -63,7 +63,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw801{
+extern const Rule kRule{
     .code = "OW801",
     .name = "feed-missing",
     .summary = "a move at feed rate while the feed is 0",
@@ -112,4 +112,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow801

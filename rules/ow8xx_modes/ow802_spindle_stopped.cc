@@ -5,7 +5,7 @@
 
 #include "rules/driver/modes.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow802 {
 namespace {
 
 constexpr std::string_view kStart = "write `S` and `M3` before it";
@@ -39,7 +39,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw802{
+extern const Rule kRule{
     .code = "OW802",
     .name = "spindle-stopped",
     .summary = "a move that needs a turning spindle, or a speed, without one",
@@ -86,4 +86,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow802

@@ -5,7 +5,7 @@
 
 #include "rules/driver/modes.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow803 {
 namespace {
 
 constexpr std::string_view kOwn =
@@ -30,7 +30,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw803{
+extern const Rule kRule{
     .code = "OW803",
     .name = "feed-mode",
     .summary = "a move that the feed mode in effect forbids",
@@ -76,4 +76,4 @@ the feed again: `G94` has set it to 0.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow803

@@ -6,7 +6,7 @@
 
 #include "rules/driver/modes.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow804 {
 namespace {
 
 constexpr std::string_view kPlanes = "G17 G18 G19 G17.1 G18.1 G19.1";
@@ -60,7 +60,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw804{
+extern const Rule kRule{
     .code = "OW804",
     .name = "plane-wrong",
     .summary = "words or a code that the plane in effect does not take",
@@ -105,4 +105,4 @@ letters of the plane that is in effect.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow804

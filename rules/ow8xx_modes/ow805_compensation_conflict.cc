@@ -6,7 +6,7 @@
 
 #include "rules/driver/modes.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow805 {
 namespace {
 
 constexpr std::string_view kStarts = "G41 G42 G41.1 G42.1";
@@ -116,7 +116,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw805{
+extern const Rule kRule{
     .code = "OW805",
     .name = "compensation-conflict",
     .summary = "a code that cutter compensation forbids while it is on, or that cannot start it",
@@ -169,4 +169,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow805

@@ -6,7 +6,7 @@
 #include "rules/driver/ini_places.h"
 #include "rules/driver/modes.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow806 {
 namespace {
 
 constexpr std::string_view kNotFound = "Requested tool ";
@@ -68,7 +68,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw806{
+extern const Rule kRule{
     .code = "OW806",
     .name = "tool-missing",
     .summary = "a tool that the tool table does not have, or none selected",
@@ -111,4 +111,4 @@ entry of its own, for `G43.2 H`.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow806

@@ -5,7 +5,7 @@
 
 #include "rules/driver/modes.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow807 {
 namespace {
 
 constexpr std::string_view kFailed = "restore_settings";
@@ -51,7 +51,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw807{
+extern const Rule kRule{
     .code = "OW807",
     .name = "state-stack",
     .summary = "`M72` without `M70` or `M73`, or modes that cannot be restored",
@@ -101,4 +101,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow807

@@ -5,7 +5,7 @@
 
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow808 {
 namespace {
 
 constexpr std::string_view kSpindle = "`$0` is the first spindle; the INI's `[TRAJ]SPINDLES` says how many there are";
@@ -94,7 +94,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw808{
+extern const Rule kRule{
     .code = "OW808",
     .name = "mode-conflict",
     .summary = "a code that is refused only when it is carried out, for its words or the modes in effect",
@@ -138,4 +138,4 @@ the longest time to wait as `Q`, in seconds; `#5399` is -1 if the input did not 
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow808

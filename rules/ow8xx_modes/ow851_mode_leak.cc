@@ -6,7 +6,7 @@
 
 #include "rules/driver/mode_hazards.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow851 {
 namespace {
 
 constexpr ModeMask kAnyMode = ~ModeMask{0};
@@ -141,7 +141,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw851{
+extern const Rule kRule{
     .code = "OW851",
     .name = "mode-leak",
     .summary = "a sub comes back with a mode changed, and its caller moves in it",
@@ -204,4 +204,4 @@ Suppress it where the caller wants the new mode, or give the sub a name that say
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow851

@@ -7,7 +7,7 @@
 #include "analyzer/syntax/last_statement.h"
 #include "rules/driver/mode_hazards.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow852 {
 namespace {
 
 /// Whether the mode comes from a call that changes it: OW851 reports the call.
@@ -81,7 +81,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw852{
+extern const Rule kRule{
     .code = "OW852",
     .name = "mode-depends-on-path",
     .summary = "a move that is incremental on one path and absolute on another, or the like",
@@ -133,4 +133,4 @@ where the program sets the mode by a choice of its user and all its moves go by 
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow852

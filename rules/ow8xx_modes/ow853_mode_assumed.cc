@@ -5,7 +5,7 @@
 
 #include "rules/driver/mode_hazards.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow853 {
 namespace {
 
 /// `a`, `a and b`, `a, b and c`.
@@ -47,7 +47,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw853{
+extern const Rule kRule{
     .code = "OW853",
     .name = "mode-assumed",
     .summary = "a program moves before it has set its units, distance mode and plane",
@@ -85,4 +85,4 @@ M2
     .of_programs = true,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow853

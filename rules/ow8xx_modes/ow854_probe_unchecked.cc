@@ -11,7 +11,7 @@
 #include "rules/driver/modes.h"
 #include "rules/driver/parameter_helpers.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow854 {
 namespace {
 
 constexpr uint32_t kFirstPoint = 5061, kLastPoint = 5069;
@@ -225,7 +225,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw854{
+extern const Rule kRule{
     .code = "OW854",
     .name = "probe-unchecked",
     .summary = "a probed point is used, or a wait for an input is over, and nothing looks at whether it came",
@@ -278,4 +278,4 @@ behind `M66`. Suppress it where the end of the move is as good as a point.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow854

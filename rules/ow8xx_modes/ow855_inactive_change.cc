@@ -5,7 +5,7 @@
 
 #include "rules/driver/mode_hazards.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow855 {
 namespace {
 
 /// Whether a line has nothing but the code of this value.
@@ -47,7 +47,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw855{
+extern const Rule kRule{
     .code = "OW855",
     .name = "inactive-change",
     .summary = "a mode is set, and the next line sets it to something else",
@@ -91,4 +91,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow855

@@ -9,7 +9,7 @@
 #include "rules/driver/arc_advice.h"
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow901 {
 namespace {
 
 std::string what_differs(const WordStop& at, const ArcNumbers& arc) {
@@ -33,7 +33,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw901{
+extern const Rule kRule{
     .code = "OW901",
     .name = "arc-radii-differ",
     .summary = "an arc whose start and end are not equally far from its center",
@@ -86,4 +86,4 @@ written for the other one of `G90.1` and `G91.1`, or a word is missing or has th
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow901

@@ -7,7 +7,7 @@
 #include "rules/driver/arc_advice.h"
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow902 {
 namespace {
 
 constexpr double kInch = 25.4;
@@ -48,7 +48,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw902{
+extern const Rule kRule{
     .code = "OW902",
     .name = "arc-radius-too-small",
     .summary = "an arc whose radius does not reach from its start to its end",
@@ -92,4 +92,4 @@ is, the start or the end is not where the author thought.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow902

@@ -10,7 +10,7 @@
 #include "rules/driver/arc_advice.h"
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow903 {
 namespace {
 
 constexpr std::string_view kArc = "G2 G3 * I J K R";
@@ -76,7 +76,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw903{
+extern const Rule kRule{
     .code = "OW903",
     .name = "arc-degenerate",
     .summary = "words of an arc that do not make one",
@@ -125,4 +125,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow903

@@ -9,7 +9,7 @@
 
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow904 {
 namespace {
 
 constexpr std::string_view kCycles = "G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89 *";
@@ -100,7 +100,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw904{
+extern const Rule kRule{
     .code = "OW904",
     .name = "cycle-depth",
     .summary = "words of a drilling cycle that are missing or do not fit each other",
@@ -148,4 +148,4 @@ start instead of `G0` in the middle of a cycle, or begin the cycle anew with all
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow904

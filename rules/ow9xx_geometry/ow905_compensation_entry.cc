@@ -6,7 +6,7 @@
 
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow905 {
 namespace {
 
 constexpr std::array kSaid = {
@@ -31,7 +31,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw905{
+extern const Rule kRule{
     .code = "OW905",
     .name = "compensation-entry",
     .summary = "the first move with cutter compensation is too short for the tool",
@@ -79,4 +79,4 @@ does not yet cut the path: it should begin off the part.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow905

@@ -5,7 +5,7 @@
 
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow906 {
 namespace {
 
 constexpr std::string_view kMoves = "G0 G1 G2 G3 G40 M2 M30 M0 M1 M60 *";
@@ -43,7 +43,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw906{
+extern const Rule kRule{
     .code = "OW906",
     .name = "compensation-gouge",
     .summary = "a corner or an arc of a compensated path that the tool does not fit into",
@@ -97,4 +97,4 @@ any tool if there is an inside corner between them.)",
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow906

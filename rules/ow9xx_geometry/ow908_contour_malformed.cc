@@ -5,7 +5,7 @@
 
 #include "rules/driver/positions.h"
 
-namespace owlint::rules {
+namespace owlint::rules::ow908 {
 namespace {
 
 constexpr std::string_view kCurve =
@@ -61,7 +61,7 @@ void check(const Input& in, Reporter& out) {
 
 }  // namespace
 
-extern const Rule kOw908{
+extern const Rule kRule{
     .code = "OW908",
     .name = "contour-malformed",
     .summary = "a lathe contour, spline, curve or thread whose words do not make one",
@@ -103,4 +103,4 @@ M2
     .check = check,
 };
 
-}  // namespace owlint::rules
+}  // namespace owlint::rules::ow908

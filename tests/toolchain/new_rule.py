@@ -21,7 +21,7 @@ RULE = """// {code} {name}: …
 // Depends on: …
 #include "rules/driver/stops.h"
 
-namespace owlint::rules {{
+namespace owlint::rules::{space} {{
 namespace {{
 
 void check(const Input& in, Reporter& out) {{
@@ -34,7 +34,7 @@ void check(const Input& in, Reporter& out) {{
 
 }}  // namespace
 
-extern const Rule k{cased}{{
+extern const Rule kRule{{
     .code = "{code}",
     .name = "{name}",
     .summary = "…",
@@ -55,7 +55,7 @@ extern const Rule k{cased}{{
     .check = check,
 }};
 
-}}  // namespace owlint::rules
+}}  // namespace owlint::rules::{space}
 """
 
 
@@ -76,7 +76,7 @@ def main(argv):
     if len(folders) != 1 or taken:
         print("%s is there already" % os.path.relpath(taken[0], ROOT) if taken else "no folder for this code below rules/", file=sys.stderr)
         return 2
-    write(os.path.join(folders[0], "%s_%s.cc" % (code.lower(), name.replace("-", "_"))), RULE.format(code=code, name=name, cased="Ow" + code[2:], group=GROUPS[code[2]]))
+    write(os.path.join(folders[0], "%s_%s.cc" % (code.lower(), name.replace("-", "_"))), RULE.format(code=code, name=name, space=code.lower(), group=GROUPS[code[2]]))
     programs = os.path.join(ROOT, "tests", "programs", code)
     write(os.path.join(programs, "finding.ngc"), "; asks: …?\n; expect: %s 3:1-3:3 error always stops\nM2\n" % code)
     write(os.path.join(programs, "nothing.ngc"), "; asks: …?\n; expect: nothing\nM2\n")
