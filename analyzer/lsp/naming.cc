@@ -203,6 +203,9 @@ void Naming::require_no_other_call(const std::string& name) const {
     for (const Call& call : p.calls) {
       if (call.callee == kNoName) continue;
       const std::string& path = p.name(call.callee);
+      if (path == name && p.at(call.statement).runs_remap())
+        refuse("`" + p.head(call.statement) + "` on " + place(*in, p.at(call.statement).offset) +
+               " runs it: the INI names it");
       if (path != name && path.ends_with("/" + name))
         refuse("`" + p.label_text(call.callee) + "` on " + place(*in, p.at(call.statement).offset) +
                " calls it by a path");

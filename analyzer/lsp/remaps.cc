@@ -11,9 +11,8 @@ namespace {
 
 /// The letter and number that a REMAP line is for; a letter of 0 for those that LinuxCNC never calls.
 std::pair<char, int> code_of(const std::string& remap, Release release) {
-  const std::string word = small_letters(remap.substr(0, remap.find_first_of(" \t")));
-  if (word == "t" || word == "s" || word == "f") return {word[0], -1};
-  const std::optional<RemappedCode> code = remapped_code(remap);
+  const std::optional<RemappedCode> code = remapped_code(remap, release);
+  if (code && code->letter != 'g' && code->letter != 'm') return {code->letter, -1};
   const bool built_in = code && code->letter == 'g' && g_code(code->number, release) != nullptr;
   return code && !built_in ? std::pair<char, int>(code->letter, code->number) : std::pair<char, int>();
 }

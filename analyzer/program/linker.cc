@@ -54,7 +54,8 @@ class Joiner {
     switch (s.kind) {
       case LineKind::kUserCode: return 0;
       case LineKind::kMachineCheck: return error0_;
-      case LineKind::kModeLine: return word0_;
+      case LineKind::kModeLine:
+      case LineKind::kRemap: return word0_;
       default: return s.has_items() ? item0_ : value0_;
     }
   }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <functional>
 
+#include "analyzer/machine/remap_line.h"
 #include "analyzer/machine/setup.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/mode_run.h"
@@ -24,30 +25,42 @@ uint32_t axes_of(const MachineSetup& setup) {
   return axes == 0 ? letter_set("xyz") : axes;
 }
 
-/// M codes that stay what they are, whatever an INI maps to them (measured).
-bool keeps_its_meaning(int code) {
-  constexpr int kKept[] = {2, 3, 4, 5, 7, 8, 19, 30, 48, 49, 50, 51, 52, 53, 70, 71, 72, 73, 98, 99};
+/// M codes that stay what they are, whatever an INI maps to them (measured; M7 and M8 up to 2.9).
+bool keeps_its_meaning(int code, Release release) {
+  constexpr int kKept[] = {2, 3, 4, 5, 19, 30, 48, 49, 50, 51, 52, 53, 70, 71, 72, 73, 98, 99};
+  if (code == 7 || code == 8) return release < Release::k2_10;
   return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199) || code >= 1000;
 }
 
 }  // namespace
 
-std::optional<RemappedCode> remapped_code(std::string_view remap) {
-  const std::string text = small_letters(remap);
-  if (text.empty() || (text[0] != 'm' && text[0] != 'g')) return std::nullopt;
-  double number = 0;
-  const auto [end, problem] = std::from_chars(text.data() + 1, text.data() + text.size(), number);
-  if (problem != std::errc{} || number < 0 || number >= 1000) return std::nullopt;
-  int group = 10;
-  if (const size_t at = text.find("modalgroup="); at != std::string::npos)
-    std::from_chars(text.data() + at + 11, text.data() + text.size(), group);
-  if (text[0] == 'g') {
-    int32_t tenths = 0;
-    if (!g_tenths(number, &tenths) || tenths >= 1000) return std::nullopt;
-    return RemappedCode{'g', static_cast<int16_t>(tenths), MGroup::kUser};
+std::optional<RemappedCode> remapped_code(std::string_view remap, Release release) {
+  const RemapLine line = read_remap(remap, 0);
+  if (line.problem != RemapLine::Problem::kNone) return std::nullopt;
+  RemappedCode out{static_cast<char>(line.letter() - 'A' + 'a'),
+                   0,
+                   MGroup::kUser,
+                   line.code,
+                   line.ngc,
+                   line.argspec,
+                   !line.prolog.empty() || !line.python.empty(),
+                   !line.epilog.empty() || !line.python.empty()};
+  constexpr int kEnd = 1000;
+  switch (line.letter()) {
+    case 'T':
+    case 'S':
+    case 'F': return out;
+    case 'G':
+      if (line.g_number() < 0 || line.g_number() >= kEnd) return std::nullopt;
+      out.number = static_cast<int16_t>(line.g_number());
+      return out;
+    case 'M':
+      if (line.m_number() < 0 || keeps_its_meaning(line.m_number(), release)) return std::nullopt;
+      out.number = static_cast<int16_t>(line.m_number());
+      if (const int group = line.group.value_or(-1); group != -1) out.group = static_cast<MGroup>(group);
+      return out;
+    default: return std::nullopt;
   }
-  if (keeps_its_meaning(static_cast<int>(number)) || group < 4 || group > 10) return std::nullopt;
-  return RemappedCode{'m', static_cast<int16_t>(number), static_cast<MGroup>(group)};
 }
 
 namespace {
@@ -155,7 +168,7 @@ const Ini::Entry* limit_entry(const Ini& ini, size_t axis, bool greatest) {
 
 Release release_of(const Profile& profile) { return profile.version < Version::k2_10 ? Release::k2_8 : Release::k2_10; }
 
-WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::started()) {
+WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::started()), setup(profile.setup) {
   words.start = &start;
   words.release = release_of(profile);
   words.measures_extents = profile.measures_extents;
@@ -163,7 +176,11 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   if (words.unsure) return;
   words.axes = axes_of(*profile.setup);
   for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) {
-    if (const auto code = remapped_code(remap->value)) remapped.push_back(*code);
+    const auto code = remapped_code(remap->value, words.release);
+    const auto same = [&](const RemappedCode& known) {
+      return known.letter == code->letter && known.number == code->number;
+    };
+    if (code && std::ranges::none_of(remapped, same)) remapped.push_back(*code);
   }
   words.remapped = remapped;
   const Ini& ini = profile.setup->ini;
@@ -200,7 +217,8 @@ std::string WordsOfMachine::key() const {
   for (const RemappedCode& code : remapped) {
     key += ' ';
     key += code.letter;
-    key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group));
+    key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group)) + '>';
+    key += code.sub;
   }
   key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "") +
       (words.retains_offset ? "r" : "");

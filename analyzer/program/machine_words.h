@@ -16,9 +16,10 @@ namespace owlint {
 /// The release whose table of codes holds for a profile. Up to 2.9 that of the interpreter with which all is measured.
 Release release_of(const Profile& profile);
 
-/// The code that a REMAP line of an INI (`M400 modalgroup=10 …`) is for. Nothing for T, S and F, which are words of every line,
-/// and for M codes that stay what they are.
-std::optional<RemappedCode> remapped_code(std::string_view remap);
+/// The code that a REMAP line of an INI (`M400 modalgroup=10 …`) is for, and what it runs; the result points into the line.
+/// Nothing for lines that LinuxCNC refuses, and for M codes that stay what they are. Built-in G codes, which stay, too, are
+/// among them.
+std::optional<RemappedCode> remapped_code(std::string_view remap, Release release);
 
 /// The entry of an INI that limits an axis (by Axis): `[AXIS_X]MAX_LIMIT`, or if it has none, that of its joint, where each joint
 /// is an axis. Null if there is none. Limits are in units of the machine.
@@ -34,8 +35,9 @@ struct WordsOfMachine {
 
   std::vector<RemappedCode> remapped;
   std::vector<Tool> tools;
-  ModeState start;     ///< the modes in which a program begins: start-up code has run
-  MachineWords words;  ///< refers to these
+  ModeState start;                            ///< the modes in which a program begins: start-up code has run
+  MachineWords words;                         ///< refers to these
+  std::shared_ptr<const MachineSetup> setup;  ///< to which `remapped` refers
 };
 
 }  // namespace owlint

@@ -13,7 +13,7 @@ void collect_calls(Program& program) {
   for (RegionId r = 1; r < program.regions.size(); ++r) first_definition.emplace(program.regions[r].name, r);
   for (StatementId id = 0; id < program.size(); ++id) {
     const Statement& s = program.at(id);
-    if (!s.calls() || s.refused) continue;
+    if ((!s.calls() && !s.runs_remap()) || s.refused) continue;
     Call call{id, program.region_of[id], s.label};
     if (const auto found = first_definition.find(call.callee); found != first_definition.end())
       call.target = found->second;
@@ -56,6 +56,7 @@ std::string Program::label_at(StatementId id) const {
 
 std::string Program::head(StatementId id) const {
   const Statement& s = at(id);
+  if (s.kind == LineKind::kRemap) return std::string(source->slice(s.label_span()));
   std::string text = label_at(id);
   if (!spelling(s.keyword).empty()) text += " " + std::string(spelling(s.keyword));
   return text;

@@ -46,7 +46,7 @@ struct Block {
   uint32_t suggested_line = 0;              ///< the missing end probably belongs before this line; 0: no guess
 };
 
-/// One call: O-word or M98.
+/// One call: by an O-word, M98 or a contour, or by a remapped code.
 struct Call {
   StatementId statement = 0;
   RegionId caller = kMainRegion;

@@ -168,9 +168,15 @@ inline constexpr uint32_t kPlaceLetters = kAxisLetters | kPolarLetters;
 
 /// What the machine adds to the table of codes, or lacks; the defaults are those of `rs274` without an INI.
 struct RemappedCode {
-  char letter;     ///< `g` or `m`
-  int16_t number;  ///< of a G code in tenths
+  char letter;     ///< `g`, `m`, `t`, `s` or `f`
+  int16_t number;  ///< of a G code in tenths; 0 of T, S and F, which are remapped with any number
   MGroup group;    ///< of an M code, kStop to kUser; a G code is always a motion
+  // What it runs, as the INI has it; the INI must outlive these.
+  std::string_view name = {};     ///< the code
+  std::string_view sub = {};      ///< the name of the sub's file, with a path if there is one; empty: Python alone
+  std::string_view argspec = {};  ///< the words that the sub gets
+  bool python_before = false;     ///< Python runs, of which nothing is known: before the sub, and behind it
+  bool python_behind = false;
 };
 /// What a row of the tool table says that decides whether a line runs.
 struct Tool {

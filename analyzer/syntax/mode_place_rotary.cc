@@ -15,19 +15,26 @@ constexpr double kTurn = 360;
 bool is_in(uint32_t letters, char letter) { return (letters & letter_set({&letter, 1})) != 0; }
 char capital(char letter) { return static_cast<char>(letter - 'a' + 'A'); }
 
+/// It is for its numbers that the line is carried out.
+bool stop_for_numbers(ModeLine& line, std::string message, uint8_t word, uint8_t other) {
+  line.stop(kConflict, std::move(message), word, other);
+  line.faults()->back().by_place = true;
+  return true;
+}
+
 bool indexes(ModeLine& line, Motion motion, char letter) {
   const uint8_t word = line.at(letter);
   if (motion != Motion::kG0)
-    return line.stop(kConflict, fmt::format("Indexing axis {} can only be moved with G0", capital(letter)), word,
-                     line.mover());
+    return stop_for_numbers(line, fmt::format("Indexing axis {} can only be moved with G0", capital(letter)), word,
+                            line.mover());
   for (const char other : std::string_view(kAxisOrder)) {
     if (other == letter || !line.has(other)) continue;
-    return line.stop(kConflict, fmt::format("Indexing axis {} can only be moved alone", capital(letter)), word,
-                     line.at(other));
+    return stop_for_numbers(line, fmt::format("Indexing axis {} can only be moved alone", capital(letter)), word,
+                            line.at(other));
   }
   const bool polar = line.words().has_polar_words();
   constexpr const char* kMovesAlong = "BUG: An axis incorrectly moved along with an indexer";
-  if (polar) return line.stop(kConflict, kMovesAlong, line.at(line.has('@') ? '@' : '^'), word);
+  if (polar) return stop_for_numbers(line, kMovesAlong, line.at(line.has('@') ? '@' : '^'), word);
   return line.stop_in({kCompensationMoves, {Mode::kEntry, value_bit(modes::kMade)}}, kConflict, kMovesAlong, word);
 }
 
@@ -49,9 +56,8 @@ bool goes_round(ModeLine& line, Point* point) {
     if (!is_in(wrapped, letter) || !line.has(letter)) continue;
     const double* const value = line.value(letter);
     if (value != nullptr && std::abs(*value) >= kTurn)
-      return line.stop(
-          kConflict,
-          fmt::format("Invalid absolute position {:5.2f} for wrapped rotary axis {}", *value, capital(letter)),
+      return stop_for_numbers(
+          line, fmt::format("Invalid absolute position {:5.2f} for wrapped rotary axis {}", *value, capital(letter)),
           line.at(letter), line.at(GGroup::kNonModal));
     // How many turns it makes is not followed.
     (*point)[std::string_view(kAxisOrder).find(letter)] = Coordinate::unknown();

@@ -24,6 +24,33 @@ bool stops_at(std::span<const Step> steps, ModeLine& line) {
   return std::ranges::any_of(steps, [&](Step step) { return step(line); });
 }
 
+/// A step that a remapped word replaces.
+bool is_replaced(Step step, const WordLine& words) {
+  if (step == steps::feed) return words.is_remapped('f');
+  if (step == steps::speed) return words.is_remapped('s');
+  if (step == steps::select_tool) return words.is_remapped('t');
+  return step == stops_moving && words.moves_by_remap();
+}
+
+/// The last step that acts with a remapped code, or before it.
+Step step_of(const RemappedCode& code) {
+  switch (code.letter) {
+    case 'f': return steps::feed;
+    case 's': return steps::speed;
+    case 't': return steps::select_tool;
+    case 'g': return stops_moving;
+    default: break;
+  }
+  switch (code.group) {
+    case MGroup::kInputsOutputs: return steps::inputs_outputs;
+    case MGroup::kToolChange: return steps::change_tool;
+    case MGroup::kSpindle: return steps::save;
+    case MGroup::kCoolant: return steps::coolant;
+    case MGroup::kStop: return steps::pause;
+    default: return steps::overrides;
+  }
+}
+
 /// Faults of one of two courses: which of them a run takes is not known.
 void add_possible(const std::vector<ModeFault>& found, std::vector<ModeFault>* faults) {
   for (const ModeFault& fault : found) {
@@ -103,6 +130,21 @@ bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place
   if (stops_at(kFirstSteps, line)) return false;
   const bool restores = line.code(MGroup::kSpindle) == code::kM72;
   if (restores ? !run_from_m72(line) : stops_at(kRest, line)) return false;
+  if (place != nullptr && asks_position(line)) place->lose_point();
+  return true;
+}
+
+bool ModeRun::act_part(const LinePart& part, ModeState* state, std::vector<ModeFault>* faults, Place* place,
+                       MoveWatch watch) const {
+  ModeLine line(machine_, line_, state, faults, place, watch);
+  bool runs = part.behind == nullptr;
+  for (const auto steps : {std::span<const Step>(kFirstSteps), std::span<const Step>(kRest)}) {
+    for (const Step step : steps) {
+      if (runs && !is_replaced(step, line_) && step(line)) return false;
+      if (part.until != nullptr && step == step_of(*part.until)) return true;
+      runs = runs || step == step_of(*part.behind);
+    }
+  }
   if (place != nullptr && asks_position(line)) place->lose_point();
   return true;
 }

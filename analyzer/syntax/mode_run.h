@@ -45,6 +45,13 @@ struct ModeFault {
   std::optional<ArcNumbers> arc = std::nullopt;
 };
 
+/// A part of a line, between those of its codes that are remapped: the steps behind one, up to the other with it. Null: from the
+/// line's beginning, and to its end.
+struct LinePart {
+  const RemappedCode* behind = nullptr;
+  const RemappedCode* until = nullptr;
+};
+
 class ModeRun {
  public:
   ModeRun(const MachineWords& machine, const WordLine& line) : machine_(machine), line_(line) {}
@@ -58,6 +65,9 @@ class ModeRun {
   /// Its two parts: the checks before the line does anything, even set parameters, and what it does.
   bool check(ModeState* state, std::vector<ModeFault>* faults) const;
   bool act(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr, MoveWatch watch = {}) const;
+  /// Like act(), a part of a line with remapped codes, which themselves do nothing here.
+  bool act_part(const LinePart& part, ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr,
+                MoveWatch watch = {}) const;
 
  private:
   const MachineWords& machine_;

@@ -257,6 +257,7 @@ bool ModesInEffect::stays_rapid(const WordLine& words) const {
 
 bool ModesInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
+  remaps_.clear();
   asks_ = asks_place_ = false;
   if (statement.item_count > 0 && writes_offsets(statement)) places_.leave_writing();
   const WordLine* words = parser_.words();
@@ -327,10 +328,28 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   need_of(*words, statement.line);
   state_ = after;
   state_.now.assigned = 0;
+  if (follows_remaps(statement, *words)) {
+    remaps_ = words->remapped_words();
+    forget();
+  }
   return true;
 }
 
-void ModesInEffect::ask(const Statement& statement) {
+/// Whether the flow leads into what the line's remapped codes run. Else they may do anything, as where it is not known which
+/// codes the line has. What M72 restores makes it lose the rest of its line; on a line that ends the program parameters are set first.
+bool ModesInEffect::follows_remaps(const Statement& statement, const WordLine& words) {
+  if (!words.has_remapped_code() || words.has_unknown_code()) return false;
+  if (const MCode* const of_spindle = words.code(MGroup::kSpindle);
+      of_spindle != nullptr && of_spindle->number == code::kM72)
+    return false;
+  return statement.kind == LineKind::kWords || (ends(statement) && statement.item_count == 0);
+}
+
+bool ModesInEffect::ends(const Statement& statement) {
+  return statement.kind == LineKind::kProgramEnd || statement.kind == LineKind::kM99Behind;
+}
+
+Statement ModesInEffect::question_of(const Statement& statement) {
   const WordLine& words = parser_.words() != nullptr ? *parser_.words() : *parser_.words_of_call();
   Statement asks = question_about(statement, LineKind::kModeLine, static_cast<uint32_t>(out_.mode_words.size()));
   asks.item_count = static_cast<uint8_t>(words.size());
@@ -347,14 +366,36 @@ void ModesInEffect::ask(const Statement& statement) {
     }
     out_.mode_words.push_back(out);
   }
-  out_.statements.push_back(asks);
+  return asks;
+}
+
+/// Behind the line's own statement: what each of its remapped codes runs, and the question about what comes then.
+void ModesInEffect::push_remaps(const Statement& statement, const Statement& asks) {
+  for (const RemappedWord& remap : remaps_) {
+    const ModeWord& word = out_.mode_words[asks.first + remap.word];
+    Statement runs = question_about(statement, LineKind::kRemap, asks.first);
+    runs.item_count = asks.item_count;
+    if (!remap.code->sub.empty()) runs.label = out_.names.intern(small_letters(remap.code->sub));
+    runs.label_from = runs.keyword_from = word.from;
+    runs.label_to = runs.keyword_to = word.to;
+    out_.statements.push_back(runs);
+    out_.statements.push_back(asks);
+  }
+}
+
+bool ModesInEffect::has_own(const Statement& statement) {
+  return statement.kind != LineKind::kWords || statement.item_count > 0 || statement.has_error();
 }
 
 void ModesInEffect::push(const Statement& statement) {
   if (!asks_place_) flush();
-  if (asks_ && statement.kind != LineKind::kAbort) ask(statement);
-  const bool own = statement.kind != LineKind::kWords || statement.item_count > 0 || statement.has_error();
-  if (own || !asks_) out_.statements.push_back(statement);
+  const bool asks = asks_ && statement.kind != LineKind::kAbort;
+  const bool remaps = asks && !remaps_.empty();
+  const Statement question = asks ? question_of(statement) : Statement{};
+  if (asks) out_.statements.push_back(question);
+  if (remaps && ends(statement)) push_remaps(statement, question);
+  if (has_own(statement) || !asks_) out_.statements.push_back(statement);
+  if (remaps && !ends(statement)) push_remaps(statement, question);
 }
 
 }  // namespace owlint

@@ -55,7 +55,11 @@ class ModesInEffect {
   void need(Mode mode, uint32_t line);
   void need_of(const WordLine& words, uint32_t line);
   void flush();
-  void ask(const Statement& statement);
+  Statement question_of(const Statement& statement);
+  void push_remaps(const Statement& statement, const Statement& asks);
+  static bool follows_remaps(const Statement& statement, const WordLine& words);
+  static bool ends(const Statement& statement);
+  static bool has_own(const Statement& statement);
   void blame_setter(Mode mode, LineError& error) const;
 
   Syntax& out_;
@@ -74,7 +78,8 @@ class ModesInEffect {
   bool asks_ = false;                          // of the line that was judged
   bool asks_place_ = false;                    // the same, and for its numbers alone
   std::vector<ModeFault> faults_;
-  std::vector<ModeFault> asked_;  // of lines since the last O-word, in modes that none has set since
+  std::vector<RemappedWord> remaps_;  // of the line that was judged, if the flow leads into them
+  std::vector<ModeFault> asked_;      // of lines since the last O-word, in modes that none has set since
 };
 
 }  // namespace owlint

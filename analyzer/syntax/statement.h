@@ -36,7 +36,8 @@ enum class LineKind : uint8_t {
   kUserCode,      // no line of its own: a line has M100 to M199, whose number is `first`, and whose word is the keyword
   kMachineCheck,  // no line of its own: only some machines stop at the line, with the error
   kModeLine,      // no line of its own: the words of a line, for what they need of the modes, and do to them
-  kFileEnd,       // no line: where one file ends in a program joined from several
+  kRemap,  // no line of its own: a line has a code that the INI remaps, and runs its sub if that has a label; a kModeLine follows
+  kFileEnd,  // no line: where one file ends in a program joined from several
 };
 
 /// Bytes from the beginning of a line. A line that LinuxCNC reads has at most 253; longer lines have no parts.
@@ -132,7 +133,7 @@ struct Statement {
   NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
   ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98, the Q of G71)
   uint32_t first =
-      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kModeLine into Syntax::mode_words
+      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kModeLine and kRemap into Syntax::mode_words
   uint32_t error = kNoError;      ///< into Syntax::errors; raised after the values before it
   uint32_t first_plain_line = 0;  ///< the first of the lines meant by plain_code_follows
 
@@ -168,8 +169,10 @@ struct Statement {
   bool has_items() const {
     return kind == LineKind::kWords || kind == LineKind::kContour || kind == LineKind::kProgramEnd || has_m99();
   }
-  /// Whether the line runs a sub.
+  /// Whether the line runs a sub that it names.
   bool calls() const { return is(Keyword::kCall) || kind == LineKind::kM98 || kind == LineKind::kContour; }
+  /// Whether it runs one because the machine's INI remaps a code of it.
+  bool runs_remap() const { return kind == LineKind::kRemap && label != kNoName; }
   uint64_t end() const { return offset + length; }
   Span whole() const { return {offset, end()}; }
   Span span(LineByte from, LineByte to) const { return {offset + from, offset + to}; }
@@ -229,7 +232,7 @@ struct Syntax {
     return s.item_count == 0 || !s.has_items() ? std::span<const Item>()
                                                : std::span(items).subspan(s.first, s.item_count);
   }
-  /// Of a kModeLine.
+  /// Of a kModeLine or kRemap.
   std::span<const ModeWord> words_of(const Statement& s) const {
     return std::span(mode_words).subspan(s.first, s.item_count);
   }

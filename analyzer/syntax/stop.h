@@ -64,6 +64,8 @@ enum class StopKind : uint8_t {
   kCycleWords,         // words of a cycle that do not make one
   kContourWords,       // the same of a contour, a spline or a thread
   kUserCodeMissing,    // `M110`: no file of that name, as far as is known
+  kRemapWords,         // words that a remapped code passes to its sub
+  kRemapTooDeep,       // remapped codes in the subs of remapped codes
   kM99Behind,          // the same of M99, in a sub
   kM99Rest,            // words behind M99, in a sub
   kSubNested,

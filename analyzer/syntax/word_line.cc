@@ -16,6 +16,7 @@ void WordLine::clear() {
   size_ = m_words_ = 0;
   fifth_m_ = kNoWord;
   unknown_code_ = remapped_m_ = false;
+  remapped_letters_ = 0;
   code_ = Motion::kNone;
   letters_ = 0;
   codes_ = {};
@@ -55,6 +56,8 @@ std::optional<Fault> WordLine::add(const Word& word) {
   letters_ |= letter_set({&word.letter, 1});
   at_[static_cast<size_t>(letter_index(word.letter))] = at;
   if (word.letter == 'm' && ++m_words_ == kMWords + 1) fifth_m_ = at;
+  if ((word.letter == 't' || word.letter == 's' || word.letter == 'f') && remapped(word.letter, 0) != nullptr)
+    remapped_letters_ |= letter_set({&word.letter, 1});
   if (!word.known) {
     unknown_code_ |= word.letter == 'g' || word.letter == 'm';
     return std::nullopt;
@@ -80,6 +83,34 @@ const RemappedCode* WordLine::remapped(char letter, int32_t number) const {
   const auto found = std::ranges::find_if(
       machine_->remapped, [&](const RemappedCode& code) { return code.letter == letter && code.number == number; });
   return found == machine_->remapped.end() ? nullptr : &*found;
+}
+
+const RemappedCode* WordLine::remapped(const Word& word) const {
+  if (word.letter != 'g' && word.letter != 'm') return remapped(word.letter, 0);
+  int32_t number = 0;
+  if (word.letter == 'g' ? !g_tenths(word.value, &number) : !word_integer(word.value, &number)) return nullptr;
+  return remapped(word.letter, number);
+}
+
+std::vector<RemappedWord> WordLine::remapped_words() const {
+  std::vector<RemappedWord> words;
+  const auto take = [&](uint8_t word) {
+    if (word == kNoWord) return;
+    if (const RemappedCode* const code = remapped(words_[word])) words.push_back({code, word});
+  };
+  for (const char letter : {'f', 's', 't'}) {
+    if (is_remapped(letter)) take(find(letter));
+  }
+  // Of a group whose word is remapped there is no code.
+  const auto take_group = [&](MGroup group) {
+    if (code(group) == nullptr) take(word_of(group));
+  };
+  for (const MGroup group : {MGroup::kInputsOutputs, MGroup::kToolChange, MGroup::kSpindle, MGroup::kCoolant,
+                             MGroup::kOverrides, MGroup::kUser})
+    take_group(group);
+  if (moves_by_remap()) take(word_of(GGroup::kMotion));
+  take_group(MGroup::kStop);
+  return words;
 }
 
 std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {

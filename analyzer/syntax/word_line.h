@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/stop.h"
@@ -32,6 +33,12 @@ struct Word {
 };
 
 inline constexpr uint8_t kNoWord = 255;
+
+/// A word that the machine's INI remaps.
+struct RemappedWord {
+  const RemappedCode* code;
+  uint8_t word;
+};
 
 struct Fault {
   StopKind kind;
@@ -87,8 +94,14 @@ class WordLine {
   uint8_t word_of(MGroup group) const { return m_[static_cast<size_t>(group)].word; }
   /// M100 to M199: known to every machine, but a program of its own must be there for it.
   bool is_user_m() const { return code(MGroup::kUser) != nullptr; }
-  /// A code that the machine defines is on the line, or may be: what it does is not known.
-  bool has_remapped_code() const { return remapped_m_ || code_ == Motion::kRemapped; }
+  /// A code that the machine defines is on the line, or may be: what it does is for its sub or its Python to say.
+  bool has_remapped_code() const { return remapped_m_ || code_ == Motion::kRemapped || remapped_letters_ != 0; }
+  /// Whether the words of a letter are remapped: T, S and F, which have no effect of their own then.
+  bool is_remapped(char letter) const { return (remapped_letters_ & letter_set({&letter, 1})) != 0; }
+  /// Whether the line moves by a remapped G code.
+  bool moves_by_remap() const { return code_ == Motion::kRemapped; }
+  /// The remapped codes of the line, in the order in which they act.
+  std::vector<RemappedWord> remapped_words() const;
   /// A G or M word whose value is not known.
   bool has_unknown_code() const { return unknown_code_; }
 
@@ -104,6 +117,7 @@ class WordLine {
   std::optional<Fault> add_m(int32_t number, uint8_t at);
   std::optional<Fault> range(const Word& word, uint8_t at, int32_t* whole) const;
   const RemappedCode* remapped(char letter, int32_t number) const;
+  const RemappedCode* remapped(const Word& word) const;
 
   /// The stages of check(); true if the line certainly stops.
   bool axis_words(const Modes& before, Outcome& out) const;
@@ -131,6 +145,7 @@ class WordLine {
   uint8_t fifth_m_ = kNoWord;
   bool unknown_code_ = false;
   bool remapped_m_ = false;
+  uint32_t remapped_letters_ = 0;
   Motion code_ = Motion::kNone;  ///< the motion that the line itself has
   uint32_t letters_ = 0;
   CodeSet codes_;  ///< but for the motion

@@ -55,6 +55,7 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kCodeUnknown: return "OW705";
     case StopKind::kCodesConflict: return "OW706";
     case StopKind::kWordUnused: return "OW707";
+    case StopKind::kRemapWords:
     case StopKind::kWordMissing: return "OW708";
     case StopKind::kAxisWords: return "OW709";
     case StopKind::kFeedMissing: return "OW801";
@@ -111,6 +112,7 @@ std::string_view code_of(StopKind kind, const Statement& s) {
     case StopKind::kDuplicateLoop: return s.keyword == Keyword::kRepeat ? "OW102" : "OW103";
     case StopKind::kSubIllegalLocation: return "OW207";
     case StopKind::kSubRedefined: return "OW201";
+    case StopKind::kRemapTooDeep:
     case StopKind::kCallTooDeep: return "OW210";
     case StopKind::kSubNotFound: return "OW208";
     case StopKind::kFileLacksSub: return "OW401";
@@ -159,7 +161,7 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
 void relate(Finding& finding, const Program& program, StatementId statement, std::string message) {
   if (statement == kNoStatement) return;
   const Statement& s = program.at(statement);
-  const Span span = s.kind == LineKind::kOWord || s.calls() ? s.head_span() : s.whole();
+  const Span span = s.kind == LineKind::kOWord || s.calls() || s.runs_remap() ? s.head_span() : s.whole();
   finding.related.push_back({span, std::move(message), nullptr});
 }
 

@@ -2,9 +2,11 @@
 // Depends on: an unknown sub is looked for as a file on the search path, then by reading ahead to the end of the
 // file that calls it; not found is an error there.
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <unordered_map>
 
+#include "rules/driver/ini_places.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow208 {
@@ -68,6 +70,11 @@ void check(const Input& in, Reporter& out) {
   }
   size_t suggestions = 0;
   std::unordered_map<std::string, std::string> near_files;  // by name
+  std::optional<std::vector<Related>> folders;              // lines of the INI
+  const auto relate_folders = [&](Finding& f) {
+    if (!folders) folders = search_path_places(in.profile);
+    f.related.insert(f.related.end(), folders->begin(), folders->end());
+  };
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const Statement& s = p.at(stop.statement);
     if (stop.kind == StopKind::kM98NoTarget) {
@@ -142,6 +149,7 @@ void check(const Input& in, Reporter& out) {
       if (s.is(Keyword::kCall) && s.label != kNoName)
         f.fixes.push_back({"write `" + label_text(near_file) + "`", false, {{s.label_span(), label_text(near_file)}}});
     } else if (p.sub_file && machine) {
+      relate_folders(f);
       f.group = stop.detail;
       if (stop.unproven) f.habit_severity = Severity::kInfo;
       f.help = "define the sub here or in every program that calls this file, or correct the name";
@@ -152,6 +160,7 @@ void check(const Input& in, Reporter& out) {
           "define the sub, or correct the name; if it is in a file, use `--sub-path DIR`, or `--ini FILE` with the "
           "machine's INI";
     } else {
+      if (machine && number_only(stop.detail).empty()) relate_folders(f);
       f.help = "define the sub, or correct the label";
     }
     return &f;
@@ -164,6 +173,7 @@ void check(const Input& in, Reporter& out) {
   // Calls that no run gets to, of subs that nobody defines.
   for (const Call& call : p.calls) {
     if (call.callee == kNoName || call.target != kNoRegion || has_stop(in, call.statement)) continue;
+    if (p.at(call.statement).runs_remap()) continue;
     if (in.flow.executed[call.statement] || p.sub_file || in.profile.may_be_python()) continue;
     const CallTarget target = in.linked.target(p.name(call.callee));
     if (target.file != CallTarget::kNotFound || target.opaque) continue;

@@ -1,6 +1,6 @@
 // OW210 call-too-deep: a chain of calls, or a recursion, beyond the limit of nine.
 // Depends on: nine calls may be open at once; the tenth is an error. Each called file and M98 counts.
-#include "rules/driver/stops.h"
+#include "rules/driver/ini_places.h"
 
 namespace owlint::rules::ow210 {
 namespace {
@@ -8,6 +8,18 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
+    if (s.kind == StopKind::kRemapTooDeep) {
+      const std::string code = p.head(s.statement);
+      Finding& f = out.add(p.at(s.statement).head_span(),
+                           "`" + code + "` can be the tenth remapped code inside each other; LinuxCNC allows nine");
+      const NameId around = p.regions[p.region_of[s.statement]].name;
+      if (around != kNoName && around == p.at(s.statement).label)
+        f.message = "`" + code + "` is used in the sub that it runs, and runs that again and again";
+      f.help = "only M6, M61, M62 to M68, M0, M1, M60, T, S and F are built-in codes within their own subs";
+      if (const Ini::Entry* const entry = remap_entry(in, s.statement))
+        relate_ini(f, *entry, "`" + code + "` is remapped here");
+      return &f;
+    }
     Finding& f = out.add(p.at(s.statement).head_span(),
                          "`" + p.head(s.statement) + "` can be the tenth level of calls; LinuxCNC allows nine");
     const RegionId region = p.region_of[s.statement];

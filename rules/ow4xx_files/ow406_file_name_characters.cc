@@ -8,7 +8,7 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Call& call : p.calls) {
-    if (call.callee == kNoName || call.target != kNoRegion) continue;
+    if (call.callee == kNoName || call.target != kNoRegion || p.at(call.statement).runs_remap()) continue;
     const std::string& name = p.name(call.callee);
     // What a shell would look at, and what leads out of the folders, is said by OW505 and OW506.
     if (expands(name) || breaks_expansion(name) || leaves_folders(name)) continue;

@@ -2,8 +2,11 @@
 // Depends on: how `argspec` is read, and which codes run the built-in one inside their sub (measured with `rs274 -i`).
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cctype>
+#include <map>
 
-#include "rules/driver/remap_rules.h"
+#include "rules/driver/remap_sub.h"
 
 namespace owlint::rules::ow418 {
 namespace {
@@ -14,7 +17,10 @@ constexpr std::array<std::pair<int, int>, 12> kInside{
 
 class Checker {
  public:
-  Checker(const SetupInput& in, Reporter& out, const Remap& remap) : in_(in), out_(out), remap_(remap) {}
+  using Subs = std::map<std::string_view, RemapSub>;  ///< by their name: several codes may run one
+
+  Checker(const SetupInput& in, Reporter& out, const Remap& remap, Subs& subs)
+      : in_(in), out_(out), remap_(remap), subs_(subs) {}
 
   void run() {
     const std::string_view argspec = remap_.read.argspec;
@@ -45,9 +51,103 @@ class Checker {
       omittable = omittable || std::islower(static_cast<unsigned char>(c)) != 0;
     }
     check_itself();
+    check_sub();
   }
 
  private:
+  /// What the sub reads, against what it gets. Python before it may give it more, or read for it.
+  void check_sub() {
+    const RemapLine& remap = remap_.read;
+    if (remap.ngc.empty() || !remap.prolog.empty() || !remap.epilog.empty()) return;
+    const auto [known, added] = subs_.try_emplace(remap.ngc);
+    if (added) known->second = remap_sub(in_, remap.ngc);
+    const RemapSub& sub = known->second;
+    if (sub.region == kNoRegion) return;
+    const bool positional = remap.argspec.find('@') != std::string_view::npos;
+    std::string letters;  // words that are passed, small
+    for (const char c : remap.argspec) {
+      if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+        letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    if (!check_read(sub, letters, positional)) return;
+    if (positional) {
+      check_positions(sub);
+    } else {
+      check_unread(sub, letters);
+    }
+  }
+
+  void relate_line(Finding& f, const RemapSub& sub, StatementId id, std::string message) const {
+    f.related.push_back({sub.program->at(id).whole(), std::move(message), sub.program->source});
+  }
+
+  /// The sub reads what no word gives it. False where it does.
+  bool check_read(const RemapSub& sub, const std::string& letters, bool positional) {
+    const std::string_view argspec = remap_.read.argspec;
+    for (const RemapSub::Name& name : sub.names) {
+      const bool special = (name.letter == 'f' && argspec.find('>') != std::string_view::npos) ||
+          (name.letter == 's' && argspec.find('^') != std::string_view::npos);
+      const bool given = special || letters.find(name.letter) != std::string::npos;
+      if (name.may_lack || (given && !positional)) continue;
+      const std::string read = "`#<" + std::string(1, name.letter) + ">`";
+      Finding& f =
+          add(argspec.empty() ? remap_.read.code : argspec,
+              positional ? "with `@` the words are in `#1`, `#2` …, but the sub reads " + read
+                         : "the sub reads " + read + ", which " +
+                      (argspec.empty() ? "a `REMAP` without `argspec` does not pass" : "`argspec` does not pass"));
+      const char capital = static_cast<char>(std::toupper(static_cast<unsigned char>(name.letter)));
+      f.help = positional ? "remove the `@`, or read the values by their numbers"
+                          : "add `" + std::string(1, capital) + "` to `argspec`, or `" + std::string(1, name.letter) +
+              "` if the word may be left out and the sub asks for it with `EXISTS`";
+      f.interpreter = "Named parameter #<" + std::string(1, name.letter) + "> not defined";
+      relate_line(f, sub, name.first, "read here");
+      return false;
+    }
+    if (positional || !sub.known || sub.arguments == 0) return true;
+    const auto number = static_cast<uint32_t>(std::countr_zero(sub.arguments));
+    Finding& f =
+        add(argspec.empty() ? remap_.read.code : argspec,
+            "the sub reads `#" + std::to_string(number) + "`, but words are passed as names, such as `#<p>`: it is 0");
+    f.help = "write `argspec=@…` to pass words as `#1`, `#2` …, or read the names";
+    relate_line(f, sub, sub.argument_lines[number], "read here");
+    return false;
+  }
+
+  /// With `@`: more numbers than words, or fewer.
+  void check_positions(const RemapSub& sub) {
+    if (!sub.known) return;
+    const std::string_view argspec = remap_.read.argspec;
+    const auto words = static_cast<uint32_t>(argspec.size() - std::ranges::count(argspec, '@'));
+    const auto last = static_cast<uint32_t>(31 - std::countl_zero(sub.arguments | 1U));
+    if (last == words) return;
+    const std::string passed = std::to_string(words) + (words == 1 ? " value" : " values");
+    Finding& f = add(argspec,
+                     last > words ? "`argspec` passes " + passed + ", but the sub reads `#" + std::to_string(last) + "`"
+                                  : "`argspec` passes " + passed + ", but the sub reads " +
+                             (last == 0       ? "none"
+                                  : last == 1 ? "only `#1`"
+                                              : "only `#1` to `#" + std::to_string(last) + "`"));
+    f.help = last > words ? "add the missing words to `argspec`, or correct the sub"
+                          : "remove the words that nobody reads, or use them in the sub";
+    if (last > 0) relate_line(f, sub, sub.argument_lines[last], "the last value that it reads");
+  }
+
+  /// A word that the sub never reads.
+  void check_unread(const RemapSub& sub, const std::string& letters) {
+    for (const char letter : letters) {
+      if (sub.reads(letter)) continue;
+      const std::string_view argspec = remap_.read.argspec;
+      const size_t at = small_letters(argspec).find(letter);
+      const bool required = std::isupper(static_cast<unsigned char>(argspec[at])) != 0;
+      Finding& f = add(argspec.substr(at, 1),
+                       "the sub never reads `#<" + std::string(1, letter) + ">`" +
+                           (required ? ", but every line with the code must have the word" : ""));
+      f.help = "remove the letter from `argspec`, or use the value in the sub";
+      relate_line(f, sub, sub.program->regions[sub.region].opener, "the sub begins here");
+      return;
+    }
+  }
+
   Finding& add(std::string_view part, std::string message) {
     return add_at(in_, out_, *remap_.line, span_in(in_.setup.text, *remap_.line, part), std::move(message));
   }
@@ -98,11 +198,14 @@ class Checker {
   const SetupInput& in_;
   Reporter& out_;
   const Remap& remap_;
+  Subs& subs_;
 };
 
 void check_setup(const SetupInput& in, Reporter& out) {
+  Checker::Subs subs;
   for (const Remap& remap : remaps_of(in.setup.text)) {
-    if (remap.read.problem == RemapLine::Problem::kNone && remap.earlier == nullptr) Checker(in, out, remap).run();
+    if (remap.read.problem == RemapLine::Problem::kNone && remap.earlier == nullptr)
+      Checker(in, out, remap, subs).run();
   }
 }
 
@@ -117,10 +220,13 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(An `argspec` with a letter twice, or with `@` and words that may be left out before others; a code that is
-used in its own sub and calls that sub again.)",
+                R"(An `argspec` with a letter twice, or with `@` and words that may be left out before others; words that do not
+fit what the sub reads: `#<p>` without a P in `argspec`, a letter that the sub never reads, more or fewer
+values than it has numbers; a code that is used in its own sub and calls that sub again.)",
             .why =
-                R"(With `@` the values are in #1, #2 … in the order of `argspec`: if an optional one is left out, those
+                R"(The sub gets only the words of `argspec`: as names, `#<p>` for P, or with `@` as numbers. Reading another
+name stops it with `Named parameter #<p> not defined`. Owlint says nothing of a sub with Python before or
+behind it (`prolog`, `epilog`), which may pass and read more. With `@` the values are in #1, #2 … in the order of `argspec`: if an optional one is left out, those
 behind it move up. In its own sub a code is the built-in one only for M0, M1 and M60 in group 4, M6 and
 M61 in group 6, M62 to M68 in group 5, T, S and F. Every other one, also M6 in group 10, calls its sub
 until LinuxCNC stops with `maximum nesting of remapped blocks exceeded`.)",
@@ -132,7 +238,7 @@ M2
 REMAP = M400 modalgroup=10 argspec=@pQ ngc=greet
 ; file: greet.ngc
 o<greet> sub
-  G4 P0
+  G4 P[#1 + #2]
 o<greet> endsub
 )",
             .good = R"(G21 G90
@@ -143,11 +249,11 @@ M2
 REMAP = M400 modalgroup=10 argspec=@Qp ngc=greet
 ; file: greet.ngc
 o<greet> sub
-  G4 P0
+  G4 P[#1 + #2]
 o<greet> endsub
 )",
             .fix =
-                R"(Put optional words last, or pass them by name. Use the group in which the built-in code can be used.)",
+                R"(Put optional words last, or pass them by name. Let `argspec` have the words that the sub reads. Use the group in which the built-in code can be used.)",
             .level_reason = "Warning: LinuxCNC starts; the sub gets other values, or stops.",
             .interpreter = "",
             .options = "--ini machine.ini",

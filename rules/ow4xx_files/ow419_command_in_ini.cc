@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analyzer/machine/ngcgui_file.h"
 #include "rules/driver/lint.h"
 #include "rules/driver/machine_rules.h"
 
@@ -61,9 +62,131 @@ class Checker {
           ++count <= kMostCommands)
         check_parts(*line);
     }
+    for (const std::string_view section : {"MACROS", "TOUCHY", "DISPLAY"}) check_macros(section);
+    check_pages();
   }
 
  private:
+  bool has_all_folders(std::string_view key) const {
+    const auto& folders = in_.setup.folders;
+    return std::ranges::all_of(folders, [&](const IniFolder& folder) { return folder.key != key || folder.exists; });
+  }
+
+  /// The path of a file that lies in a folder of this key; empty if there is none.
+  std::string file_in(std::string_view key, const std::string& name) const {
+    for (const IniFolder& folder : in_.setup.folders) {
+      std::string path = joined_path(folder.path, name);
+      if (folder.key == key && in_.library.files().is_file(path)) return path;
+    }
+    return {};
+  }
+
+  /// `MACRO = name word word`: a button of gmoccapy, touchy or QtVCP that calls a sub.
+  void check_macros(std::string_view section) {
+    size_t count = 0;
+    for (const IniLine* line : lines_of(text_, section)) {
+      if (text_.name(*line) != "MACRO") continue;
+      if (line->value.begin == line->value.end || ++count > kMostCommands) return;
+      if (!line->continued) check_macro(section, *line);
+    }
+  }
+
+  void check_macro(std::string_view section, const IniLine& line) {
+    const std::string_view value = text_.value(line);
+    const std::string name(value.substr(0, value.find_first_of(" \t")));
+    const Span span{line.value.begin, line.value.begin + name.size()};
+    const std::string called = small_letters(name);
+    const auto found = in_.setup.search_path->find(called);
+    const std::string listed = file_in("SUBROUTINE_PATH", name + ".ngc");
+    const bool has_path = in_.setup.ini.find("RS274NGC", "SUBROUTINE_PATH") != nullptr;
+    if (!has_all_folders("SUBROUTINE_PATH") || !has_all_folders("PROGRAM_PREFIX") || in_.profile.may_be_python())
+      return;
+    if (section == "MACROS" && has_path && listed.empty()) {
+      Finding& f =
+          add(line, span,
+              "gmoccapy leaves this macro out: there is no file `" + name + ".ngc` in a folder of `SUBROUTINE_PATH`");
+      f.help = found
+          ? "the file is " + found->path + ": write its name as it is, and let `SUBROUTINE_PATH` name its folder"
+          : "put the file there, or correct the name";
+      f.interpreter = "File " + name + ".ngc of the macro ['" + std::string(value) + "'] could not be found";
+      return;
+    }
+    if (!found) {
+      Finding& f = add(line, span,
+                       "the macro calls `" + label_text(called) + "`, but there is no file `" + called +
+                           ".ngc` on the machine's search path");
+      f.help = listed.empty() ? "put the file into a folder of `SUBROUTINE_PATH`, or correct the name"
+                              : "LinuxCNC looks for names in small letters: rename " + listed;
+      f.interpreter = "File not open";
+      return;
+    }
+    const std::shared_ptr<const Program> program = in_.library.load_called(found->path, in_.profile);
+    if (defines(*program, called)) return;
+    Finding& f =
+        add(line, span, "the macro calls `" + label_text(called) + "`, but " + found->path + " has no such sub");
+    f.help = "name the sub in the file like the file";
+    f.interpreter = "EOF in file:" + found->path + " seeking o-word: o<" + called + "> from line: 0";
+  }
+
+  static bool defines(const Program& program, const std::string& sub) {
+    return std::ranges::any_of(program.regions, [&](const Region& region) {
+      return region.opener != kNoStatement && region.name != kNoName && program.name(region.name) == sub;
+    });
+  }
+
+  /// Files of which ngcgui makes pages.
+  void check_pages() {
+    size_t count = 0;
+    for (const IniLine* line : lines_of(text_, "DISPLAY")) {
+      const std::string_view key = text_.name(*line);
+      const bool sub = key == "NGCGUI_SUBFILE";
+      if (!sub && key != "NGCGUI_PREAMBLE" && key != "NGCGUI_POSTAMBLE") continue;
+      if (line->continued || ++count > kMostCommands) continue;
+      const std::string name(text_.value(*line));
+      const std::string ending(ending_of(name));
+      if (name.find('/') != std::string::npos || (ending != ".ngc" && ending != ".nc")) continue;
+      std::string path = file_in("NGCGUI_SUBFILE_PATH", name);
+      if (path.empty()) path = file_in("PROGRAM_PREFIX", name);
+      if (!path.empty() && sub) check_page(*line, name, path);
+      const bool missing = path.empty() && !sub && in_.setup.ini.find("DISPLAY", "NGCGUI_SUBFILE_PATH") != nullptr &&
+          has_all_folders("NGCGUI_SUBFILE_PATH") && has_all_folders("PROGRAM_PREFIX");
+      if (!missing) continue;
+      Finding& f = add(*line, line->value, "there is no file `" + name + "` in the folders of `NGCGUI_SUBFILE_PATH`");
+      f.help = "put the file there, or correct the name";
+    }
+  }
+
+  void check_page(const IniLine& line, const std::string& name, const std::string& path) {
+    using Kind = NgcguiProblem::Kind;
+    std::string error;
+    const auto source = in_.library.files().read(path, &error);
+    if (source == nullptr) return;
+    const std::string stem(stem_of(name));
+    const auto problem = ngcgui_problem(stem, source->bytes());
+    if (!problem) return;
+    const auto [message, help] = [&]() -> std::pair<std::string, std::string> {
+      switch (problem->kind) {
+        case Kind::kGenerated: return {"ngcgui has written this file itself", "name the file with the sub"};
+        case Kind::kNotASubfile: return {"the file is marked `(not_a_subfile)`", "name another file"};
+        case Kind::kNumberedSub: return {"a numbered sub is in the file", "put it into a file of its own"};
+        case Kind::kSeveralSubs: return {"the file has a second sub", "put it into a file of its own"};
+        case Kind::kOtherName:
+          return {"the label is not the file's name, `" + stem + "`", "write it so: capitals count here"};
+        case Kind::kCodeBefore: return {"there is code before the sub", "only comments may be there"};
+        case Kind::kCodeBehind: return {"there is code behind the sub", "only comments and `M2` may be there"};
+        case Kind::kOutOfSequence:
+          return {"arguments get their names out of order", "name `#1` first, then `#2` and so on"};
+        case Kind::kNoSub: return {"the file has no sub", "write one with the file's name"};
+        case Kind::kNoEnd: break;
+      }
+      return {"the sub has no `endsub`", "close it"};
+    }();
+    Finding& f = add(line, line.value, "ngcgui refuses this file: " + message);
+    f.help = help;
+    f.interpreter = problem->message;
+    if (problem->span.end > problem->span.begin) f.related.push_back({problem->span, "this line", source});
+  }
+
   /// What owlint finds in the code as a program of its own.
   std::vector<Finding> findings_in(const std::string& code) const {
     const auto source = Source::own(joined_path(folder_of(in_.setup.path), "command in the INI"), code + "\nM2\n");
@@ -198,12 +321,17 @@ extern const Rule kRule{
         {
             .what =
                 R"(A mistake in the lines that LinuxCNC runs from the INI: `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`,
-`MDI_COMMAND` of `[HALUI]` and of `[MDI_COMMAND_LIST]`.)",
+`MDI_COMMAND` of `[HALUI]` and of `[MDI_COMMAND_LIST]`. A `MACRO` of gmoccapy, touchy or QtVCP whose sub is
+not found; a file of `NGCGUI_SUBFILE` that ngcgui refuses.)",
             .why =
                 R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and `M30`.
 With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands when their time
 comes, and stop with a message each time. `#` begins no comment there. To `ON_ABORT_COMMAND` LinuxCNC
-appends the reason, as ` [1]`, so that only a call can be there.)",
+appends the reason, as ` [1]`, so that only a call can be there.
+
+The first word of a `MACRO` is the name of a sub. gmoccapy looks for the file as it is written, LinuxCNC in
+small letters. ngcgui reads a file by itself: it has one sub, named like the file, with comments around it
+and at most an `M2` behind.)",
             .bad = R"(G21 G90
 G0 X10
 M2

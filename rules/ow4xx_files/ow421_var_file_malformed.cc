@@ -1,16 +1,101 @@
 // OW421 var-file-malformed: a file of parameters with which LinuxCNC does not start, or a line in it that is read otherwise.
 // Depends on: numbers must rise and end at 5601, lines of text are ignored (measured with `rs274 -v`).
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "analyzer/machine/var_file.h"
+#include "rules/driver/ini_places.h"
 #include "rules/driver/machine_rules.h"
 
 namespace owlint::rules::ow421 {
 namespace {
 
+std::string path_of_file(const MachineSetup& setup) {
+  const IniLine* key = find_line(setup.text, "RS274NGC", "PARAMETER_FILE");
+  const std::string folder(folder_of(setup.path));
+  return normal_path(joined_path(folder, key == nullptr ? "rs274ngc.var" : std::string(setup.text.value(*key))));
+}
+
+constexpr long kFirstOfUser = 31, kLastOfUser = 5000;
+
+/// Whether a value reads #number.
+// Depth is bounded by the length of a line.
+bool counts_on(const Syntax& syntax, ExprId id, double number) {
+  const Expr& expr = syntax.exprs[id];
+  if (expr.op == Operator::kParameter && syntax.exprs[expr.left()].op == Operator::kNumber &&
+      syntax.exprs[expr.left()].value() == number)
+    return true;
+  bool found = false;
+  for_each_operand(expr, [&](ExprId operand) { found = found || counts_on(syntax, operand, number); });
+  return found;
+}
+
+/// A number that the program only counts on, from what an earlier run has left.
+struct Count {
+  StatementId line = kNoStatement;
+  Span span;
+  bool only = true;  ///< nothing else assigns it
+};
+
+/// `#500 = [#500 + 1]`, by the number.
+std::map<long, Count> counts_in(const Program& p) {
+  std::map<long, Count> counts;
+  for (StatementId id = 0; id < p.size(); ++id) {
+    for (const Item& item : p.syntax.items_of(p.at(id))) {
+      if (item.target == kNoExpr || p.syntax.exprs[item.target].op != Operator::kNumber) continue;
+      const double number = p.syntax.exprs[item.target].value();
+      if (number < kFirstOfUser || number > kLastOfUser || number != std::floor(number)) continue;
+      const bool again = counts_on(p.syntax, item.value, number) && p.open_above(p.region_of[id], id) == kNoBlock;
+      const auto [entry, added] = counts.try_emplace(static_cast<long>(number));
+      if (added) {
+        entry->second = {id, p.at(id).span(item.from, item.to), again};
+      } else {
+        entry->second.only = false;
+      }
+    }
+  }
+  std::erase_if(counts, [](const auto& count) { return !count.second.only; });
+  return counts;
+}
+
+/// A program that counts parts goes on where the last run has ended, but LinuxCNC keeps only numbers that the file lists.
+void check(const Input& in, Reporter& out) {
+  const MachineSetup* const setup = in.profile.setup.get();
+  if (setup == nullptr || in.program.sub_file || in.program.syntax.items.empty()) return;
+  std::map<long, Count> counts = counts_in(in.program);
+  if (counts.empty()) return;
+  for (const LinkedFile& file : in.linked.files()) {
+    if (file.program.get() == &in.program) continue;
+    for (const Item& item : file.program->syntax.items) {
+      const bool assigns = item.target != kNoExpr && file.program->syntax.exprs[item.target].op == Operator::kNumber;
+      if (assigns) counts.erase(std::lround(file.program->syntax.exprs[item.target].value()));
+    }
+  }
+  const std::string path = path_of_file(*setup);
+  const Files& files = setup->search_path->files();
+  std::string error;
+  const auto source = files.is_file(path) ? files.read(path, &error) : nullptr;
+  if (source == nullptr) return;
+  const VarFile kept = read_var_file(source->bytes());
+  if (kept.problem) return;
+  for (const auto& [number, count] : counts) {
+    if (std::ranges::find(kept.rows, number, &VarRow::number) != kept.rows.end()) continue;
+    const std::string name = "`#" + std::to_string(number) + "`";
+    Finding& f =
+        out.add(count.span,
+                name + " goes on from its last value, but begins at 0 whenever LinuxCNC starts: " + file_name(*source) +
+                    " does not list it");
+    f.help = "add the line `" + std::to_string(number) + " 0` to the file, in the order of its numbers";
+    f.weight = Weight::kAside;
+    const Ini::Entry* const key = setup->ini.find("RS274NGC", "PARAMETER_FILE");
+    if (key != nullptr) relate_ini(f, *key, "the file is named here");
+    f.reach = in.flow.reach(count.line);
+  }
+}
+
 void check_setup(const SetupInput& in, Reporter& out) {
-  const IniLine* key = find_line(in.setup.text, "RS274NGC", "PARAMETER_FILE");
-  const std::string folder(folder_of(in.setup.path));
-  const std::string path =
-      normal_path(joined_path(folder, key == nullptr ? "rs274ngc.var" : std::string(in.setup.text.value(*key))));
+  const std::string path = path_of_file(in.setup);
   std::string error;
   const auto source = in.library.files().is_file(path) ? in.library.files().read(path, &error) : nullptr;
   if (source == nullptr) return;
@@ -51,11 +136,13 @@ extern const Rule kRule{
         {
             .what =
                 R"(A line of the file that `PARAMETER_FILE` names, whose number is not above the one before it, or not from 1
-to 5601; or whose number has a point.)",
+to 5601; or whose number has a point. In a program, a parameter from `#31` on that counts on from run to run
+(`#500 = [#500 + 1]`, and nothing else sets it) and that the file does not list.)",
             .why =
                 R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text are
 ignored. The numbers must rise; the first that does not refuses the start with `Parameter file out of
-order`.)",
+order`. When LinuxCNC ends, it writes the parameters that the file lists already, and its own; all others
+are lost.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -76,12 +163,13 @@ PARAMETER_FILE = machine.var
 31 7
 5161 0.000000
 )",
-            .fix = R"(Put the lines in order; each number once.)",
-            .level_reason = "Error where LinuxCNC does not start, else warning.",
+            .fix =
+                R"(Put the lines in order; each number once. Add a line with the number and 0 for a parameter that is to be kept.)",
+            .level_reason = "Error where LinuxCNC does not start, else warning; info for a parameter that is not kept.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },
-    .check = nothing_in_programs,
+    .check = check,
     .check_setup = check_setup,
 };
 

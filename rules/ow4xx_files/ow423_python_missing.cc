@@ -1,6 +1,6 @@
 // OW423 python-missing: a REMAP needs Python that the INI does not provide.
-// Depends on: the interpreter asks its Python plugin for `python=` when it starts, and for prolog and epilog when the code runs
-// (measured).
+// Depends on: the interpreter asks its Python plugin for `python=` when it starts, and for prolog and epilog when the code runs;
+// where `TOPLEVEL` names a file that is not there, none of the three starts (measured).
 #include <algorithm>
 
 #include "analyzer/machine/ini_keys.h"
@@ -96,18 +96,7 @@ class Checker {
     if (plugin_ == Plugin::kNoKey) {
       functions_.push_back({remap.line, span, "python=" + name, message});
     } else if (plugin_ == Plugin::kNoFile) {
-      if (said_) return;
-      said_ = true;
-      Finding& f =
-          add_at(in_, out_, *toplevel_, toplevel_->value,
-                 "the file `" + std::string(text_.value(*toplevel_)) +
-                     "` of `TOPLEVEL` does not exist, and `python=" + name + "` needs it: LinuxCNC does not start");
-      f.help = "correct the name";
-      f.missing = text_.value(*toplevel_);
-      f.related.push_back({remap.line->span, "needed here",
-                           remap.line->source == toplevel_->source ? nullptr : text_.source(*remap.line)});
-      refuses(f, message_of_file());
-      f.unproven = !files_.is_folder(in_folder(folder_of(text_.value(*toplevel_))));  // nor is anything beside it
+      miss_file(remap, "python=" + name);
     } else if (const auto source = plugin_ == Plugin::kThere ? module() : nullptr;
                source != nullptr && !is_word_in(source->bytes(), name)) {
       Finding& f =
@@ -117,7 +106,23 @@ class Checker {
     }
   }
 
+  /// The option needs a file that is not there.
+  void miss_file(const Remap& remap, const std::string& option) {
+    if (said_) return;
+    said_ = true;
+    Finding& f = add_at(in_, out_, *toplevel_, toplevel_->value,
+                        "the file `" + std::string(text_.value(*toplevel_)) + "` of `TOPLEVEL` does not exist, and `" +
+                            option + "` needs it: LinuxCNC does not start");
+    f.help = "correct the name";
+    f.missing = text_.value(*toplevel_);
+    f.related.push_back({remap.line->span, "needed here",
+                         remap.line->source == toplevel_->source ? nullptr : text_.source(*remap.line)});
+    refuses(f, message_of_file());
+    f.unproven = !files_.is_folder(in_folder(folder_of(text_.value(*toplevel_))));  // nor is anything beside it
+  }
+
   void note_hook(const Remap& remap, const std::string& option, std::string_view name) {
+    if (plugin_ == Plugin::kNoFile) return miss_file(remap, option + "=" + std::string(name));
     hooks_.push_back({remap.line, span_in(text_, *remap.line, name), option + "=" + std::string(name),
                       "call(remap." + std::string(name) + "): "});
   }
@@ -175,7 +180,8 @@ that does not exist; a function that `remap.py` does not have.)",
             .why =
                 R"(The functions of `REMAP` lines come from the module `remap`, which `TOPLEVEL` imports. LinuxCNC looks
 for `python=` when it starts and gives up if the function is not there. For `prolog=` and `epilog=` it
-looks when a program uses the code: then the program stops.)",
+looks when a program uses the code: then the program stops. If `TOPLEVEL` names a file that is not there, no
+`REMAP` with one of the three starts.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -201,7 +207,8 @@ o<greet> endsub
             .fix =
                 R"(Add `[PYTHON]` with `TOPLEVEL = python/toplevel.py` and `PATH_PREPEND = python`, and write the functions in
 `remap.py` there. owlint reads `remap.py` and runs nothing; where it says `import *`, nothing is reported.)",
-            .level_reason = "Error for `python=`, with which LinuxCNC does not start; else warning.",
+            .level_reason = "Error where LinuxCNC does not start: for `python=`, and for a `TOPLEVEL` that is not "
+                            "there; else warning.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

@@ -9,7 +9,7 @@ void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   if (in.profile.version < Version::k2_9) return;  // earlier versions open the name as it is
   for (const Call& call : p.calls) {
-    if (call.callee == kNoName) continue;
+    if (call.callee == kNoName || p.at(call.statement).runs_remap()) continue;
     const std::string& name = p.name(call.callee);
     const bool command = expands(name);
     const bool breaks = breaks_expansion(name);

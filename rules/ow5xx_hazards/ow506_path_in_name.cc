@@ -8,7 +8,7 @@ namespace {
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Call& call : p.calls) {
-    if (call.callee == kNoName || call.target != kNoRegion) continue;
+    if (call.callee == kNoName || call.target != kNoRegion || p.at(call.statement).runs_remap()) continue;
     const std::string& name = p.name(call.callee);
     if (!leaves_folders(name)) continue;
     Finding& f = out.add(p.at(call.statement).head_span(),

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "rules/driver/code_facts.h"
+#include "rules/driver/ini_places.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules::ow705 {
@@ -53,6 +54,7 @@ void user_code(const Input& in, int number, Finding& f) {
   f.help = folders.empty()
       ? "put an executable file of that name into a folder that `PROGRAM_PREFIX` or `USER_M_PATH` names"
       : "put an executable file of that name into " + folders + ": there LinuxCNC looks for it";
+  relate_user_folders(in.profile, f);
 }
 
 void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
@@ -71,6 +73,7 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
     f.unproven = f.uncertain = true;
     return;
   }
+  if (number >= 0) relate_unread_remap(in.profile, m ? 'm' : 'g', number, f);
   if (!m || number <= kUserLast) return;
   f.message += in.profile.setup == nullptr ? ", unless the machine's INI remaps it" : ", and the INI does not remap it";
   f.help = number > kRemappedLast ? "M codes end at M199, remapped ones at M999"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "rules/driver/ini_places.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules::ow708 {
@@ -65,8 +66,35 @@ void explain(const WordStop& at, Finding& f) {
     f.help = "`P-1` counts as no `P`: " + f.help;
 }
 
+/// What the sub of a remapped code asks for: `user-defined M400: missing: P,RF>0,`.
+Finding* of_remap(const Input& in, Reporter& out, const FlowStop& stop) {
+  const std::string_view message = stop.interpreter;
+  const std::string code = in.program.head(stop.statement);
+  std::vector<std::string> missing;
+  constexpr std::string_view kMissing = "missing: ";
+  const size_t list = message.find(kMissing);
+  for (size_t at = list == std::string_view::npos ? message.find(':') + 1 : list + kMissing.size();
+       at < message.size();) {
+    const std::string_view rest = message.substr(at);
+    const bool above = rest.starts_with("F>0") || rest.starts_with("S>0");
+    if (above) missing.emplace_back(rest[0] == 'F' ? "a feed" : "a speed");
+    if (!above && rest[0] >= 'A' && rest[0] <= 'Z') missing.push_back(fmt::format("`{}`", rest[0]));
+    at += above ? 3 : 1;
+  }
+  std::string words;
+  for (size_t i = 0; i < missing.size(); ++i)
+    words += (i == 0 ? "" : i + 1 == missing.size() ? " and " : ", ") + missing[i];
+  Finding& f = out.add(in.program.at(stop.statement).head_span(),
+                       fmt::format("`{}` lacks {}, which its `REMAP` line requires", code, words));
+  f.help = "write what is missing on this line; a small letter in `argspec` makes a word optional";
+  if (const Ini::Entry* const entry = remap_entry(in, stop.statement))
+    relate_ini(f, *entry, fmt::format("`{}` is remapped here", code));
+  return &f;
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    if (stop.kind == StopKind::kRemapWords) return of_remap(in, out, stop);
     const WordStop at = word_stop(in, stop);
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;

@@ -3,6 +3,7 @@
 // this order. T0, D0 and H0 always are there. G43.2 with axis words looks up tool -1 before 2.10.
 #include <cmath>
 
+#include "rules/driver/ini_places.h"
 #include "rules/driver/modes.h"
 
 namespace owlint::rules::ow806 {
@@ -40,6 +41,13 @@ void not_found(const Source& source, const std::string& number, const WordStop& 
   if (word->letter == 'h' && number == "-1") f.help = "write the tool's number, or no `H` for the tool in the spindle";
 }
 
+/// The table, and the line of the INI that names it.
+void relate_table(const Profile& profile, Finding& f) {
+  if (profile.setup == nullptr) return;
+  const Ini::Entry* const key = profile.setup->ini.find("EMCIO", "TOOL_TABLE");
+  if (key != nullptr && !key->value.empty()) relate_ini(f, *key, "the tool table is named here");
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop, "M6 G43 G43.2 G41 G42 M61 G10 T");
@@ -48,6 +56,7 @@ void check(const Input& in, Reporter& out) {
     if (said.starts_with(kNotFound)) {
       not_found(*in.program.source, said.substr(kNotFound.size(), said.find(' ', kNotFound.size()) - kNotFound.size()),
                 at, f);
+      relate_table(in.profile, f);
     } else {
       f.message = subject(at) + " changes the tool, but no `T` has selected one";
       f.help = "write `T` and the tool's number on this line or before it";

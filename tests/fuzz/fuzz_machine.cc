@@ -1,11 +1,11 @@
-// Any bytes are a machine: an INI with its tool table and its file of parameters, cut at the first two `\f`. Every rule
-// about INIs
-// must come back, with findings inside their files.
+// Any bytes are a machine: an INI with its tool table, its file of parameters, a sub for remaps and a program, cut at the first
+// four `\f`. Every rule about INIs must come back, with findings inside their files, and so must those about the program.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
 
 #include "analyzer/machine/check_config.h"
+#include "analyzer/machine/ngcgui_file.h"
 #include "analyzer/machine/strict_ini.h"
 #include "analyzer/machine/tool_lines.h"
 #include "analyzer/machine/var_file.h"
@@ -34,16 +34,29 @@ void check(const Files& files, const std::shared_ptr<const MachineSetup>& setup,
   }
 }
 
+/// The program, with codes that the INI remaps to the sub `r`.
+void check_program(const Files& files, const std::shared_ptr<const MachineSetup>& setup) {
+  Library library(files);
+  Profile profile;
+  profile.setup = setup;
+  std::string error;
+  const auto source = files.read("/program.ngc", &error);
+  const ProgramReport report = lint(library.load(source, profile), profile, {}, library);
+  for (const Finding& f : report.own.findings)
+    require(f.span.begin <= f.span.end && f.span.end <= source->bytes().size());
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
-  const size_t table = std::min(bytes.find('\f'), size);
-  const size_t parameters = std::min(bytes.find('\f', table + 1), size);
   MemoryFiles files;
-  files.add_file("/machine.ini", bytes.substr(0, table));
-  files.add_file("/tool.tbl", bytes.substr(std::min(table + 1, size), parameters - std::min(table + 1, parameters)));
-  files.add_file("/rs274ngc.var", bytes.substr(std::min(parameters + 1, size)));
+  size_t at = 0;
+  for (const char* name : {"/machine.ini", "/tool.tbl", "/rs274ngc.var", "/r.ngc", "/program.ngc"}) {
+    const size_t end = std::min(bytes.find('\f', at), size);
+    files.add_file(name, bytes.substr(at, end - at));
+    at = std::min(end + 1, size);
+  }
   std::string error;
   const auto setup = read_setup(files, "/machine.ini", &error);
   if (setup == nullptr) return 0;
@@ -56,5 +69,9 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   check_config(setup->text);
   check(files, setup, Version::k2_9);
   check(files, setup, Version::k2_10);
+  const auto sub = files.read("/r.ngc", &error);
+  if (const auto problem = ngcgui_problem("r", sub->bytes()))
+    require(problem->span.begin <= problem->span.end && problem->span.end <= sub->bytes().size());
+  check_program(files, setup);
   return 0;
 }

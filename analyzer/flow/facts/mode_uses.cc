@@ -8,6 +8,7 @@
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/questions.h"
+#include "analyzer/syntax/remaps.h"
 
 namespace owlint::flow {
 namespace {
@@ -66,18 +67,38 @@ void ModeUses::find_reachable() {
   for (int round = 0; round < kRounds && grew; ++round) {
     grew = false;
     std::vector<ModeFault> faults;
-    for (const Statement& s : program_.syntax.statements) {
-      if (s.kind == LineKind::kModeLine) grew = run(s, &faults) || grew;
+    for (StatementId id = 0; id < program_.size(); ++id) {
+      if (program_.at(id).kind == LineKind::kModeLine) grew = run(id, &faults) || grew;
     }
   }
 }
 
-bool ModeUses::run(const Statement& s, std::vector<ModeFault>* faults) {
+bool ModeUses::run_part(StatementId id, const WordLine& words, ModeState* after, std::vector<ModeFault>* faults) const {
+  const RemapsAround around = remaps_around(program_.syntax, id);
+  if (around.before == nullptr && around.next == nullptr) return ModeRun(machine_, words).act(after, faults);
+  const auto code_of = [&](const Statement* remap) {
+    return remap == nullptr ? nullptr : code_of_remap(program_.syntax, *remap, machine_);
+  };
+  const LinePart part{code_of(around.before), code_of(around.next)};
+  if (part.behind != nullptr && (part.behind->python_before || part.behind->python_behind))
+    *after = ModeState::unknown();
+  if (!ModeRun(machine_, words).act_part(part, after, faults)) return false;
+  // Within their own subs some codes are built in.
+  MachineWords plain = machine_;
+  plain.remapped = {};
+  WordLine built_in(plain);
+  read_words(program_.syntax, program_.at(id), built_in);
+  ModeState own = *after;
+  if (ModeRun(plain, built_in).act_part(part, &own, faults)) *after = join(*after, own);
+  return true;
+}
+
+bool ModeUses::run(StatementId id, std::vector<ModeFault>* faults) {
   WordLine words(machine_);
-  const bool acts = read_words(program_.syntax, s, words);
+  const bool acts = read_words(program_.syntax, program_.at(id), words);
   ModeState after{reachable_, reachable_};
   const ModeRun run(machine_, words);
-  if (!run.check(&after, faults) || !acts || !run.act(&after, faults)) return false;
+  if (!run.check(&after, faults) || !acts || !run_part(id, words, &after, faults)) return false;
   const ModeSets before = reachable_;
   after.now.assigned = 0;
   reachable_ = join(before, after.now);
@@ -87,9 +108,10 @@ bool ModeUses::run(const Statement& s, std::vector<ModeFault>* faults) {
 void ModeUses::find_followed() {
   std::vector<ModeFault> faults;
   bool stores = false;
-  for (const Statement& s : program_.syntax.statements) {
+  for (StatementId id = 0; id < program_.size(); ++id) {
+    const Statement& s = program_.at(id);
     if (s.kind != LineKind::kModeLine) continue;
-    run(s, &faults);
+    run(id, &faults);
     if (stores) continue;
     WordLine words(machine_);
     stores = read_words(program_.syntax, s, words) && has_store(words);
@@ -103,6 +125,11 @@ void ModeUses::find_followed() {
     for (const ModeNeed& need : *needs) {
       if (is_assumed(need.mode) || !std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
     }
+  }
+  // What a sub gets may have to be above 0.
+  for (const RemappedCode& code : machine_.remapped) {
+    if (code.argspec.find('>') != std::string_view::npos) followed_ |= mask_of(Mode::kFeed);
+    if (code.argspec.find('^') != std::string_view::npos) followed_ |= mask_of(Mode::kSpeed);
   }
   if (follows_place()) {
     for (const Mode mode : {Mode::kMotion, Mode::kPlane, Mode::kUnits, Mode::kDistance, Mode::kArcDistance,

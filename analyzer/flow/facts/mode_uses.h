@@ -36,7 +36,9 @@ class ModeUses {
   void find_reachable();
   void find_followed();
   /// Carries out a kModeLine in all modes that are reachable; true if more are behind it.
-  bool run(const Statement& s, std::vector<ModeFault>* faults);
+  bool run(StatementId id, std::vector<ModeFault>* faults);
+  /// The same of one with remapped codes: its part.
+  bool run_part(StatementId id, const WordLine& words, ModeState* after, std::vector<ModeFault>* faults) const;
   ModeMask modes_changed_at(const Statement& s, StatementId id) const;
 
   const Program& program_;

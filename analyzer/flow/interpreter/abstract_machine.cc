@@ -20,6 +20,7 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       evaluator_(program_.syntax, profile_, tracked_, remembered_, values_, pool),
       refinement_(program_.syntax, tracked_, limits, evaluator_, pool),
       machine_words_(profile),
+      remapped_codes_(machine_words_.words),
       start_(program_.sub_file ? ModeState::unknown() : machine_words_.start),
       mode_uses_(program_, machine_words_.words, start_.now, modes),
       modes_(mode_uses_, program_.syntax.names.size(), values_, pool),
@@ -29,7 +30,7 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       reads_break_(profile.warn_only()),
       structure_(program_),
       effects_(program_, structure_.regular, mode_uses_, limits) {
-  if (profile.setup != nullptr && profile.setup->has_remaps) evaluator_.distrust_globals();
+  if (remapped_codes_.run_python()) evaluator_.distrust_globals();
   evaluator_.set_modes(&modes_);
   labels_.emplace_back(kNoName, kNoName);
   index();

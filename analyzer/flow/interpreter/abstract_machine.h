@@ -23,6 +23,7 @@
 #include "analyzer/flow/interpreter/mode_watch.h"
 #include "analyzer/flow/interpreter/place_watch.h"
 #include "analyzer/flow/interpreter/refinement.h"
+#include "analyzer/flow/interpreter/remapped_codes.h"
 #include "analyzer/flow/limits.h"
 #include "analyzer/flow/summaries/effects.h"
 #include "analyzer/machine/profile.h"
@@ -37,8 +38,10 @@ inline constexpr NameId kGlobalScope = UINT32_MAX - 1;  ///< of `sub`, `endsub`,
 struct Context {
   NameId sub = kNoName;
   int depth = 0;
-  bool fanuc = false;  ///< made by M98
-  int passed = 0;      ///< number of arguments of the call that made it
+  bool fanuc = false;     ///< made by M98
+  int passed = 0;         ///< number of arguments of the call that made it
+  uint8_t remaps = 0;     ///< calls by remapped codes that it is within
+  uint16_t built_in = 0;  ///< codes that the INI remaps, but not within the subs that they run: see RemappedCodes
   bool contour =
       false;  ///< within a G70, G71 or G72: lines are read for the contour, M2, M30 and `(abort, …)` do nothing (measured)
 };
@@ -164,6 +167,7 @@ class AbstractMachine {
   const ModeState& start() const { return start_; }
   ModeAccess& modes() { return modes_; }
   const MachineWords& machine_words() const { return machine_words_.words; }
+  const RemappedCodes& remapped_codes() const { return remapped_codes_; }
   const ModeUses& mode_uses() const { return mode_uses_; }
   const Evaluator& evaluator() const { return evaluator_; }
   const TrackedParameters& tracked() const { return tracked_; }
@@ -199,6 +203,7 @@ class AbstractMachine {
   Evaluator evaluator_;
   Refinement refinement_;
   WordsOfMachine machine_words_;
+  RemappedCodes remapped_codes_;
   ModeState start_;
   ModeUses mode_uses_;
   ModeAccess modes_;

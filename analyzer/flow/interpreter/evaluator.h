@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -85,6 +86,8 @@ class Evaluator {
   PersistentMap share_numbers(PersistentMap names, const PersistentMap& numbers);
   /// What a sub that is called from elsewhere finds: its arguments, and names that a remap passes.
   void expect_from_outside(std::string_view sub, Parameters& p);
+  /// Python runs before the sub of a remap: it may give the sub any name and argument.
+  void expect_from_prolog(Parameters& p);
   /// Python code in the program's comments may give any global a value, or none.
   void expect_from_python(Parameters& p);
   /// A sub returns, or its definition is skipped: sets `#<_value>` and `#<_value_returned>`. `value`: null without
@@ -127,6 +130,7 @@ class Evaluator {
   bool coarse_ = false;
   bool distrusts_globals_ = false;
   const ModeAccess* modes_ = nullptr;
+  std::optional<std::vector<NameId>> read_locals_;  // local names that are read; found when somebody asks
 };
 
 }  // namespace owlint::flow

@@ -28,6 +28,20 @@ void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) {
   }
 }
 
+void Evaluator::expect_from_prolog(Parameters& p) {
+  if (!read_locals_) {
+    std::vector<bool> read(syntax_.names.size());
+    read_locals_.emplace();
+    for (const Expr& expr : syntax_.exprs) {
+      if (expr.op != Operator::kNamed || expr.target || tracked_.is_global(expr.name()) || read[expr.name()]) continue;
+      read[expr.name()] = true;
+      read_locals_->push_back(expr.name());
+    }
+  }
+  for (long n = 1; n < kFirstGlobalNumber; ++n) set_number(p, n, kUnknown);
+  for (const NameId name : *read_locals_) set_name(p, name, tracked_.is_asked_for(name) ? kMaybeUnassigned : kUnknown);
+}
+
 void Evaluator::expect_from_python(Parameters& p) {
   for (const Expr& expr : syntax_.exprs) {
     if (expr.op == Operator::kNamed && !expr.target && tracked_.is_global(expr.name()))

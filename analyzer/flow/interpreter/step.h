@@ -235,9 +235,16 @@ struct AbstractMachine::Step {
   void plain();
   void m98();
   void modes();
+  void remap();
+  bool has_words(const RemappedCode& code);
+  void pass_words(const RemappedCode& code, Parameters& to, std::vector<ValueId>* positional);
+  ValueId value_of(const ModeWord& word) const;
+  void enter_remap(const RemappedCode& code);
+  void run_python();
+  void come_back_from(const Statement& remap);
   bool refuses_words(const Statement& asks);
   bool is_mistake(StopKind kind, std::string_view message) const;
-  bool read_words(const Statement& asks, WordLine& words);
+  bool read_words(const Statement& asks, WordLine& words, bool computes = true);
   Evaluation line_computes() const;
   bool take_faults(std::span<const ModeFault> faults);
   bool restore_modes();
@@ -246,6 +253,7 @@ struct AbstractMachine::Step {
   void repeated_word(const LineError& repeated);
   bool may_end(const Statement& line) const;
   void call_elsewhere(FullLabel sub);
+  void find_sub(State enter, Context callee, int repeats);
   bool times_called(const Evaluation& of_l, int* times);
   void m99();
   void o_word();

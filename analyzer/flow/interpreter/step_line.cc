@@ -44,6 +44,7 @@ void AbstractMachine::Step::plain() {
   if (s.kind == LineKind::kMachineCheck && asks_about_call(m.program_.syntax, here)) return machine_check();
   if (skipping) return next_line();
   if (s.kind == LineKind::kModeLine) return modes();
+  if (s.kind == LineKind::kRemap) return remap();
   if (s.kind == LineKind::kUserCode) return user_code();
   if (s.kind == LineKind::kMachineCheck) return machine_check();
   if (s.kind == LineKind::kAbort) return context.contour ? next_line() : out.end(state);

@@ -11,13 +11,13 @@ bool AbstractMachine::Step::is_mistake(StopKind kind, std::string_view message) 
   return kind == StopKind::kCodeUnknown && of_program && message.starts_with("Unknown");
 }
 
-/// The words with the values that they have here; false if reading them stops.
-bool AbstractMachine::Step::read_words(const Statement& asks, WordLine& words) {
+/// The words with the values that they have here; false if reading them stops. Unless `computes`, these are not known any more.
+bool AbstractMachine::Step::read_words(const Statement& asks, WordLine& words, bool computes) {
   if (asks_about_call(m.program_.syntax, static_cast<StatementId>(&asks - m.program_.syntax.statements.data())))
     words.begin_call();
   for (const ModeWord& word : m.program_.syntax.words_of(asks)) {
     Word read{word.letter, word.known, word.value, word.from, word.to};
-    if (word.computed != kNoExpr) {
+    if (word.computed != kNoExpr && computes) {
       const Evaluation e = m.evaluator_.evaluate(word.computed, state.parameters);
       const Range range = m.values_.range(e.value);
       read.known = KnownValues::is_constant(e.value);
@@ -31,7 +31,7 @@ bool AbstractMachine::Step::read_words(const Statement& asks, WordLine& words) {
     const std::optional<Fault> of_letter = words.letter(word.letter);
     const std::optional<Fault> fault = words.add(read);
     // Of words that are not computed the line itself has said it.
-    if (word.computed == kNoExpr || !fault || of_letter) continue;
+    if (word.computed == kNoExpr || !computes || !fault || of_letter) continue;
     ModeFault found{*fault, true, 0};
     found.fault.certain = fault->certain || is_mistake(fault->kind, fault->message);
     if (found.fault.certain) return take_faults({&found, 1});
@@ -92,23 +92,29 @@ void AbstractMachine::Step::write_offsets() {
   }
 }
 
-/// A line of words. Of one with M98 this is asked when its values are known: see refuses_words().
+/// A line of words. Of one with M98 this is asked when its values are known: see refuses_words(). Of one with remapped codes it
+/// is asked for each part.
 void AbstractMachine::Step::modes() {
   if (context.contour || asks_about_call(m.program_.syntax, here)) return next_line();
   const bool goes = m.mode_uses_.follows_place(here);
   if (s.for_place && !goes) return next_line();
-  WordLine words(m.machine_words_.words);
-  if (!read_words(s, words)) return;
-  const ModeRun run(m.machine_words_.words, words);
+  const RemapsAround around = remaps_around(m.program_.syntax, here);
+  if (around.before != nullptr) come_back_from(*around.before);
+  const MachineWords& machine = m.remapped_codes_.words_within(context.built_in);
+  WordLine words(machine);
+  if (!read_words(s, words, around.before == nullptr)) return;
+  const ModeRun run(machine, words);
   ModeState after = m.modes_.state(state.parameters);
   std::vector<ModeFault> faults;
-  run.check(&after, &faults);
-  // Of a line whose modes are known these are none of its faults.
-  if (s.for_place) faults.clear();
-  if (!take_faults(faults)) return;
-  // Then the line sets its parameters: a name that it may not set comes first.
-  if (line_computes().read_only != kNoName) return next_line();
-  faults.clear();
+  if (around.before == nullptr) {
+    run.check(&after, &faults);
+    // Of a line whose modes are known these are none of its faults.
+    if (s.for_place) faults.clear();
+    if (!take_faults(faults)) return;
+    // Then the line sets its parameters: a name that it may not set comes first.
+    if (line_computes().read_only != kNoName) return next_line();
+    faults.clear();
+  }
   std::optional<Place> place;
   MoveWatch watch;
   if (goes) {
@@ -116,7 +122,16 @@ void AbstractMachine::Step::modes() {
     watch = {m.place_watch_, s.line};
     if (watch.visitor != nullptr) m.place_watch_->begin(state, here);
   }
-  run.act(&after, &faults, place ? &*place : nullptr, watch);
+  Place* const at = place ? &*place : nullptr;
+  if (around.before != nullptr || around.next != nullptr) {
+    const auto code_of = [&](const Statement* remap) {
+      return remap == nullptr ? nullptr : m.remapped_codes_.code_at(m.program_.syntax, *remap, 0);
+    };
+    run.act_part({code_of(around.before), code_of(around.next)}, &after, &faults, at, watch);
+  } else {
+    if (words.has_remapped_code()) Evaluator::call_outside(state.parameters);
+    run.act(&after, &faults, at, watch);
+  }
   if (s.for_place) std::erase_if(faults, [](const ModeFault& fault) { return !fault.by_place; });
   if (!take_faults(faults)) return;
   if (!s.for_place) m.modes_.set(state.parameters, after);
@@ -127,11 +142,12 @@ void AbstractMachine::Step::modes() {
 /// Whether the words of a line that calls stop every run. Nothing of them is carried out.
 bool AbstractMachine::Step::refuses_words(const Statement& asks) {
   if (context.contour) return false;
-  WordLine words(m.machine_words_.words);
+  const MachineWords& machine = m.remapped_codes_.words_within(context.built_in);
+  WordLine words(machine);
   if (!read_words(asks, words)) return true;
   ModeState after = m.modes_.state(state.parameters);
   std::vector<ModeFault> faults;
-  ModeRun(m.machine_words_.words, words).check(&after, &faults);
+  ModeRun(machine, words).check(&after, &faults);
   return !take_faults(faults);
 }
 

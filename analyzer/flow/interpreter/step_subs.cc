@@ -147,7 +147,12 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
 
   // Where no chain is too deep, calls at all depths are alike.
   const int depth = m.structure_.shallow_calls ? 1 : context.depth + 1;
-  const Context callee{m.label_of(label), depth, fanuc, fanuc ? 30 : static_cast<int>(passed.size()),
+  const Context callee{m.label_of(label),
+                       depth,
+                       fanuc,
+                       fanuc ? 30 : static_cast<int>(passed.size()),
+                       context.remaps,
+                       context.built_in,
                        context.contour || s.kind == LineKind::kContour};
   State enter = state;
   enter.looped = false;
@@ -172,6 +177,11 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
     out.call(state, std::move(inside), callee, 1);
     if (repeats == 0) return;
   }
+  find_sub(std::move(enter), callee, repeats);
+}
+
+/// A call whose parameters are in place goes where its sub is.
+void AbstractMachine::Step::find_sub(State enter, Context callee, int repeats) {
   // A name with a path means its last part in the label table, but is the called sub's name for its own labels.
   const NameId plain = m.intern(std::string(called_label(m.name(callee.sub), m.profile_.version)));
   const FullLabel defined = plain == callee.sub ? label : m.full_label(kGlobalScope, plain);
@@ -201,6 +211,9 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
   if (m.profile_.version >= Version::k2_9 && breaks_expansion(m.name(callee.sub))) {
     return hazard(HazardKind::kLookupCrash);
   }
+  // Without the file of a remap LinuxCNC does not even start, which is said of the INI.
+  const bool nowhere = s.kind == LineKind::kRemap && !m.linked_.search_path().find_other_case(m.name(callee.sub));
+  if (nowhere) return call_elsewhere(defined);
   if (m.may_be_elsewhere(callee.sub)) {
     call_elsewhere(defined);  // or it stops
     if (m.profile_.may_be_python()) return;

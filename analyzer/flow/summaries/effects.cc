@@ -13,6 +13,7 @@ namespace {
 void add_line(const Program& program, const Statement& s, Effects& effects) {
   if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) effects.jumps = true;
   if (s.is(Keyword::kIf)) effects.tests = true;
+  if (s.kind == LineKind::kRemap) effects.any_global = true;  // it may run Python
   for (const Item& item : program.syntax.items_of(s)) {
     if (item.target_name != kNoName) {
       if (is_global_name(program.name(item.target_name))) effects.globals.insert(kGlobalNames + item.target_name);

@@ -104,7 +104,7 @@ class Solver {
 
   /// The values after a line, before it branches.
   void execute(const Statement& s, Ranges& ranges) const {
-    if (s.is(Keyword::kCall)) return forget(ranges, true);
+    if (s.is(Keyword::kCall) || s.kind == LineKind::kRemap) return forget(ranges, true);
     const Ranges before = s.item_count > 1 ? ranges : Ranges();
     for (const Item& item : program_.syntax.items_of(s)) {
       if (!assigns(item)) continue;

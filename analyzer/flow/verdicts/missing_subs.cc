@@ -29,7 +29,7 @@ void add_if_missing(const Iteration& analysis, ContextId context, const Caller& 
   stop.statement = call;
   stop.call = analysis.calls().call_of(linked, caller.state.context, call);
   stop.detail = machine.name(sub);
-  const uint32_t from = has_file ? 0 : program.at(call).line;
+  const uint32_t from = has_file || program.at(call).kind == LineKind::kRemap ? 0 : program.at(call).line;
   const std::string sought(called_label(stop.detail, machine.version()));
   stop.interpreter = percent ? "Failed to find sub 'O" + sought + "' before EOF"
                              : "EOF in file:" + file.program->source->path() + " seeking o-word: o<" + sought +

@@ -36,6 +36,7 @@ struct Read {
         case LineKind::kAbort: out += "abort"; break;
         case LineKind::kUserCode: out += "user code"; break;
         case LineKind::kMachineCheck: out += "machine?"; break;
+        case LineKind::kRemap: out += "remap"; break;
         case LineKind::kModeLine: break;
         case LineKind::kWords:
         case LineKind::kFileEnd: out += "words"; break;

@@ -1,0 +1,32 @@
+#include "analyzer/syntax/remaps.h"
+
+#include "analyzer/syntax/questions.h"
+#include "analyzer/syntax/word_line.h"
+
+namespace owlint {
+
+RemapsAround remaps_around(const Syntax& syntax, StatementId question) {
+  const auto& statements = syntax.statements;
+  const Statement& line = statements[question];
+  RemapsAround around;
+  if (question > 0 && statements[question - 1].kind == LineKind::kRemap && on_one_line(statements[question - 1], line))
+    around.before = &statements[question - 1];
+  for (StatementId id = question + 1; id < statements.size() && on_one_line(statements[id], line); ++id) {
+    if (statements[id].kind != LineKind::kRemap) continue;
+    around.next = &statements[id];
+    break;
+  }
+  return around;
+}
+
+const RemappedCode* code_of_remap(const Syntax& syntax, const Statement& remap, const MachineWords& machine) {
+  WordLine line(machine);
+  for (const ModeWord& word : syntax.words_of(remap))
+    line.add({word.letter, word.known, word.value, word.from, word.to});
+  for (const RemappedWord& word : line.remapped_words()) {
+    if (line[word.word].from == remap.keyword_from) return word.code;
+  }
+  return nullptr;
+}
+
+}  // namespace owlint

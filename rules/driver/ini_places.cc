@@ -1,0 +1,108 @@
+#include "rules/driver/ini_places.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "analyzer/program/machine_words.h"
+#include "rules/driver/machine_rules.h"
+
+namespace owlint::rules {
+
+void relate_ini(Finding& finding, const Ini::Entry& entry, std::string message) {
+  finding.related.push_back({entry.span, std::move(message), entry.source});
+}
+
+const Ini::Entry* remap_entry(const Profile& profile, char letter, int number) {
+  if (profile.setup == nullptr) return nullptr;
+  for (const Ini::Entry* entry : profile.setup->ini.all("RS274NGC", "REMAP")) {
+    const auto code = remapped_code(entry->value, release_of(profile));
+    if (code && code->letter == letter && code->number == number) return entry;
+  }
+  return nullptr;
+}
+
+const Ini::Entry* remap_entry(const Input& in, StatementId remap) {
+  std::string code = small_letters(in.program.head(remap));
+  std::erase_if(code, [](char c) { return c == ' ' || c == '\t'; });
+  if (code.empty()) return nullptr;
+  double value = 0;
+  const bool numbered = code[0] == 'g' || code[0] == 'm';
+  if (numbered) std::from_chars(code.data() + 1, code.data() + code.size(), value);
+  int32_t number = 0;
+  if (code[0] == 'g' ? !g_tenths(value, &number) : !word_integer(value, &number)) return nullptr;
+  return remap_entry(in.profile, code[0], number);
+}
+
+namespace {
+
+/// Why LinuxCNC does not use the line for a key of a section; empty if it does, or if that is another value's matter.
+std::string why_unread(const Profile& profile, const IniLine& line, std::string_view section, bool list) {
+  const IniText& text = profile.setup->text;
+  const std::string key(text.name(line));
+  if (line.continuation) return "the line before goes on in this one, so that LinuxCNC does not see it";
+  if (text.section_of(line) != section) return fmt::format("not read: LinuxCNC looks for `{}` in `[{}]`", key, section);
+  if (!text.is_read(line) && profile.version < Version::k2_10)
+    return fmt::format("not read: LinuxCNC reads only the first `[{}]`", section);
+  for (const IniLine* other : lines_of(text, section)) {
+    if (other == &line) return {};
+    if (text.name(*other) != key) continue;
+    const bool empty = other->value.begin == other->value.end;
+    if (empty) return fmt::format("not read: an empty `{}` comes before it", key);
+    if (!list) return fmt::format("not read: LinuxCNC uses the first `{}`", key);
+  }
+  return {};
+}
+
+Related line_place(const IniText& text, const IniLine& line, std::string message) {
+  return {line.span, std::move(message), text.source(line)};
+}
+
+constexpr size_t kMostPlaces = 3;
+
+}  // namespace
+
+void relate_unread_remap(const Profile& profile, char letter, int number, Finding& finding) {
+  if (profile.setup == nullptr) return;
+  const IniText& text = profile.setup->text;
+  for (const IniLine& line : text.lines()) {
+    if (line.kind != IniLine::Kind::kKey || text.name(line) != "REMAP") continue;
+    const auto code = remapped_code(text.value(line), release_of(profile));
+    if (!code || code->letter != letter || code->number != number) continue;
+    const std::string why = why_unread(profile, line, "RS274NGC", true);
+    if (why.empty()) continue;
+    finding.related.push_back(line_place(text, line, why));
+    return;
+  }
+}
+
+std::vector<Related> search_path_places(const Profile& profile) {
+  std::vector<Related> places;
+  if (profile.setup == nullptr) return places;
+  const IniText& text = profile.setup->text;
+  for (const IniLine& line : text.lines()) {
+    if (line.kind != IniLine::Kind::kKey || text.name(line) != "SUBROUTINE_PATH" || places.size() == kMostPlaces)
+      continue;
+    const std::string why = why_unread(profile, line, "RS274NGC", false);
+    places.push_back(line_place(text, line, why.empty() ? "the folders in which LinuxCNC looks" : why));
+  }
+  return places;
+}
+
+void relate_user_folders(const Profile& profile, Finding& finding) {
+  if (profile.setup == nullptr) return;
+  for (const auto& [section, key] : {std::pair("DISPLAY", "PROGRAM_PREFIX"), std::pair("RS274NGC", "USER_M_PATH")}) {
+    const Ini::Entry* const entry = profile.setup->ini.find(section, key);
+    if (entry != nullptr && !entry->value.empty()) relate_ini(finding, *entry, "LinuxCNC looks here");
+  }
+  const IniText& text = profile.setup->text;
+  for (const IniLine& line : text.lines()) {
+    if (line.kind != IniLine::Kind::kKey || text.name(line) != "USER_M_PATH") continue;
+    const std::string why = why_unread(profile, line, "RS274NGC", false);
+    if (why.empty()) continue;
+    finding.related.push_back(line_place(text, line, why));
+    return;
+  }
+}
+
+}  // namespace owlint::rules

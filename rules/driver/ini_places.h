@@ -1,0 +1,27 @@
+// Lines of the machine's INI that findings about programs name.
+#pragma once
+
+#include <string>
+
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+
+/// Adds the place of a value in the INI.
+void relate_ini(Finding& finding, const Ini::Entry& entry, std::string message);
+
+/// The `REMAP` line of a code, by its letter (small) and number; G codes in tenths, T, S and F with 0. Null if the INI has none.
+const Ini::Entry* remap_entry(const Profile& profile, char letter, int number);
+/// The same of a line that runs a remap (LineKind::kRemap).
+const Ini::Entry* remap_entry(const Input& in, StatementId remap);
+
+/// The same for a code that is there, but on a line that LinuxCNC does not read: names that line.
+void relate_unread_remap(const Profile& profile, char letter, int number, Finding& finding);
+
+/// Where the INI says in which folders called files are, for findings about files that are not found: the line that is read, or
+/// lines with `SUBROUTINE_PATH` that are not.
+std::vector<Related> search_path_places(const Profile& profile);
+/// The folders of user M codes.
+void relate_user_folders(const Profile& profile, Finding& finding);
+
+}  // namespace owlint::rules

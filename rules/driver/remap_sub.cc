@@ -1,0 +1,62 @@
+#include "rules/driver/remap_sub.h"
+
+#include <algorithm>
+
+#include "analyzer/flow/summaries/data_flow.h"
+
+namespace owlint::rules {
+namespace {
+
+RegionId region_of(const Program& program, const std::string& sub) {
+  for (RegionId r = 1; r < program.regions.size(); ++r) {
+    const Region& region = program.regions[r];
+    if (region.opener != kNoStatement && region.name != kNoName && program.name(region.name) == sub) return r;
+  }
+  return kNoRegion;
+}
+
+/// Whether the file itself decides whether a name is there.
+bool may_lack(const Program& program, NameId name) {
+  const Syntax& syntax = program.syntax;
+  return std::ranges::any_of(syntax.items, [&](const Item& item) { return item.target_name == name; }) ||
+      std::ranges::any_of(syntax.exprs,
+                          [&](const Expr& expr) { return expr.op == Operator::kExistsNamed && expr.name() == name; });
+}
+
+}  // namespace
+
+bool RemapSub::reads(char letter) const { return std::ranges::find(names, letter, &Name::letter) != names.end(); }
+
+RemapSub remap_sub(const SetupInput& in, std::string_view ngc) {
+  RemapSub out;
+  const std::string path = remap_file(in.setup, ngc);
+  if (path.empty()) return out;
+  const std::string name = small_letters(ngc);
+  out.program = in.library.load_called(path, in.profile);
+  out.region = region_of(*out.program, name.substr(name.rfind('/') + 1));
+  if (out.region == kNoRegion) return out;
+  const Program& p = *out.program;
+  const flow::DataFlow data(p);
+  const auto lines = data.lines_of(out.region);
+  out.argument_lines.fill(p.regions[out.region].opener);
+  for (size_t i = lines.size(); i-- > 0;) {
+    for (const flow::ParameterKey key : data.accesses_of(out.region).reads(i)) {
+      if (key < out.argument_lines.size()) out.argument_lines[key] = lines[i];
+    }
+  }
+  for (size_t i = 0; i < lines.size(); ++i) {
+    for (const flow::ParameterKey key : data.accesses_of(out.region).reads(i)) {
+      const flow::ParameterId id = flow::parameter_of(key);
+      if (!id.named || p.name(id.id).size() != 1) continue;
+      const char letter = p.name(id.id)[0];
+      if (letter < 'a' || letter > 'z' || out.reads(letter)) continue;
+      out.names.push_back({letter, lines[i], may_lack(p, id.id)});
+    }
+  }
+  const flow::Summary& summary = data.of(out.region);
+  out.known = summary.known && !summary.any_number;
+  out.arguments = summary.arguments;
+  return out;
+}
+
+}  // namespace owlint::rules
