@@ -36,7 +36,7 @@ constexpr auto kLetterBits = make_letters();
 /// One line: its words as letters, and its motion. The bytes end in a line feed, so that no end has to be asked for.
 class PlainLine {
  public:
-  explicit PlainLine(const char* at) : at_(at) {}
+  explicit PlainLine(const char* at, uint32_t refused = 0) : at_(at), refused_(refused) {}
 
   /// Reads to the line feed; false for a line that is not plain.
   bool read() {
@@ -57,7 +57,7 @@ class PlainLine {
         ++at_;
         return *at_ == '\n';
       }
-      if ((words_ & bit) != 0) return false;
+      if (((words_ | refused_) & bit) != 0) return false;
       words_ |= bit;
       ++at_;
       skip_blanks();
@@ -186,6 +186,7 @@ class PlainLine {
   }
 
   const char* at_;
+  uint32_t refused_;
   uint32_t words_ = 0;
   uint8_t code_ = 0;
   bool numbered_ = false;
@@ -193,13 +194,13 @@ class PlainLine {
 
 }  // namespace
 
-Passed pass_plain_lines(std::string_view bytes, size_t from, const Proven& proven) {
+Passed pass_plain_lines(std::string_view bytes, size_t from, const Proven& proven, uint32_t refused) {
   Passed out;
   out.proven = proven;
   out.next = from;
   const char* const begin = bytes.data();
   while (out.next < bytes.size()) {
-    PlainLine line(begin + out.next);
+    PlainLine line(begin + out.next, refused);
     if (!line.read() || !line.runs(out.lines + 1, &out.proven, &out.effect)) break;
     const auto length = static_cast<size_t>(line.end() - begin) - out.next;
     if (length > kLineLimit) break;

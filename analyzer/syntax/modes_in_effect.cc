@@ -192,7 +192,7 @@ void ModesInEffect::flush() {
 bool ModesInEffect::asks(const WordLine& words, const ModeState& after, bool alone) const {
   if (!faults_.empty() || stacks_modes(words) || words.has_unknown_code() || words.has_remapped_code()) return true;
   for (size_t i = 0; i < words.size(); ++i) {
-    if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters) == 0) return true;
+    if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters & ~machine_.wrapped) == 0) return true;
   }
   return (after.now.assigned & after.now.open & ~of_moves(alone)) != 0;
 }
@@ -336,6 +336,7 @@ void ModesInEffect::ask(const Statement& statement) {
     if (!word.known) {
       item = std::find_if(item, items.end(), [&](const Item& it) { return it.letter != 0; });
       if (item != items.end()) out.computed = (item++)->value;
+      if ((letter_set({&word.letter, 1}) & machine_.wrapped) != 0) out_.asks_place = true;
     }
     out_.mode_words.push_back(out);
   }

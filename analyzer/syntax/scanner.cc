@@ -153,15 +153,15 @@ PlainEffect behind(PlainEffect effect, uint32_t lines) {
   return effect;
 }
 
-/// Reads a stretch and passes what it finds to `take`; plain lines are not stored.
+/// Reads a stretch and passes what it finds to `take`; plain lines, which have none of the `refused` letters, are not stored.
 template <typename Take>
-void look_through(std::string_view bytes, const Stretch& stretch, const Take& take) {
+void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refused, const Take& take) {
   // What comes after the last line feed of the file is not plain.
   const std::string_view until_end = bytes.substr(0, bytes.substr(0, stretch.end).rfind('\n') + 1);
   uint32_t line = 0;
   Proven proven;
   for (size_t at = stretch.begin;;) {
-    const Passed passed = pass_plain_lines(until_end, at, proven);
+    const Passed passed = pass_plain_lines(until_end, at, proven, refused);
     Found found;
     found.plain_effect = behind(passed.effect, line);
     found.plain_begin = at;
@@ -352,10 +352,11 @@ Syntax scan(const Source& source, const MachineWords& machine) {
   const std::string_view bytes = source.bytes();
   Reader reader(out, bytes, machine);
   const std::vector<Stretch> stretches = cut(source);
+  const uint32_t refused = machine.wrapped | machine.indexing;
   const auto look_at = [&](size_t i, const auto& take) {
     const Span span{stretches[i].begin, stretches[i].end};
     if (stretches.size() > 1) source.will_read(span);
-    look_through(bytes, stretches[i], take);
+    look_through(bytes, stretches[i], refused, take);
   };
   if (stretches.size() == 1 || one_core()) {
     for (size_t i = 0; i < stretches.size(); ++i) {
