@@ -285,7 +285,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   // What M72 writes depends on modes that only the flow knows.
   const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;
   if (faults_.size() == 1 && faults_.front().fault.certain && !quotes_all) {
-    statement.error = parser_.add_error(faults_.front().fault);
+    statement.error = parser_.add_error(faults_.front().fault, faults_.front().decided_by);
     if (statement.block_delete) forget();
     return true;
   }

@@ -53,7 +53,6 @@ class ModesInEffect {
   void need_of(const WordLine& words, uint32_t line);
   void flush();
   void ask(const Statement& statement);
-  void blame_setter(Mode mode, LineError& error) const;
 
   Syntax& out_;
   LineParser& parser_;

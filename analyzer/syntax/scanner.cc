@@ -261,7 +261,8 @@ class Reader {
       statement.offset = begin;
       statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
       statement.error = static_cast<uint32_t>(out_.errors.size());
-      out_.errors.push_back({StopKind::kLineTooLong, {begin + kLineLimit, end}, "Command too long", {}, kNoExpr, 0, 0});
+      out_.errors.push_back(
+          {StopKind::kLineTooLong, {begin + kLineLimit, end}, "Command too long", {}, kNoExpr, 0, 0, 0});
       out_.last_code = number;
     } else {
       const bool code =
