@@ -25,6 +25,28 @@ Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
   return {};
 }
 
+/// `o<drill.ngc> call`: LinuxCNC adds the end of the file's name.
+bool names_file_end(const std::string& name, Finding& f) {
+  constexpr std::string_view kEnd = ".ngc";
+  if (!name.ends_with(kEnd) || name.size() == kEnd.size()) return false;
+  f.help = "write `" + label_text(name.substr(0, name.size() - kEnd.size())) + "`: a call leaves out `.ngc`";
+  return true;
+}
+
+/// `M98 P0031000`: on a Fanuc control the digits before the last four say how often.
+bool repeats_as_fanuc(const Program& p, const Statement& s, const std::string& name, Finding& f) {
+  constexpr size_t kDigits = 4;
+  if (s.kind != LineKind::kM98 || name.size() <= kDigits || name.find_first_not_of("0123456789") != std::string::npos)
+    return false;
+  std::string sub = name.substr(name.size() - kDigits);
+  sub.erase(0, std::min(sub.find_first_not_of('0'), kDigits - 1));
+  const NameId id = p.syntax.names.find(sub);
+  if (id == kNoName || id >= p.by_label.size() || p.by_label[id].empty()) return false;
+  f.help = "write `M98 P" + sub + " L" + name.substr(0, name.size() - kDigits) +
+      "`: Fanuc controls read the digits before the last four as repeats, and LinuxCNC does not";
+  return true;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   constexpr size_t kMaxCandidates = 2000;  // and as many misspelt names: beyond, nobody reads suggestions
@@ -75,6 +97,7 @@ void check(const Input& in, Reporter& out) {
       f.help = other;
       return &f;
     }
+    if (names_file_end(stop.detail, f) || repeats_as_fanuc(p, s, stop.detail, f)) return &f;
     std::string near;
     std::string near_file;
     const Elsewhere late = defined_elsewhere(in, stop.detail);
