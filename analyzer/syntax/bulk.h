@@ -57,7 +57,7 @@ struct Passed {
 /// Passes plain lines from the line start `from` on; `bytes` end in a line feed. A plain line is blank, or has no comment, at
 /// most as many bytes as LinuxCNC reads, a line number perhaps, at most one of G0 to G3, and words X, Y, Z, A, B, C, F, S, with
 /// an arc I, J, K, R, as far as the motion in effect takes them. Each is there once, with digits, a sign, and a point; F and S
-/// are not 0. `refused`: letters that a plain line has not, because the machine remaps them.
+/// are not 0. `refused`: letters that a plain line has not, because the machine remaps or restricts them.
 Passed pass_plain_lines(std::string_view bytes, size_t from, const Proven& proven, uint32_t refused = 0);
 
 /// What is proven behind a line that was not passed, if the run goes on there.

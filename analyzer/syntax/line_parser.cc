@@ -46,7 +46,8 @@ void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::
                          {},
                          kNoExpr,
                          item_begins_,
-                         static_cast<ExprId>(out_.exprs.size())});
+                         static_cast<ExprId>(out_.exprs.size()),
+                         0});
 }
 
 size_t LineParser::skip_comments(size_t at, bool* any) const {
@@ -78,6 +79,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
                            comment == StopKind::kCommentNested ? "Nested comment found" : "Unclosed comment found",
                            {},
                            kNoExpr,
+                           0,
                            0,
                            0});
     return true;

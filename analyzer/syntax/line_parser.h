@@ -23,8 +23,8 @@ class LineParser {
   const WordLine* words_of_call() const { return has_words_of_call_ ? &words_ : nullptr; }
   /// The error with which some machines stop at that line, others not; UINT32_MAX if there is none.
   uint32_t unsure() const { return unsure_; }
-  /// Records a fault of the words against each other: returns its index in Syntax::errors.
-  uint32_t add_error(const Fault& fault);
+  /// Records a fault of the words against each other, or in the modes that are in effect: returns its index in Syntax::errors.
+  uint32_t add_error(const Fault& fault, ModeMask decided_by);
   /// Whether a comment begins on the line that was parsed last.
   bool has_comment() const { return line_.has_comment(); }
 

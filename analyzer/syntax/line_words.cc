@@ -164,10 +164,10 @@ void LineParser::fail(Statement& s, const Fault& fault, size_t from, size_t to) 
   out_.errors[s.error].other = span_of_word(fault.other);
 }
 
-uint32_t LineParser::add_error(const Fault& fault) {
+uint32_t LineParser::add_error(const Fault& fault, ModeMask decided_by) {
   Span span = span_of_word(fault.word);
   if (fault.word == kNoWord) span = {line_.offset(0), line_.span(0, line_.size()).end};
-  out_.errors.push_back({fault.kind, span, fault.message, span_of_word(fault.other), kNoExpr, 0, 0});
+  out_.errors.push_back({fault.kind, span, fault.message, span_of_word(fault.other), kNoExpr, 0, 0, decided_by});
   return static_cast<uint32_t>(out_.errors.size() - 1);
 }
 
@@ -179,7 +179,7 @@ bool LineParser::passes(Statement& s, const Fault& fault, size_t from, size_t to
   }
   if (unsure_ == kNoError) {
     unsure_ = static_cast<uint32_t>(out_.errors.size());
-    out_.errors.push_back({fault.kind, line_.span(from, to), fault.message, {}, kNoExpr, 0, 0});
+    out_.errors.push_back({fault.kind, line_.span(from, to), fault.message, {}, kNoExpr, 0, 0, 0});
   }
   return true;
 }

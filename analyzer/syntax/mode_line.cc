@@ -69,6 +69,10 @@ bool ModeLine::lacks_tool(int number, uint8_t word, uint8_t other) {
               other);
 }
 
+const Tool* ModeLine::tool_in_spindle() const {
+  return place_ == nullptr || place_->loaded_tool <= 0 ? nullptr : tool(place_->loaded_tool);
+}
+
 bool ModeLine::refused_by_compensation(std::string_view message, uint8_t word) {
   return stop_in({kCompensationOn}, StopKind::kCompensation, message, word);
 }

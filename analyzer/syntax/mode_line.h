@@ -66,6 +66,8 @@ class ModeLine : public ModeFaults {
   bool lacks_tool(int number, uint8_t word, uint8_t other = kNoWord);
   /// Null if nothing is known of it.
   const Tool* tool(int number) const;
+  /// The same of the tool in the spindle.
+  const Tool* tool_in_spindle() const;
   bool refused_by_compensation(std::string_view message, uint8_t word);
 
  private:
@@ -76,7 +78,8 @@ class ModeLine : public ModeFaults {
 };
 
 /// The checks of the complete line, and its motion: for each motion that may be in effect (mode_motion.cc).
-bool stops_before_it_acts(const WordLine& words, ModeState* state, std::vector<ModeFault>* faults);
+bool stops_before_it_acts(const MachineWords& machine, const WordLine& words, ModeState* state,
+                          std::vector<ModeFault>* faults);
 bool stops_moving(ModeLine& line);
 
 /// The steps: each is true if no run goes on.

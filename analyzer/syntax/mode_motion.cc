@@ -26,6 +26,8 @@ class FaultsByMotion {
   /// Whether the fault has been found in all of these motions.
   bool has(std::string_view message, MotionSet motions) const;
   void finish(bool some_go_on);
+  /// Some runs may have another motion in effect, and do not stop.
+  void doubt();
   /// Whether some runs have ended.
   bool believed() const {
     return std::any_of(faults_.begin() + static_cast<ptrdiff_t>(first_), faults_.end(),
@@ -78,6 +80,15 @@ void FaultsByMotion::finish(bool some_go_on) {
   }
   if (some_go_on) return;
   faults_.back().fault.certain = faults_.back().believed = true;
+}
+
+void FaultsByMotion::doubt() {
+  for (size_t i = first_; i < faults_.size(); ++i) faults_[i].fault.certain = faults_[i].believed = false;
+}
+
+/// Whether a G code that the INI defines may be the motion in effect, as its Python may leave it: it takes any word.
+bool may_be_remapped(const MachineWords& machine, bool open) {
+  return open && std::ranges::any_of(machine.remapped, [](const RemappedCode& code) { return code.letter == 'g'; });
 }
 
 /// What WordLine::check has to know of the modes.
@@ -150,7 +161,8 @@ bool stops_moving_by(ModeLine& line, Motion mode) {
 
 }  // namespace
 
-bool stops_before_it_acts(const WordLine& words, ModeState* state, std::vector<ModeFault>* faults) {
+bool stops_before_it_acts(const MachineWords& machine, const WordLine& words, ModeState* state,
+                          std::vector<ModeFault>* faults) {
   ModeSets& now = state->now;
   const MotionSet in_effect = now[Mode::kMotion];
   const MotionSet motions = words.depends_on_motion() ? in_effect : first_of(in_effect);
@@ -173,7 +185,12 @@ bool stops_before_it_acts(const WordLine& words, ModeState* state, std::vector<M
     if (fault->certain) pass &= ~set_of(motion);
     found.add(motion, with_modes(words, *std::move(fault), now));
   });
-  found.finish(pass != 0);
+  const bool doubtful = words.depends_on_motion() && may_be_remapped(machine, now.is_open(Mode::kMotion));
+  found.finish(pass != 0 || doubtful);
+  if (doubtful) {
+    found.doubt();
+    return false;
+  }
   if (pass == 0) return true;
   for (const ByMode& by : kByMode) {
     // With one value of the mode it is possible for what is not known of the line.
@@ -211,7 +228,14 @@ bool stops_moving(ModeLine& line) {
     joined = joined ? join(*joined, state) : state;
     if (place) behind = behind ? join(*behind, *place) : *place;
   });
-  found.finish(joined.has_value());
+  const bool doubtful = may_be_remapped(line.machine(), open);
+  found.finish(joined.has_value() || doubtful);
+  if (doubtful) {
+    found.doubt();
+    line.state() = ModeState::unknown();
+    if (line.place() != nullptr) *line.place() = Place::unknown();
+    return false;
+  }
   if (!joined) return true;
   line.state() = *joined;
   if (behind) *line.place() = *behind;

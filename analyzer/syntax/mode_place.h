@@ -74,8 +74,11 @@ bool end_point(ModeLine& line, Point* end);
 void arrive(ModeLine& line, const Point& end);
 /// Rotary axes that index: true if the motion moves one that it may not move.
 bool moves_indexing_axis(ModeLine& line, Motion motion);
-/// Rotary axes that wrap: true if a word that is a position goes round more than once.
-bool goes_round(ModeLine& line, Point* point);
+/// Whether words are positions in any case, or where G90 is in effect.
+enum class Positions : uint8_t { kAbsolute, kInG90 };
+/// Rotary axes that wrap: true if a word that is a position goes round more than once. `point`, which may be null, then does not
+/// know the axis.
+bool goes_round(ModeLine& line, Positions are, Point* point);
 /// Somewhere.
 void lose_point(ModeLine& line);
 /// A probe: somewhere on the way there.

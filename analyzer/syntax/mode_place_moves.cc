@@ -107,14 +107,12 @@ const Point& home_of(const ModeLine& line) {
 }  // namespace
 
 bool end_point(ModeLine& line, Point* end) {
-  if (line.place() == nullptr) return false;
-  if (line.code(GGroup::kNonModal) == code::kG53) {
-    *end = machine_end(line);
-    return goes_round(line, end);
-  }
-  *end = plain_end(line);
-  if (line.words().has_polar_words() && polar_end(line, end)) return true;
-  return line.only(Mode::kDistance) == modes::kG90 && goes_round(line, end);
+  const bool g53 = line.code(GGroup::kNonModal) == code::kG53;
+  const Positions are = g53 ? Positions::kAbsolute : Positions::kInG90;
+  if (line.place() == nullptr) return goes_round(line, are, nullptr);
+  *end = g53 ? machine_end(line) : plain_end(line);
+  if (!g53 && line.words().has_polar_words() && polar_end(line, end)) return true;
+  return goes_round(line, are, end);
 }
 
 void arrive(ModeLine& line, const Point& end) {

@@ -67,7 +67,7 @@ bool write_wishes(ModeLine& line, const CoordinateSystem& as_stored, CoordinateS
   for (size_t i = 0; i < kAxisCount; ++i) {
     if (const auto word = axis_word(line, i)) wished[i] = *word;
   }
-  if (goes_round(line, &wished)) return true;
+  if (goes_round(line, Positions::kAbsolute, &wished)) return true;
   const Point turned = at.turned(as_stored.rotation) + as_stored.origin - wished.turned(as_stored.rotation);
   const bool in_plane = line.has('x') || line.has('y');
   for (size_t i = 0; i < kAxisCount; ++i) {
@@ -129,7 +129,7 @@ void select_system(ModeLine& line, uint8_t system) {
 
 bool set_system(ModeLine& line, bool l20) {
   Place* const place = line.place();
-  if (place == nullptr) return false;
+  if (place == nullptr) return l20 && goes_round(line, Positions::kAbsolute, nullptr);
   const double* const p = line.value('p');
   const std::optional<uint8_t> active = line.only(Mode::kSystem);
   const int number = p == nullptr ? 0 : static_cast<int>(*p);
@@ -145,7 +145,7 @@ bool set_system(ModeLine& line, bool l20) {
 
 bool set_axis_offsets(ModeLine& line, bool g52) {
   Place* const place = line.place();
-  if (place == nullptr) return false;
+  if (place == nullptr) return goes_round(line, Positions::kAbsolute, nullptr);
   Point at = place->at;
   for (size_t i = 0; i < kAxisCount; ++i) {
     const auto word = axis_word(line, i);
@@ -158,7 +158,7 @@ bool set_axis_offsets(ModeLine& line, bool g52) {
       at[i] = *word;
     }
   }
-  if (goes_round(line, &at)) return true;
+  if (goes_round(line, Positions::kAbsolute, &at)) return true;
   for (size_t i = 0; i < kAxisCount; ++i) place->stored_offset[i] = to_machine(line, place->offset[i], i);
   place->has_offset = Coordinate::of(1);
   arrive(line, at);

@@ -41,26 +41,31 @@ bool indexes(ModeLine& line, Motion motion, char letter) {
 }  // namespace
 
 bool moves_indexing_axis(ModeLine& line, Motion motion) {
-  if (line.place() == nullptr || line.machine().indexing == 0 || motion == Motion::kNone || motion == Motion::kG80)
-    return false;
+  if (line.machine().indexing == 0 || motion == Motion::kNone || motion == Motion::kG80) return false;
   for (const char letter : kRotary) {
     if (is_in(line.machine().indexing, letter) && line.has(letter)) return indexes(line, motion, letter);
   }
   return false;
 }
 
-bool goes_round(ModeLine& line, Point* point) {
+bool goes_round(ModeLine& line, Positions are, Point* point) {
+  constexpr BadMode kAbsolute{Mode::kDistance, value_bit(modes::kG90)};
   const uint32_t wrapped = line.machine().wrapped;
   if (wrapped == 0) return false;
   for (const char letter : kRotary) {
     if (!is_in(wrapped, letter) || !line.has(letter)) continue;
     const double* const value = line.value(letter);
-    if (value != nullptr && std::abs(*value) >= kTurn)
-      return stop_for_numbers(
-          line, fmt::format("Invalid absolute position {:5.2f} for wrapped rotary axis {}", *value, capital(letter)),
-          line.at(letter), line.at(GGroup::kNonModal));
+    if (value != nullptr && std::abs(*value) >= kTurn) {
+      const std::string message =
+          fmt::format("Invalid absolute position {:5.2f} for wrapped rotary axis {}", *value, capital(letter));
+      const uint8_t word = line.at(letter), other = line.at(GGroup::kNonModal);
+      if (are == Positions::kAbsolute ? stop_for_numbers(line, message, word, other)
+                                      : line.stop_in({kAbsolute}, kConflict, message, word, other))
+        return true;
+    }
     // How many turns it makes is not followed.
-    (*point)[std::string_view(kAxisOrder).find(letter)] = Coordinate::unknown();
+    if (point != nullptr && (are == Positions::kAbsolute || line.only(Mode::kDistance) != modes::kG91))
+      (*point)[std::string_view(kAxisOrder).find(letter)] = Coordinate::unknown();
   }
   return false;
 }

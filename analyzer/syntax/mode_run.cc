@@ -116,7 +116,7 @@ bool run_from_m72(ModeLine& line) {
 }  // namespace
 
 bool ModeRun::check(ModeState* state, std::vector<ModeFault>* faults) const {
-  return !stops_before_it_acts(line_, state, faults);
+  return !stops_before_it_acts(machine_, line_, state, faults);
 }
 
 bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place, MoveWatch watch) const {

@@ -45,6 +45,19 @@ bool by_diameter(ModeLine& line, int code) {
   return switch_on(line, code, diameter);
 }
 
+/// A tool that is oriented as those of a lathe cuts in XZ. `in_spindle`: which tool it is depends on lines before.
+bool refuses_lathe_tool(ModeLine& line, int code, const Tool& tool, bool in_spindle) {
+  constexpr BadMode kNotG18{Mode::kPlane, all_but(modes::kG18)};
+  if (tool.orientation == 0 || tool.orientation == kFrontOrientation || line.holds({kNotG18}) == Answer::kNo)
+    return false;
+  const size_t before = line.faults()->size();
+  const uint8_t word = line.at(GGroup::kCutterCompensation);
+  const bool stops = line.stop_in({kNotG18}, StopKind::kCompensation,
+                                  g_name(code) + " with lathe tool, but plane is not G18", line.at('d'), word);
+  for (size_t i = before; i < line.faults()->size(); ++i) (*line.faults())[i].by_place = in_spindle;
+  return stops;
+}
+
 /// G41 and G42: D is the number of a tool, without it that of the tool in the spindle.
 bool by_tool(ModeLine& line, int code) {
   const uint8_t word = line.at(GGroup::kCutterCompensation);
@@ -58,13 +71,11 @@ bool by_tool(ModeLine& line, int code) {
   constexpr double kNothing = 0;
   if (number == 0 && line.holds({{Mode::kLoaded, value_bit(modes::kNoTool)}}) == Answer::kYes)
     return switch_on(line, code, &kNothing);
-  const Tool* const tool = line.tool(number);
+  // M6 on the line itself has not changed that tool yet.
+  const bool in_spindle = number == 0 && line.code(MGroup::kToolChange) < 0;
+  const Tool* const tool = in_spindle ? line.tool_in_spindle() : line.tool(number);
   if (tool == nullptr) return switch_on(line, code, nullptr);
-  constexpr BadMode kNotG18{Mode::kPlane, all_but(modes::kG18)};
-  if (tool->orientation != 0 && tool->orientation != kFrontOrientation && line.holds({kNotG18}) != Answer::kNo &&
-      line.stop_in({kNotG18}, StopKind::kCompensation, g_name(code) + " with lathe tool, but plane is not G18",
-                   line.at('d'), word))
-    return true;
+  if (refuses_lathe_tool(line, code, *tool, in_spindle)) return true;
   // Lines may have given it another diameter.
   const bool changed = line.place() != nullptr && line.place()->tools_changed;
   const double diameter = from_machine(line, Coordinate::of(tool->diameter), 0).value;

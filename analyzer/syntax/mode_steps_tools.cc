@@ -15,9 +15,8 @@ bool number_of(const ModeLine& line, char letter, int* number) {
   return value != nullptr && word_integer(*value, number);
 }
 
-/// The tool of H gives an offset, which may be 0.
-void take_offset_of(ModeLine& line, int number) {
-  const Tool* const tool = line.tool(number);
+/// A tool gives an offset, which may be 0; null: it is not known which one.
+void take_offset_of(ModeLine& line, const Tool* tool) {
   if (tool != nullptr) {
     places::set_tool_offset(line, *tool);
   } else {
@@ -31,7 +30,7 @@ void take_offset_of(ModeLine& line, int number) {
 bool from_table(ModeLine& line) {
   int number = 0;
   if (number_of(line, 'h', &number) && line.lacks_tool(number, line.at('h'), line.at(GGroup::kToolLength))) return true;
-  take_offset_of(line, number);
+  take_offset_of(line, line.has('h') && number != 0 ? line.tool(number) : line.tool_in_spindle());
   return false;
 }
 
@@ -72,6 +71,7 @@ bool further(ModeLine& line) {
 /// M61: its Q is rounded half to even.
 bool set_number(ModeLine& line) {
   line.set_open(Mode::kLoaded);
+  if (line.place() != nullptr) line.place()->loaded_tool = Place::kUnknownTool;
   const uint8_t word = line.at(MGroup::kToolChange);
   const double* const q = line.value('q');
   if (line.has('q') && q == nullptr) return false;
@@ -110,7 +110,9 @@ bool change_offset(ModeLine& line, int code) {
 
 bool select_tool(ModeLine& line) {
   int number = 0;
-  return number_of(line, 't', &number) && line.lacks_tool(number, line.at('t'));
+  const bool known = number_of(line, 't', &number);
+  if (line.place() != nullptr && line.has('t')) line.place()->chosen_tool = known ? number : Place::kUnknownTool;
+  return known && line.lacks_tool(number, line.at('t'));
 }
 
 bool change_tool(ModeLine& line) {
@@ -121,6 +123,7 @@ bool change_tool(ModeLine& line) {
                                    line.at(MGroup::kToolChange)))
     return true;
   line.set_open(Mode::kLoaded);
+  if (line.place() != nullptr) line.place()->loaded_tool = line.place()->chosen_tool;
   if (!line.machine().change_keeps_spindle) line.set(Mode::kTurning, modes::kStopped);
   return false;
 }

@@ -192,7 +192,7 @@ void ModesInEffect::flush() {
 bool ModesInEffect::asks(const WordLine& words, const ModeState& after, bool alone) const {
   if (!faults_.empty() || stacks_modes(words) || words.has_unknown_code() || words.has_remapped_code()) return true;
   for (size_t i = 0; i < words.size(); ++i) {
-    if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters) == 0) return true;
+    if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters & ~machine_.wrapped) == 0) return true;
   }
   return (after.now.assigned & after.now.open & ~of_moves(alone)) != 0;
 }
@@ -290,7 +290,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   // What M72 writes depends on modes that only the flow knows.
   const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;
   if (faults_.size() == 1 && faults_.front().fault.certain && !quotes_all) {
-    statement.error = parser_.add_error(faults_.front().fault);
+    statement.error = parser_.add_error(faults_.front().fault, faults_.front().decided_by);
     if (statement.block_delete) {
       forget();
     } else {
@@ -363,6 +363,7 @@ Statement ModesInEffect::question_of(const Statement& statement) {
     if (!word.known) {
       item = std::find_if(item, items.end(), [&](const Item& it) { return it.letter != 0; });
       if (item != items.end()) out.computed = (item++)->value;
+      if ((letter_set({&word.letter, 1}) & machine_.wrapped) != 0) out_.asks_place = true;
     }
     out_.mode_words.push_back(out);
   }

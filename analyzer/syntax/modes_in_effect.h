@@ -60,7 +60,6 @@ class ModesInEffect {
   static bool follows_remaps(const Statement& statement, const WordLine& words);
   static bool ends(const Statement& statement);
   static bool has_own(const Statement& statement);
-  void blame_setter(Mode mode, LineError& error) const;
 
   Syntax& out_;
   LineParser& parser_;

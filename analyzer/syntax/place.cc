@@ -171,6 +171,8 @@ Place join(const Place& a, const Place& b) {
   both.keeps_height = a.keeps_height || b.keeps_height;
   both.height = a.keeps_height == b.keeps_height ? join(a.height, b.height) : Coordinate::unknown();
   both.tools_changed = a.tools_changed || b.tools_changed;
+  if (a.chosen_tool == b.chosen_tool) both.chosen_tool = a.chosen_tool;
+  if (a.loaded_tool == b.loaded_tool) both.loaded_tool = a.loaded_tool;
   both.curve_x = join(a.curve_x, b.curve_x);
   both.curve_y = join(a.curve_y, b.curve_y);
   if (a.path == b.path) both.path = a.path;

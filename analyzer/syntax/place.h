@@ -62,6 +62,9 @@ struct Place {
   Coordinate height{};         ///< where that axis was when the cycles began
   bool keeps_height = false;   ///< cycles have begun
   bool tools_changed = false;  ///< lines have set numbers of the tool table
+  /// The tool that T has chosen, and the one in the spindle, by number.
+  static constexpr int32_t kUnknownTool = -1;
+  int32_t chosen_tool = kUnknownTool, loaded_tool = kUnknownTool;
 
   /// The last control point of a NURBS.
   Coordinate curve_x{}, curve_y{};

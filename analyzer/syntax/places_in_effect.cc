@@ -110,7 +110,12 @@ bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
 bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const Statement& statement, bool asked) {
   const bool block_delete = statement.block_delete;
   const bool unknown = words.has_unknown_code() || words.has_remapped_code();
-  if (!words.has_axis_words() && !words.has_polar_words() && !has_code_of_place(words) && !unknown) return false;
+  const bool chooses_tool = machine_.tools && words.has('t');
+  // Compensation with the tool in the spindle: only where the place is known, it is known which one that is.
+  const bool takes_tool =
+      place_.loaded_tool > 0 && words.code(GGroup::kCutterCompensation) != nullptr && !words.has('d');
+  if (!words.has_axis_words() && !words.has_polar_words() && !has_code_of_place(words) && !unknown && !chooses_tool)
+    return false;
   assume(before);
   const Motion motion = words.motion(static_cast<Motion>(only_value(assumed_.now, Mode::kMotion)));
   const Place start = place_;
@@ -124,11 +129,11 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   ModeRun(machine_, words).run(&assumed_, &faults_, &place_, watch);
   const bool stops = std::ranges::any_of(
       faults_, [](const ModeFault& fault) { return fault.by_place && (fault.fault.certain || fault.believed); });
-  if (!left_ && (stops || leaves)) leave(start);
+  if (!left_ && (stops || leaves || takes_tool)) leave(start);
   if (!left_) return false;
   note_limits(words);
   const bool moves = words.has_axis_words() || words.has_polar_words();
-  const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
+  const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown && !chooses_tool;
   const bool needs_no_question =
       contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
   if (plain && needs_no_question && !asked) {
@@ -151,7 +156,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
     note(line, &reaches, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
     return false;
   }
-  if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops) return false;
+  if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops && !chooses_tool)
+    return false;
   if (questions_ == kMostQuestions && !asked) {
     note_lost();
     return false;

@@ -261,7 +261,8 @@ class Reader {
       statement.offset = begin;
       statement.length = static_cast<uint32_t>(std::min<size_t>(line.size(), UINT32_MAX));
       statement.error = static_cast<uint32_t>(out_.errors.size());
-      out_.errors.push_back({StopKind::kLineTooLong, {begin + kLineLimit, end}, "Command too long", {}, kNoExpr, 0, 0});
+      out_.errors.push_back(
+          {StopKind::kLineTooLong, {begin + kLineLimit, end}, "Command too long", {}, kNoExpr, 0, 0, 0});
       out_.last_code = number;
     } else {
       const bool code =
@@ -352,7 +353,7 @@ Syntax scan(const Source& source, const MachineWords& machine) {
   const std::string_view bytes = source.bytes();
   Reader reader(out, bytes, machine);
   const std::vector<Stretch> stretches = cut(source);
-  uint32_t refused = 0;
+  uint32_t refused = machine.wrapped | machine.indexing;
   for (const RemappedCode& code : machine.remapped) {
     if (code.letter == 'f' || code.letter == 's') refused |= letter_set({&code.letter, 1});
   }

@@ -65,6 +65,8 @@ struct LineError {
   /// What the interpreter has read of the unfinished word or setting before the error, in this order: it computes while it reads,
   /// so a name that is not there or a division by 0 among these is what it reports.
   ExprId read_from = 0, read_to = 0;
+  /// The modes that decide it, if it is refused in what is in effect.
+  ModeMask decided_by = 0;
 };
 
 inline constexpr uint32_t kNoError = UINT32_MAX;

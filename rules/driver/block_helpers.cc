@@ -268,6 +268,8 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
                                std::to_string(opener.line) + ", which is no " + std::string(openers));
       relate(f, p, s.other, "the label is used here");
       f.help = "write the label of the " + std::string(openers) + " that it belongs to";
+      if (opener.is(Keyword::kRepeat) && (line.is(Keyword::kBreak) || line.is(Keyword::kContinue)))
+        f.help = "a `repeat` cannot be left early: write the loop as a `while` with a counter";
       return &f;
     }
     if (block != nullptr && block->crossed != kNoBlock) {

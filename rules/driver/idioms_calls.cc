@@ -116,6 +116,20 @@ bool calls_by_name(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+/// `o<slot> call [length=5]`.
+bool names_arguments(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  if (line.kind() != StopKind::kExpression || !line.has_keyword(Keyword::kCall) || !line.before().ends_with('['))
+    return false;
+  size_t equal = line.at;
+  while (equal < text.size() && is_name_char(text[equal])) ++equal;
+  if (equal == line.at || equal >= text.size() || text[equal] != '=') return false;
+  f.message = "a call passes its values in order, without names";
+  f.help =
+      "write `[" + line.written(equal + 1, bracket_end(line, equal + 1)) + "]`: the sub reads the first one as `#1`";
+  return true;
+}
+
 /// `#1 = o<f> call`, `X[o<f> call [1]]`.
 bool calls_in_value(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression && line.kind() != StopKind::kWordUnreadable) return false;

@@ -262,19 +262,41 @@ bool lacks_value(const RefusedLine& line, Finding& f) {
   return true;
 }
 
-/// `[#1 EQ (one) 0]`, `[#1 * (2 + 3)]`.
+/// `G38.3 [Z#<depth>]`.
+bool brackets_whole_word(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const size_t letter = line.at + 1;
+  if (line.kind() != StopKind::kBadCharacter || letter + 1 >= text.size() || text[line.at] != '[') return false;
+  constexpr std::string_view kLetters = "xyzabcuvwdefhijklpqrst", kValue = "#[0123456789.+-";
+  if (kLetters.find(text[letter]) == std::string_view::npos || kValue.find(text[letter + 1]) == std::string_view::npos)
+    return false;
+  const size_t close = text.find(']', letter);
+  if (close == std::string_view::npos) return false;
+  f.message = "the bracket belongs behind the letter of the word";
+  f.help = "write `" + line.written(letter, letter + 1) + "[" + line.written(letter + 1, close + 1) + "`";
+  line.propose(f, f.help, {line.put(line.at, letter + 1, line.written(letter, letter + 1) + "[")}, false);
+  return true;
+}
+
+/// `[#1 EQ (one) 0]`, `[#1 * (2 + 3)]`, `X(#1 + 2)`.
 bool has_comment_in_value(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kExpression || line.text[line.at] != '(') return false;
-  const size_t close = line.text.text().find(')', line.at);
-  const std::string inside = line.written(line.at + 1, close);
+  const std::string_view text = line.text.text();
+  const bool of_word = (line.kind() == StopKind::kNumberMalformed || line.kind() == StopKind::kNumberMissing) &&
+      line.at + 1 < text.size();
+  const size_t open = of_word ? line.at + 1 : line.at;
+  if ((line.kind() != StopKind::kExpression && !of_word) || line.text[open] != '(') return false;
+  const size_t close = text.find(')', open);
+  const std::string inside = line.written(open + 1, close);
+  // A number alone may say what the word is for.
+  if (of_word && inside.find_first_of("#[+*/") == std::string::npos) return false;
   if (surely_runs("#1=[" + inside + "]") && !line.error.message.starts_with("Unknown operation")) {
     f.message = "round brackets are a comment: LinuxCNC does not read what is in them";
     f.help = "write `[" + inside + "]`";
-    line.propose(f, f.help, {line.put(line.at, line.at + 1, "["), line.put(close, close + 1, "]")}, false);
+    line.propose(f, f.help, {line.put(open, open + 1, "["), line.put(close, close + 1, "]")}, false);
     return true;
   }
   const std::string_view before = line.before();
-  if (std::ranges::count(before, '[') <= std::ranges::count(before, ']')) return false;
+  if (of_word || std::ranges::count(before, '[') <= std::ranges::count(before, ']')) return false;
   f.message = "a comment inside brackets";
   f.help = "write it after the closing bracket";
   return true;

@@ -20,7 +20,7 @@ struct OtherWord {
   std::string_view instead;
 };
 
-constexpr std::array<OtherWord, 34> kOtherWords = {{
+constexpr std::array<OtherWord, 38> kOtherWords = {{
     {"gosub", "call a sub with `o100 call`"},
     {"until", "close `do` with `while` and the opposite condition"},
     {"wend", "write `o100 endwhile`, with the label of the `while`"},
@@ -47,6 +47,10 @@ constexpr std::array<OtherWord, 34> kOtherWords = {{
     {"pause", "`M0` waits for the operator, `G4 P1` waits for a second"},
     {"print", "write a comment: `(PRINT,text)`"},
     {"msg", "write a comment: `(MSG,text)`"},
+    {"popen", "open a file of its own with a comment: `(LOGOPEN,points.txt)`"},
+    {"dprnt", "write values to a file with a comment: `(LOG,X#1 Y#2)`, behind `(LOGOPEN,points.txt)`"},
+    {"bprnt", "write values to a file with a comment: `(LOG,X#1 Y#2)`, behind `(LOGOPEN,points.txt)`"},
+    {"pclos", "close the file with a comment: `(LOGCLOSE)`"},
     {"rem", "write a comment: `(text)` or `; text`"},
     {"proc", "define a sub with `o<name> sub` and `o<name> endsub`"},
     {"function", "define a sub with `o<name> sub` and `o<name> endsub`"},

@@ -29,7 +29,11 @@ bool begins_word(std::string_view text) {
   skip_blanks();
   if (text.empty() || text[0] == '(' || text[0] == ';') return true;
   if (!is_small_letter(static_cast<char>(std::tolower(static_cast<unsigned char>(text[0]))))) return false;
+  const bool may_begin_to = text[0] == 't' || text[0] == 'T';
   text.remove_prefix(1);
+  // `GO XO`: an O stands for a zero there, too. `GO TO 20` is a jump.
+  if (!may_begin_to && !text.empty() && (text[0] == 'o' || text[0] == 'O'))
+    return text.size() == 1 || std::string_view(" \t\r.0123456789").find(text[1]) != std::string_view::npos;
   skip_blanks();
   return !text.empty() && std::string_view("0123456789.+-#[").find(text[0]) != std::string_view::npos;
 }
@@ -241,8 +245,10 @@ bool writes_o_for_zero(const Program& program, const Statement& s, const LineErr
     if (!kind || !is_small_letter(small(line[from])) || from + 1 >= line.size() || !is_o(line[from + 1])) return false;
     ++from;
   }
-  // Behind it a digit, a point, nothing, or another word with its number; not text: `MOD 2`, `GO TO 20`.
-  const std::string_view behind = line.substr(from + 1);
+  // Behind it a digit, a point, nothing, or another word with its number, which may have that mistake, too; not text: `MOD 2`,
+  // `GO TO 20`.
+  const size_t other = line.find_first_not_of("oO", from);
+  const std::string_view behind = line.substr(std::min(other, line.size()));
   const char next = behind.empty() ? ' ' : small(behind[0]);
   if (is_small_letter(next) && (behind.size() < 2 || is_small_letter(small(behind[1])) || behind[1] == ' '))
     return false;

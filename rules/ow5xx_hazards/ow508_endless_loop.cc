@@ -65,11 +65,17 @@ int step_of(const Program& p, ExprId value, const Expr& parameter) {
   return e.op == Operator::kMinus ? -sign : sign;
 }
 
+/// The line with the condition of a loop.
+StatementId condition_of(const Program& p, StatementId opener) {
+  const BlockId block = p.block_of[opener];
+  return p.at(opener).is(Keyword::kDo) && block != kNoBlock ? p.blocks[block].end : opener;
+}
+
 /// Whether the loop goes on until a value is met exactly.
 std::optional<Wait> waits_for_equal(const Program& p, StatementId opener) {
-  const BlockId block = p.block_of[opener];
-  const StatementId test = p.at(opener).is(Keyword::kDo) && block != kNoBlock ? p.blocks[block].end : opener;
+  const StatementId test = condition_of(p, opener);
   if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return std::nullopt;
+  const BlockId block = p.block_of[opener];
   const Expr& condition = p.syntax.exprs[p.syntax.values_of(p.at(test)).front()];
   if (condition.op != Operator::kNe) return std::nullopt;
   const Expr& left = p.syntax.exprs[condition.left()];
@@ -107,10 +113,32 @@ std::string past_value(const Wait& wait) {
       (wait.ahead == 0 ? "may jump over " : "jump over ") + value;
 }
 
+/// `while [#<_task> EQ 1]`: the loop is meant to run until the operator stops it. In the preview, which passes it, the name is 0.
+bool asks_for_preview(const Program& p, StatementId opener) {
+  const StatementId test = condition_of(p, opener);
+  if (test == kNoStatement || !p.at(test).is(Keyword::kWhile)) return false;
+  std::vector<ExprId> parts(p.syntax.values_of(p.at(test)).begin(), p.syntax.values_of(p.at(test)).end());
+  while (!parts.empty()) {
+    const Expr& e = p.syntax.exprs[parts.back()];
+    parts.pop_back();
+    if (e.op == Operator::kNamed && p.name(e.name()) == "_task") return true;
+    for_each_operand(e, [&](ExprId id) { parts.push_back(id); });
+  }
+  return false;
+}
+
+/// `while [1]`, `while [1 EQ 1]`.
+bool is_always_true(const Program& p, StatementId opener) {
+  const StatementId test = condition_of(p, opener);
+  if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return false;
+  double value = 0;
+  return literal_value(p.syntax.exprs, p.syntax.values_of(p.at(test)).front(), &value) && value != 0;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
-    if (h.kind != HazardKind::kEndlessLoop) continue;
+    if (h.kind != HazardKind::kEndlessLoop || asks_for_preview(p, h.statement)) continue;
     const Statement& s = p.at(h.statement);
     // A `do` in a `do` with its label is OW510.
     const auto nested = [&](const Block& b) {
@@ -141,6 +169,11 @@ void check(const Input& in, Reporter& out) {
       relate(f, p, p.blocks[block].end, "the loop goes back from here");
     f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
     if (const std::optional<Wait> wait = waits_for_equal(p, h.statement)) f.help = past_value(*wait);
+    if (is_always_true(p, h.statement))
+      f.help =
+          "leave the loop with `break`; if it is meant to run until the operator stops it, write `while [#<_task> EQ "
+          "1]`, "
+          "which the preview passes";
     f.reach = h.reach;
     f.never_ends = true;
   }
@@ -191,7 +224,8 @@ o100 endwhile
 M2
 )",
             .fix = R"(Change the value that the condition tests, in every pass. If the program is meant to run until the
-operator stops it, suppress the finding with a reason.)",
+operator stops it, write `while [#<_task> EQ 1]`: `#<_task>` is 1 when the machine runs the program, and
+0 in the preview, which passes the loop. Of such a loop owlint says nothing.)",
             .level_reason = "Error: the program never ends.",
             .interpreter = "",
             .options = "",

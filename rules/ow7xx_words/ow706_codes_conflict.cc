@@ -50,7 +50,7 @@ void with_g53(const WordStop& at, Finding& f) {
     f.help = at.other_word.empty() ? "write `G90` on this line or before it" : "write `G90`";
   } else if (at.other_word.empty()) {
     f.message = "`G53` needs `G0` or `G1`";
-    f.help = "write `G53 G0` and the axis words on this line";
+    f.help = "write `G53 G0` and the axis words on this line, or remove `G53`, which counts for its line only";
   } else {
     f.message = "`G53` and `" + at.other_word + "` cannot be on one line: `G53` moves with `G0` or `G1` only";
     f.help = "write `G0` or `G1`, or remove `G53`";

@@ -19,6 +19,17 @@ constexpr std::array kSaid = {
     Said{"Cannot feed", "G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89 *", "drills at feed 0", ""},
 };
 
+/// Whether a line above that of the setter has an `F`: else there was no feed that it could set to 0.
+bool has_feed_above(const Setter& setter) {
+  constexpr uint32_t kMostLines = 1000;
+  const Source& source = *setter.program->source;
+  const uint32_t last = setter.line > kMostLines ? setter.line - kMostLines : 0;
+  for (uint32_t line = setter.line - 1; line > last; --line) {
+    if (find_word(words_of(source, source.line(line)), "F") != nullptr) return true;
+  }
+  return last > 0;
+}
+
 /// Why the feed is 0, and what to do about it.
 void explain(const Input& in, const FlowStop& stop, Finding& f) {
   const Statement& s = in.program.at(stop.statement);
@@ -30,7 +41,7 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
     return;
   }
   const std::optional<Setter> setter = setter_of(in, stop, "F G94 G95 G20 G21");
-  if (!setter) {
+  if (!setter || (setter->word.starts_with("G9") && !has_feed_above(*setter))) {
     f.message += ": no `F` has been set on the way here";
     f.help = "write `F` and a feed rate on this line or before it";
     return;
@@ -42,6 +53,7 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
   } else if (setter->word.starts_with('F')) {
     f.message += fmt::format(": `{}` {} has set it", setter->word, place);
     f.help = "write a feed rate above 0";
+    if (setter->word.find('#') != std::string::npos) f.help += "; an argument that a call leaves out is 0";
   } else if (setter->word.starts_with("G2")) {
     f.message += fmt::format(": `{}` {} has changed the unit and lost it", setter->word, place);
     f.help = fmt::format("write `F` again after `{}`", setter->word);

@@ -80,10 +80,21 @@ void relate_origin(const Input& in, const FlowStop& stop, Finding& finding) {
     finding.related.push_back({*from, "the tool is where this line ends", nullptr});
 }
 
+/// Without its INI it is not known how many spindles the machine has; a program for several names them on many lines.
+void doubt_spindle(const Input& in, const FlowStop& stop, Finding& f) {
+  if (in.profile.setup != nullptr || !f.message.ends_with(kNone)) return;
+  const WordStop at = word_stop(in, stop, "$");
+  f.message = "`" + at.word + "` is a further spindle, which most machines do not have";
+  f.help = "name the machine's INI (`--ini`), so that owlint knows its spindles";
+  f.group = "spindle " + at.word + " in " + in.program.source->path();
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
-    if (stop.kind == StopKind::kModeConflict && stop.words.decided_by == mask_of(Mode::kDistance)) {
+    doubt_spindle(in, stop, f);
+    const bool turns = stop.interpreter.find("rotary axis") != std::string::npos;
+    if (stop.kind == StopKind::kModeConflict && stop.words.decided_by == mask_of(Mode::kDistance) && !turns) {
       relate_distance(in, stop, f);
       relate_origin(in, stop, f);
     } else {

@@ -51,6 +51,15 @@ uint8_t value_set(const Hazard& h) {
   return find_word(words, code_of_value(h.mode, h.from)) != nullptr ? h.from : h.to;
 }
 
+/// Whether the move goes to zero in all axes that it names: that is one place in inches and in millimeters.
+bool goes_to_zero(const Program& p, uint32_t line) {
+  const std::vector<WrittenWord> words = words_of(*p.source, p.source->line(line));
+  return std::ranges::all_of(words, [](const WrittenWord& word) {
+    const bool goes = std::string_view("xyzabcuvwijkr").find(word.letter) != std::string_view::npos;
+    return !goes || (word.value && *word.value == 0);
+  });
+}
+
 /// Whether the line stops on one of the paths: that is said by another rule.
 bool stops_on(const Input& in, uint32_t line) {
   return std::ranges::any_of(in.flow.stops, [&](const FlowStop& stop) {
@@ -68,6 +77,7 @@ void check(const Input& in, Reporter& out) {
     const std::string two = move_under(h.mode, other);
     if (one.empty() || two.empty() || comes_from_leak(in, h) || is_choice(h)) continue;
     if (h.set_in != nullptr && asks_for_mode(*h.set_in, h.mode)) continue;
+    if (h.mode == Mode::kUnits && goes_to_zero(in.program, h.needed_line)) continue;
     if (!said.emplace(h.mode, h.set_in, h.set_line).second) continue;
     Finding& f = out.add(word_of_line(in.program, h.needed_line, "*"),
                          "this move " + one + " on one path, and " + two + " on another");

@@ -3,6 +3,8 @@
 // K. What the sub of a lathe contour contains is not looked at.
 #include <array>
 
+#include <fmt/format.h>
+
 #include "rules/driver/positions.h"
 
 namespace owlint::rules::ow908 {
@@ -49,9 +51,21 @@ constexpr std::array kSaid = {
     Said{"K number is not", "K", "is not a whole number", "write the number of the knot as a whole number"},
 };
 
+/// `G70` or `G71` that cuts nothing: where other controllers have it, it chooses the unit.
+void doubt_unit(const Input& in, const FlowStop& stop, Finding& f) {
+  const WordStop at = word_stop(in, stop, "G70 G71");
+  const bool inches = at.word == "G70";
+  if (!stop.interpreter.ends_with("requires a Q word") || (!inches && at.word != "G71")) return;
+  if (find_word(at.line, "* D I R P E") != nullptr) return;
+  f.message = fmt::format("`{}` is a lathe cycle in LinuxCNC, and the line has nothing of one", at.word);
+  f.help = fmt::format("other controllers choose {} with `{}`: write `{}`, or remove it where that is there",
+                       inches ? "inches" : "millimeters", at.word, inches ? "G20" : "G21");
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
+    doubt_unit(in, stop, f);
     relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
     note_start(stop, f);
     return &f;

@@ -9,9 +9,11 @@ ModeSetter last_setter(const Iteration& analysis, RecordId record, StatementId n
   const Program& program = linked.program();
   const Trace& trace = *analysis.trace();
   const auto among = [&](std::span<const ModeChange> changes) {
-    const auto found =
-        std::ranges::find_if(changes, [&](const ModeChange& change) { return (mask_of(change.mode) & modes) != 0; });
-    return found == changes.end() ? uint32_t{0} : found->line;
+    uint32_t last = 0;
+    for (const ModeChange& change : changes) {
+      if ((mask_of(change.mode) & modes) != 0) last = std::max(last, change.line);
+    }
+    return last;
   };
   const auto file_of = [&](StatementId id) { return linked.files()[linked.file_of(id)].program.get(); };
   for (; record != kNoRecord; record = trace.at(record).parent) {

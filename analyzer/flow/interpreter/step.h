@@ -95,7 +95,9 @@ struct AbstractMachine::Step {
     return true;
   }
   void stop_error() {
-    if (settle_before_error()) stop(error()->kind, error()->message);
+    if (!settle_before_error()) return;
+    const LineError& e = *error();
+    out.stop(state, {e.kind, kNoStatement, e.message, {}, {kNoWord, kNoWord, e.decided_by, false, nullptr}});
   }
 
   /// One of the eight documented errors: stops, or under FEATURE 0x20 prints a message. True if the run goes on.

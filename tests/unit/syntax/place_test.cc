@@ -139,6 +139,23 @@ TEST_CASE("rotary axes wrap and index where the INI says so", "[place]") {
   CHECK(stop("G0 B1").empty());
 }
 
+TEST_CASE("compensation takes the tool that is in the spindle", "[place]") {
+  constexpr Tool kTools[] = {{.number = 1, .diameter = 0.125, .orientation = 0, .has_offset = true},
+                             {.number = 4, .diameter = 0.03, .orientation = 2, .has_offset = false}};
+  const MachineWords machine{.remapped = {}, .tools = kTools};
+  const auto stop = [&](const char* program) { return place_stop(program, Place::started(), machine); };
+  const std::string kShort = "Length of cutter compensation entry move is not greater than the tool radius";
+  const std::string kLathe = "G41 with lathe tool, but plane is not G18";
+  CHECK(stop("T1 / M6 / G0 X0 Y0 / G41 / G0 X1") == kShort);
+  CHECK(stop("T1 M6 / G0 X0 Y0 / G41 / G0 X2").empty());
+  CHECK(stop("T4 M6 / G41") == kLathe);
+  CHECK(stop("T1 M6 / T4 / G41").empty());
+  CHECK(stop("T4 M6 / G18 / G41").empty());
+  CHECK(stop("T4 M6 / M61 Q1 / G41").empty());
+  CHECK(stop("T4 M6 G41").empty());
+  CHECK(stop("T4 / G41").empty());
+}
+
 TEST_CASE("two places join to what they share", "[place]") {
   Place a = Place::started(), b = a;
   CHECK(join(a, b) == a);
@@ -149,5 +166,8 @@ TEST_CASE("two places join to what they share", "[place]") {
   CHECK(both.at[Axis::kY].is_unknown());
   CHECK(join(both, a) == both);
   CHECK(join(Place::unknown(), a) == join(a, Place::unknown()));
+  a.loaded_tool = 1;
+  CHECK(join(a, a).loaded_tool == 1);
+  CHECK(join(a, b).loaded_tool == Place::kUnknownTool);
   CHECK(join(Place::unknown(), Place::unknown()) == Place::unknown());
 }
