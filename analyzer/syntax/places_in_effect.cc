@@ -112,8 +112,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   const bool unknown = words.has_unknown_code() || words.has_remapped_code();
   const bool chooses_tool = machine_.tools && words.has('t');
   // Compensation with the tool in the spindle: only where the place is known, it is known which one that is.
-  const bool takes_tool =
-      place_.loaded_tool > 0 && words.code(GGroup::kCutterCompensation) != nullptr && !words.has('d');
+  const GCode* const side = words.code(GGroup::kCutterCompensation);
+  const bool takes_tool = place_.loaded_tool > 0 && side != nullptr && side->tenths != code::kG40 && !words.has('d');
   if (!words.has_axis_words() && !words.has_polar_words() && !has_code_of_place(words) && !unknown && !chooses_tool)
     return false;
   assume(before);
