@@ -1,5 +1,5 @@
-// How far the lines of a program go up to the first from where runs may go elsewhere, as the scanner finds it, and which of them end
-// beyond limits.
+// How far the lines of a program go up to the first from where runs may go elsewhere, as the scanner finds it, and which of them
+// end beyond limits.
 #include <catch2/catch.hpp>
 
 #include "analyzer/syntax/statement.h"
