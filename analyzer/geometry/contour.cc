@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "analyzer/geometry/contour_shape.h"
 
 namespace owlint {
 namespace {
 
+/// Moves that are followed, and segments that are looked at for them.
 constexpr size_t kMostMoves = 100'000;
+constexpr size_t kMostWork = 10'000'000;
+constexpr int kMostPasses = 1000;
+/// People write a few dozen.
+constexpr size_t kMostElements = 10'000;
 
 /// Sends moves to the machine.
 class Tool {
@@ -78,6 +84,7 @@ class Layers {
     return moved(tool_.rapid(to));
   }
   bool lower();
+  bool is_too_much(size_t work);
   Went dive(const ContourSegment& segment);
   Went dive_along_arc(const ContourSegment& segment);
   Went climb(const ContourSegment& segment, bool whole);
@@ -93,6 +100,7 @@ class Layers {
   double height_;
   double layer_;
   size_t segment_ = 0;
+  size_t work_ = 0;
   std::vector<double> rims_;
   ContourOutcome outcome_{};
 };
@@ -101,8 +109,19 @@ bool Layers::lower() {
   while (height_ > at_.imag() + kSameHeight) {
     const double before = height_;
     height_ -= layer_;
-    if (height_ == before) return false;
+    if (height_ == before) {
+      outcome_ = {ContourEnd::kNeverEnds};
+      return false;
+    }
+    if (is_too_much(1)) return false;
   }
+  return true;
+}
+
+bool Layers::is_too_much(size_t work) {
+  work_ += work;
+  if (work_ <= kMostWork) return false;
+  outcome_ = {ContourEnd::kTooLong};
   return true;
 }
 
@@ -219,7 +238,7 @@ ContourOutcome Layers::cut() {
     const Complex from = at_;
     const double from_height = height_;
     const size_t from_segment = segment_;
-    if (!lower()) return {ContourEnd::kNeverEnds};
+    if (!lower() || is_too_much(segments_.size() - segment_)) return outcome_;
     Went went = dive(segments_[segment_]);
     if (went == Went::kUp) {
       const bool passes = words_.cut == ContourWords::Cut::kNoPockets;
@@ -242,6 +261,7 @@ ContourOutcome Layers::cut() {
 
 /// Along the whole shape, in passes that come closer to it.
 ContourOutcome finish(const ContourShape& shape, const ContourWords& words, ContourMoves& moves) {
+  if (!(words.p < kMostPasses)) return {ContourEnd::kTooLong};
   for (int pass = static_cast<int>(words.p); pass > 0; --pass) {
     ContourShape aside = shape;
     ContourOutcome outcome = aside.shift((pass - 1) * (words.d - words.e) / words.p + words.e);
@@ -269,11 +289,11 @@ ContourOutcome rough(ContourShape& shape, const ContourWords& words, ContourMove
 
 }  // namespace
 
-ContourOutcome cut_contour(PlanePoint start, std::span<const ContourElement> elements, const ContourWords& words,
-                           ContourMoves& moves) {
+ContourOutcome cut_contour(std::span<const ContourElement> elements, const ContourWords& words, ContourMoves& moves) {
   if (elements.size() < 2) return {};
+  if (elements.size() > kMostElements) return {ContourEnd::kTooLong};
   if (words.i <= 0) return {ContourEnd::kStops, "G7X error: I must be greater than zero."};
-  ContourShape shape(start, elements);
+  ContourShape shape(elements);
   if (ContourOutcome prepared = shape.prepare(words); prepared.end != ContourEnd::kDone) {
     prepared.unsure = shape.is_unsure();
     return prepared;

@@ -16,7 +16,8 @@ struct ContourElement {
   enum class Kind : uint8_t { kLine, kClockwise, kCounterclockwise, kFillet, kChamfer };
   Kind kind = Kind::kLine;
   bool by_radius = false;  ///< an arc: the word `R` is in `size`, else the center is known
-  PlanePoint end{};        ///< not of a corner
+  PlanePoint start{};      ///< both are at the corner if it is one
+  PlanePoint end{};
   PlanePoint center{};     ///< where it is
   double size = 0;         ///< of a corner; or `R`
 };
@@ -57,8 +58,7 @@ struct ContourOutcome {
   bool unsure = false;            ///< rounding may lead elsewhere
 };
 
-/// Cuts along the elements of a sub, from this point on. Elements of which the first is no corner.
-ContourOutcome cut_contour(PlanePoint start, std::span<const ContourElement> elements, const ContourWords& words,
-                           ContourMoves& moves);
+/// Cuts along the elements of a sub, of which the first is no corner, from its start on.
+ContourOutcome cut_contour(std::span<const ContourElement> elements, const ContourWords& words, ContourMoves& moves);
 
 }  // namespace owlint

@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kLeastSegment = 0.001;
 constexpr double kGap = 0.01;
+/// Segments that are looked at while a shape moves aside.
+constexpr size_t kMostWork = 1'000'000;
 constexpr const char* kNotMonotonic = "G7X error: Not monotonic";
 constexpr const char* kParallel = "G7X error: Cannot intersect parallel lines";
 
@@ -35,30 +37,26 @@ bool all_monotonic(std::span<const ContourSegment> segments) {
 
 }  // namespace
 
-ContourShape::ContourShape(PlanePoint start, std::span<const ContourElement> elements) {
+ContourShape::ContourShape(std::span<const ContourElement> elements) {
   segments_.reserve(elements.size() + 1);
-  Complex at = complex(start);
-  for (const ContourElement& element : elements) {
-    add(element, at);
-    at = segments_.back().end;
-  }
+  for (const ContourElement& element : elements) add(element);
 }
 
-void ContourShape::add(const ContourElement& element, Complex from) {
+void ContourShape::add(const ContourElement& element) {
   using Kind = ContourElement::Kind;
   ContourSegment segment;
   segment.corner = element.kind == Kind::kFillet || element.kind == Kind::kChamfer;
-  segment.start = from;
-  segment.end = segment.corner ? from : complex(element.end);
+  segment.start = complex(element.start);
+  segment.end = complex(element.end);
   const bool clockwise = element.kind == Kind::kClockwise;
   if (clockwise) segment.kind = ContourSegment::Kind::kClockwise;
   if (element.kind == Kind::kCounterclockwise || element.kind == Kind::kFillet)
     segment.kind = ContourSegment::Kind::kCounterclockwise;
   if (segment.corner) {
-    segment.center = from;
+    segment.center = segment.start;
     segment.size_of_corner = element.size;
   } else if (!segment.is_line()) {
-    segment.center = element.by_radius ? center_by_radius(from, segment.end, element.size, clockwise)
+    segment.center = element.by_radius ? center_by_radius(segment.start, segment.end, element.size, clockwise)
                                        : complex(element.center);
   }
   segments_.push_back(segment);
@@ -159,8 +157,11 @@ ContourOutcome ContourShape::shift(double distance) {
   const double sign = (first_way / whole_way).imag() < 0 ? -1 : 1;
   ContourSegment first = segments_.front();
   segments_.erase(segments_.begin());
+  size_t work = 0;
   for (double done = 0; done < distance;) {
     if (segments_.empty()) return kCrash;
+    work += segments_.size();
+    if (work > kMostWork) return {ContourEnd::kTooLong};
     double least = std::ranges::min_element(segments_, {}, &ContourSegment::size)->size();
     const double step = std::min(distance - done, least / 2);
     if (const ContourOutcome moved = shift_step(sign * step); !goes_on(moved)) return moved;
@@ -212,7 +213,9 @@ void ContourShape::close_gaps(const std::vector<Complex>& corners, bool outwards
 }
 
 ContourOutcome ContourShape::join_all() {
+  size_t work = 0;
   for (size_t i = 0; i < segments_.size();) {
+    if (++work > kMostWork) return {ContourEnd::kTooLong};
     ContourSegment& segment = segments_[i];
     const auto at = segments_.begin() + static_cast<ptrdiff_t>(i);
     if (!segment.is_monotonic()) {

@@ -12,7 +12,7 @@ namespace owlint {
 
 class ContourShape {
  public:
-  ContourShape(PlanePoint start, std::span<const ContourElement> elements);
+  explicit ContourShape(std::span<const ContourElement> elements);
 
   /// Turns and mirrors it, makes its corners, and checks its direction.
   ContourOutcome prepare(const ContourWords& words);
@@ -29,7 +29,7 @@ class ContourShape {
   bool is_mirrored() const { return mirrored_x_ != mirrored_z_; }
 
  private:
-  void add(const ContourElement& element, Complex from);
+  void add(const ContourElement& element);
   void turn();
   void mirror();
   bool passes_without_first() const;

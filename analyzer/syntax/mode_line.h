@@ -23,16 +23,18 @@ inline constexpr double kWholeSlack = 0.0001;
 class ModeLine : public ModeFaults {
  public:
   ModeLine(const MachineWords& machine, const WordLine& words, ModeState* state, std::vector<ModeFault>* faults,
-           Place* place)
-      : ModeFaults(state, faults), machine_(machine), words_(words), place_(place) {}
+           Place* place, const ContourSub* contour)
+      : ModeFaults(state, faults), machine_(machine), words_(words), place_(place), contour_(contour) {}
   /// The same line, on some runs.
   ModeLine(const ModeLine& line, ModeState* state, std::vector<ModeFault>* faults, Place* place)
-      : ModeLine(line.machine_, line.words_, state, faults, place) {}
+      : ModeLine(line.machine_, line.words_, state, faults, place, line.contour_) {}
 
   const MachineWords& machine() const { return machine_; }
   const WordLine& words() const { return words_; }
   /// Null if positions are not followed.
   Place* place() const { return place_; }
+  /// The sub of a contour; null if its lines are not known.
+  const ContourSub* contour() const { return contour_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
   /// Where the machine is not known, a line that chooses one says so.
@@ -69,6 +71,7 @@ class ModeLine : public ModeFaults {
   const MachineWords& machine_;
   const WordLine& words_;
   Place* const place_;
+  const ContourSub* const contour_;
 };
 
 /// The checks of the complete line, and its motion: for each motion that may be in effect (mode_motion.cc).

@@ -99,7 +99,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
   ModeRun(machine_, words).run(&assumed_, &faults_, &place_);
   const bool stops = std::ranges::any_of(
       faults_, [](const ModeFault& fault) { return fault.by_place && (fault.fault.certain || fault.believed); });
-  if (!left_ && (stops || computed || block_delete || unknown)) leave(start);
+  const bool cuts = contains(kContours, motion);
+  if (!left_ && (stops || computed || block_delete || unknown || cuts)) leave(start);
   if (!left_) return false;
   const bool moves = words.has_axis_words() || words.has_polar_words();
   const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
@@ -123,14 +124,15 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, bool b
     note(line, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
     return false;
   }
-  if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops) return false;
+  if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops && !cuts) return false;
   if (questions_ == kMostQuestions && !asked) {
     note_lost();
     return false;
   }
   if (!asked) ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
-  if (stops || pauses || words.has_polar_words() || (moves && (compensates || !contains(kStraightMoves, motion))))
+  if (stops || pauses || cuts || words.has_polar_words() ||
+      (moves && (compensates || !contains(kStraightMoves, motion))))
     out_.asks_place = true;
   return true;
 }

@@ -7,6 +7,7 @@
 #include "analyzer/flow/domain/modes.h"
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/mode_line.h"
 #include "analyzer/syntax/questions.h"
 
 namespace owlint::flow {
@@ -15,6 +16,11 @@ namespace {
 bool has_store(const WordLine& words) {
   const MCode* const code = words.code(MGroup::kSpindle);
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
+}
+
+bool cuts_contour(const WordLine& words) {
+  const GCode* const motion = words.code(GGroup::kMotion);
+  return motion != nullptr && contains(kContours, motion->motion);
 }
 
 /// Modes of which it is told where a program has not set them.
@@ -90,9 +96,11 @@ void ModeUses::find_followed() {
   for (const Statement& s : program_.syntax.statements) {
     if (s.kind != LineKind::kModeLine) continue;
     run(s, &faults);
-    if (stores) continue;
     WordLine words(machine_);
-    stores = read_words(program_.syntax, s, words) && has_store(words);
+    if (!read_words(program_.syntax, s, words)) continue;
+    stores = stores || has_store(words);
+    // Whether it feeds depends on the lines of its sub.
+    if (cuts_contour(words)) followed_ |= mask_of(Mode::kFeed) | mask_of(Mode::kSpeed);
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
   refuses_ = !faults.empty();

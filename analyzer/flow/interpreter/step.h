@@ -235,6 +235,8 @@ struct AbstractMachine::Step {
   void plain();
   void m98();
   void modes();
+  std::optional<ContourSub> contour_sub() const;
+  StatementId contour_opener(NameId sub) const;
   bool refuses_words(const Statement& asks);
   bool is_mistake(StopKind kind, std::string_view message) const;
   bool read_words(const Statement& asks, WordLine& words);
@@ -245,6 +247,7 @@ struct AbstractMachine::Step {
   void machine_check();
   void repeated_word(const LineError& repeated);
   bool may_end(const Statement& line) const;
+  static bool passes_in_contour(const LineError& error);
   void call_elsewhere(FullLabel sub);
   bool times_called(const Evaluation& of_l, int* times);
   void m99();

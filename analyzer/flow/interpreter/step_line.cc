@@ -61,7 +61,7 @@ void AbstractMachine::Step::plain() {
   state.parameters = std::move(after);
   if (m.mode_uses_.follows_place(here)) write_offsets();
   if (may_end(s)) out.end(state);
-  if (context.contour && error() != nullptr && is_of_execution(error()->kind)) return next_line();
+  if (context.contour && error() != nullptr && passes_in_contour(*error())) return next_line();
   if (error() != nullptr && error()->first_value != kNoExpr) return repeated_word(*error());
   if (error() != nullptr) return stop_error();
   if (e.read_only != kNoName) {
@@ -82,6 +82,12 @@ void AbstractMachine::Step::plain() {
     Evaluator::call_outside(state.parameters);
   }
   next_line();
+}
+
+/// What no line of a contour stops with: nothing of it is executed, and some axes may be named that the machine does not have.
+bool AbstractMachine::Step::passes_in_contour(const LineError& error) {
+  if (is_of_execution(error.kind)) return true;
+  return error.message == "Bad character 'u' used" || error.message == "Bad character 'w' used";
 }
 
 /// Whether the line has an M code that is computed: it may be M2.

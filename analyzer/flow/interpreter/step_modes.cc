@@ -111,7 +111,8 @@ void AbstractMachine::Step::modes() {
   faults.clear();
   std::optional<Place> place;
   if (goes) place = m.modes_.place(state.parameters);
-  run.act(&after, &faults, place ? &*place : nullptr);
+  const std::optional<ContourSub> contour = place ? contour_sub() : std::nullopt;
+  run.act(&after, &faults, place ? &*place : nullptr, contour ? &*contour : nullptr);
   if (s.for_place) std::erase_if(faults, [](const ModeFault& fault) { return !fault.by_place; });
   if (!take_faults(faults)) return;
   if (!s.for_place) m.modes_.set(state.parameters, after);
