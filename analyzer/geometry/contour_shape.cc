@@ -9,7 +9,7 @@ namespace {
 constexpr double kLeastSegment = 0.001;
 constexpr double kGap = 0.01;
 /// Segments that are looked at while a shape moves aside.
-constexpr size_t kMostWork = 1'000'000;
+constexpr size_t kMostSegments = 1'000'000;
 constexpr const char* kNotMonotonic = "G7X error: Not monotonic";
 constexpr const char* kParallel = "G7X error: Cannot intersect parallel lines";
 
@@ -161,7 +161,7 @@ ContourOutcome ContourShape::shift(double distance) {
   for (double done = 0; done < distance;) {
     if (segments_.empty()) return kCrash;
     work += segments_.size();
-    if (work > kMostWork) return {ContourEnd::kTooLong};
+    if (work > kMostSegments) return {ContourEnd::kTooLong};
     double least = std::ranges::min_element(segments_, {}, &ContourSegment::size)->size();
     const double step = std::min(distance - done, least / 2);
     if (const ContourOutcome moved = shift_step(sign * step); !goes_on(moved)) return moved;
@@ -215,7 +215,7 @@ void ContourShape::close_gaps(const std::vector<Complex>& corners, bool outwards
 ContourOutcome ContourShape::join_all() {
   size_t work = 0;
   for (size_t i = 0; i < segments_.size();) {
-    if (++work > kMostWork) return {ContourEnd::kTooLong};
+    if (++work > kMostSegments) return {ContourEnd::kTooLong};
     ContourSegment& segment = segments_[i];
     const auto at = segments_.begin() + static_cast<ptrdiff_t>(i);
     if (!segment.is_monotonic()) {

@@ -6,7 +6,7 @@
 namespace owlint {
 namespace {
 
-constexpr int kTenths = 10;
+constexpr int kTenthsInOne = 10;
 
 const double* value_of(std::span<const ContourWord> words, char letter) {
   const auto last =
@@ -19,7 +19,7 @@ int motion_code(std::span<const ContourWord> words) {
   int code = -1;
   for (const ContourWord& word : words) {
     if (word.letter != 'g') continue;
-    const int tenths = static_cast<int>(std::lround(word.value * kTenths));
+    const int tenths = static_cast<int>(std::lround(word.value * kTenthsInOne));
     const GCode* const row = g_code(tenths, Release::k2_10);
     if (row != nullptr && row->group == GGroup::kMotion) code = tenths;
   }

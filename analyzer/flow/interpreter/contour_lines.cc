@@ -11,15 +11,16 @@ namespace {
 /// More than people write by hand.
 constexpr uint64_t kMostBytes = 1'000'000;
 
-/// Whether a statement within the sub is nothing but words with known numbers.
-bool is_plain(const Syntax& syntax, const Statement& s) {
+/// Whether a statement within the sub is nothing but words with known numbers. `passes`: for its error.
+template <typename Passes>
+bool is_plain(const Syntax& syntax, const Statement& s, const Passes& passes) {
   if (s.block_delete) return false;
   if (s.kind == LineKind::kModeLine || s.kind == LineKind::kAbort) return true;
+  if (s.kind == LineKind::kMachineCheck) return passes(syntax.errors[s.first]);
   if (s.kind == LineKind::kProgramEnd) return s.item_count == 0 && !s.has_error();
   if (s.kind != LineKind::kWords || s.item_count > 0) return false;
   const LineError* const error = syntax.error(s);
-  return error == nullptr || is_of_execution(error->kind) || error->message == "Bad character 'u' used" ||
-      error->message == "Bad character 'w' used";
+  return error == nullptr || passes(*error);
 }
 
 /// Adds the words of a line. False if one is not known.
@@ -50,7 +51,7 @@ std::optional<ContourSub> AbstractMachine::Step::contour_sub() const {
   const Region& region = m.program_.regions[m.program_.region_of[opener]];
   if (region.opener != opener || region.end == kNoStatement || region.early_end != kNoStatement) return std::nullopt;
   for (StatementId id = opener + 1; id < region.end; ++id) {
-    if (!is_plain(m.program_.syntax, m.program_.at(id))) return std::nullopt;
+    if (!is_plain(m.program_.syntax, m.program_.at(id), passes_in_contour)) return std::nullopt;
   }
   const Source& source = m.linked_.source_of(opener);
   const uint64_t begin = m.program_.at(opener).end() + 1, end = m.program_.at(region.end).offset;

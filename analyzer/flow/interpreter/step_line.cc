@@ -117,6 +117,7 @@ void AbstractMachine::Step::user_code() {
 
 void AbstractMachine::Step::machine_check() {
   const LineError& what = m.program_.syntax.errors[s.first];
+  if (context.contour && passes_in_contour(what)) return next_line();
   if (is_mistake(what.kind, what.message)) return stop(what.kind, what.message);
   may_stop(what.kind, what.message);
   next_line();
