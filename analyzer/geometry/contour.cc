@@ -188,8 +188,8 @@ Layers::Went Layers::climb_along_rest() {
     const auto crossings = segment.crossings(at_.imag());
     if (crossings.empty()) continue;
     const Complex from = segment.is_clockwise() ? crossings.last() : crossings.first();
-    if (!segment.is_line() && (segment.is_clockwise() ? from.real() > segment.center.real()
-                                                       : from.real() < segment.center.real()))
+    if (!segment.is_line() &&
+        (segment.is_clockwise() ? from.real() > segment.center.real() : from.real() < segment.center.real()))
       continue;
     at_ = from;
     if (!tool_.feed(at_)) return moved(false);
@@ -200,9 +200,9 @@ Layers::Went Layers::climb_along_rest() {
 
 Layers::Went Layers::cut_to(Complex point) {
   const double lift = std::min(words_.r, std::abs(point - at_) / 2);
-  const Went went = moved(tool_.feed(point) && tool_.rapid(point + lift * Complex(1, 1)) &&
-                          tool_.rapid(at_ + lift * Complex(-1, 1)) &&
-                          (in_the_air() ? tool_.rapid(at_) : tool_.feed(at_)));
+  const Went went =
+      moved(tool_.feed(point) && tool_.rapid(point + lift * Complex(1, 1)) &&
+            tool_.rapid(at_ + lift * Complex(-1, 1)) && (in_the_air() ? tool_.rapid(at_) : tool_.feed(at_)));
   height_ -= layer_;
   return went;
 }

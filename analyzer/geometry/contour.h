@@ -1,5 +1,5 @@
-// Lathe contours, G70 to G72.2: which moves the interpreter makes of the lines of a sub, and where it gives up. Pure arithmetic in
-// the ZX plane; words, modes and what the moves themselves need are the caller's. Source: measured with rs274, see
+// Lathe contours, G70 to G72.2: which moves the interpreter makes of the lines of a sub, and where it gives up. Pure arithmetic
+// in the ZX plane; words, modes and what the moves themselves need are the caller's. Source: measured with rs274, see
 // docs/interpreter.md.
 #pragma once
 
@@ -18,8 +18,8 @@ struct ContourElement {
   bool by_radius = false;  ///< an arc: the word `R` is in `size`, else the center is known
   PlanePoint start{};      ///< both are at the corner if it is one
   PlanePoint end{};
-  PlanePoint center{};     ///< where it is
-  double size = 0;         ///< of a corner; or `R`
+  PlanePoint center{};  ///< where it is
+  double size = 0;      ///< of a corner; or `R`
 };
 
 struct ContourWords {

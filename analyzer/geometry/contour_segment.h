@@ -25,7 +25,7 @@ struct ContourSegment {
   };
 
   Kind kind = Kind::kLine;
-  bool corner = false;   ///< its ends are not known yet, `size_of_corner` is
+  bool corner = false;  ///< its ends are not known yet, `size_of_corner` is
   double size_of_corner = 0;
   Complex start{}, end{};
   Complex center{};  ///< of an arc

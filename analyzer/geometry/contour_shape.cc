@@ -31,8 +31,8 @@ Complex center_by_radius(Complex start, Complex end, double radius, bool clockwi
 }
 
 bool all_monotonic(std::span<const ContourSegment> segments) {
-  return std::ranges::all_of(
-      segments, [](const ContourSegment& segment) { return segment.corner || segment.is_monotonic(); });
+  return std::ranges::all_of(segments,
+                             [](const ContourSegment& segment) { return segment.corner || segment.is_monotonic(); });
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A lathe contour made ready to be cut: with its corners, and in a direction in which it goes towards smaller Z, as a tool does that
-// turns the outside of a part from the right.
+// A lathe contour made ready to be cut: with its corners, and in a direction in which it goes towards smaller Z, as a tool does
+// that turns the outside of a part from the right.
 #pragma once
 
 #include <span>

@@ -28,6 +28,17 @@ int motion_code(std::span<const ContourWord> words) {
 
 }  // namespace
 
+bool ContourSub::repeats_steps(bool incremental) const {
+  const bool steps = incremental ||
+      std::ranges::any_of(words, [](const ContourWord& word) { return word.letter == 'u' || word.letter == 'w'; });
+  size_t begin = 0;
+  for (const size_t end : ends) {
+    if (steps && begin == end) return true;
+    begin = end;
+  }
+  return false;
+}
+
 const char* ContourReader::read(const ContourSub& sub) {
   size_t begin = 0;
   for (const size_t end : sub.ends) {

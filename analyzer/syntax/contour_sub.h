@@ -19,6 +19,9 @@ struct ContourWord {
 struct ContourSub {
   std::vector<ContourWord> words;
   std::vector<size_t> ends;  ///< by line: where its words end
+
+  /// Whether a line without words may repeat the steps of the line before it (measured).
+  bool repeats_steps(bool incremental) const;
 };
 
 /// Modes of the line that cuts the contour.
@@ -36,6 +39,8 @@ class ContourReader {
   /// Reads the lines. The message if the interpreter stops at one of them, else null.
   const char* read(const ContourSub& sub);
   const std::vector<ContourElement>& elements() const { return elements_; }
+  /// Where the last line ends: there the interpreter takes the machine to be if nothing is cut.
+  PlanePoint at() const { return at_; }
 
  private:
   const char* line(std::span<const ContourWord> words);

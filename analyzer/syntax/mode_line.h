@@ -17,6 +17,12 @@ inline constexpr MotionSet kSplines =
 inline constexpr MotionSet kContours = set_of(Motion::kG70) | set_of(Motion::kG71) | set_of(Motion::kG71_1) |
     set_of(Motion::kG71_2) | set_of(Motion::kG72) | set_of(Motion::kG72_1) | set_of(Motion::kG72_2);
 
+/// What such a line stops with hangs on the lines of a sub.
+inline bool cuts_contour(const WordLine& words) {
+  const GCode* const motion = words.code(GGroup::kMotion);
+  return motion != nullptr && contains(kContours, motion->motion);
+}
+
 /// How far from a whole number the number of a tool or an orientation may be.
 inline constexpr double kWholeSlack = 0.0001;
 

@@ -14,8 +14,8 @@ constexpr auto kAlong = static_cast<size_t>(Axis::kZ), kAcross = static_cast<siz
 std::optional<ContourWords> contour_words(const ModeLine& line, Motion motion) {
   using Cut = ContourWords::Cut;
   ContourWords words;
-  for (const auto& [letter, into] : {std::pair{'d', &words.d}, {'e', &words.e}, {'i', &words.i}, {'p', &words.p},
-                                     {'r', &words.r}}) {
+  for (const auto& [letter, into] :
+       {std::pair{'d', &words.d}, {'e', &words.e}, {'i', &words.i}, {'p', &words.p}, {'r', &words.r}}) {
     if (!line.has(letter)) continue;
     const double* const value = line.value(letter);
     if (value == nullptr) return std::nullopt;
@@ -31,8 +31,7 @@ std::optional<ContourWords> contour_words(const ModeLine& line, Motion motion) {
 /// Makes the moves, from a point on.
 class Cutting : public ContourMoves {
  public:
-  Cutting(ModeLine& line, PlanePoint at)
-      : line_(line), at_(at), inch_(line.only(Mode::kUnits) == modes::kG20) {}
+  Cutting(ModeLine& line, PlanePoint at) : line_(line), at_(at), inch_(line.only(Mode::kUnits) == modes::kG20) {}
 
   bool move(const ContourMove& move) override {
     using Kind = ContourMove::Kind;
@@ -110,7 +109,8 @@ bool cut_contour(ModeLine& line, Motion motion) {
   const auto modes = contour_modes(line);
   const auto words = contour_words(line, motion);
   const Coordinate along = start[kAlong], across = start[kAcross];
-  if (line.contour() == nullptr || !modes || !words || along.is_unknown() || across.is_unknown()) {
+  const bool readable = line.contour() != nullptr && modes && !line.contour()->repeats_steps(modes->incremental);
+  if (!readable || !words || along.is_unknown() || across.is_unknown()) {
     lose_point(line);
     return false;
   }
@@ -128,11 +128,10 @@ bool cut_contour(ModeLine& line, Motion motion) {
     if (stops_cutting(line, verdict, outcome.unsure, *moves.refused())) return true;
   }
   const bool known = outcome.end == ContourEnd::kDone && !outcome.unsure && anywhere;
-  const bool stays = reader.elements().size() < 2;
-  if (!known || (stays && modes->incremental)) {
-    lose_point(line);
+  if (known) {
+    leave_contour(line, reader.elements().size() < 2 ? reader.at() : moves.at());
   } else {
-    leave_contour(line, moves.at());
+    lose_point(line);
   }
   return false;
 }

@@ -1,8 +1,8 @@
 // What the interpreter does with a line of words in the modes that may be in effect: the checks of the complete line, then its
 // words one after the other in the order in which they act. The line stops at the first that the modes refuse; what passes
-// changes them. Positions are followed if the caller has a Place: then what an arc or a cycle stops with for its numbers is here,
-// too; what a lathe contour stops with, if he also has the lines of its sub. What needs the tool in the spindle (G10 L0) is not, or
-// the program of a user code.
+// changes them. Positions are followed if the caller has a Place: then what an arc or a cycle stops with for its numbers is
+// here, too; and what a lathe contour stops with, if the caller also has the lines of its sub. What needs the tool in the
+// spindle (G10 L0) is not, or the program of a user code.
 #pragma once
 
 #include <optional>

@@ -23,12 +23,6 @@ bool asks_inputs(const WordLine& words) {
       (input != nullptr && input->number == code::kM66);
 }
 
-/// What such a line stops with hangs on the lines of a sub.
-bool cuts_contour(const WordLine& words) {
-  const GCode* const motion = words.code(GGroup::kMotion);
-  return motion != nullptr && contains(kContours, motion->motion);
-}
-
 /// See moved().
 constexpr ModeMask of_moves(bool alone) {
   return mask_of(Mode::kEntry) |

@@ -17,7 +17,8 @@ constexpr std::string_view kContours = "G70 G71 G71.1 G71.2 G72 G72.1 G72.2";
 constexpr std::array kSaid = {
     Said{"requires a Q word", kContours, "has no `Q`", "write `Q` and the number of the sub with the contour"},
     Said{"Not monotonic", kContours, "cuts a contour that turns back",
-         "let Z go in one direction from line to line, with `G72` X; no arc may pass its leftmost or rightmost point, with "
+         "let Z go in one direction from line to line, with `G72` X; no arc may pass its leftmost or rightmost point, "
+         "with "
          "`G72` its highest or lowest one"},
     Said{"Cannot intersect parallel lines", kContours,
          "moves the contour aside, and two lines in one direction do not meet then", "write the two lines as one"},
@@ -28,15 +29,17 @@ constexpr std::array kSaid = {
     Said{"I must be greater than zero", "I", "is no depth of a layer", "write an `I` above 0"},
     Said{"both R and I or K", kContours, "cuts a contour with an arc that has both a radius and a center",
          "write either `R`, or `I` and `K`, in the sub"},
-    Said{"either I or K must be present", kContours, "cuts a contour with an arc that has neither a radius nor a center",
-         "write `I` and `K`, or `R`, in the sub"},
+    Said{"either I or K must be present", kContours,
+         "cuts a contour with an arc that has neither a radius nor a center", "write `I` and `K`, or `R`, in the sub"},
     Said{"Both A and C parameters", kContours, "cuts a contour with both a fillet and a chamfer at one corner",
          "write either `A` or `C` in the sub"},
     Said{"in incremental mode (G91)", kContours, "cuts a contour with `U` or `W` while `G91` is in effect",
          "write `X` and `Z` in the sub: in `G91` they are steps as well"},
-    Said{"in the same block", kContours, "cuts a contour with a line that names one axis twice, as a place and as a step",
+    Said{"in the same block", kContours,
+         "cuts a contour with a line that names one axis twice, as a place and as a step",
          "write either `X` or `U`, and either `Z` or `W`, in the sub"},
-    Said{"Radius to end of arc differs", kContours, "cuts a contour with an arc whose ends are not equally far from its center",
+    Said{"Radius to end of arc differs", kContours,
+         "cuts a contour with an arc whose ends are not equally far from its center",
          "correct `I`, `K` or the end of the arc in the sub"},
     Said{"Zero-radius arc", kContours, "cuts a contour with an arc that has its center at one of its ends",
          "correct `I`, `K` or the end of the arc in the sub"},
@@ -95,9 +98,9 @@ extern const Rule kOw908{
     .page =
         {
             .what =
-                R"(A `G70` to `G72.2` without `Q`, or with a sub whose lines do not make a contour that can be cut; a spline (`G5`, `G5.1`) without its control points, or with an axis other than
-X and Y; a NURBS curve (`G5.2`, `G5.3`) with points that lack a word or with too few of them; a `G76` whose
-`I`, `J` and `K` do not make a thread.)",
+                R"(A `G70` to `G72.2` without `Q`, or with a sub whose lines do not make a contour that can be cut; a spline
+(`G5`, `G5.1`) without its control points, or with an axis other than X and Y; a NURBS curve (`G5.2`, `G5.3`)
+with points that lack a word or with too few of them; a `G76` whose `I`, `J` and `K` do not make a thread.)",
             .why =
                 R"(LinuxCNC stops with `Must specify both P and Q with G5`, `You must specify a number of control points at
 least equal to the order L = 3`, `In G76, K must be greater than J` and the like.

@@ -18,11 +18,6 @@ bool has_store(const WordLine& words) {
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
 }
 
-bool cuts_contour(const WordLine& words) {
-  const GCode* const motion = words.code(GGroup::kMotion);
-  return motion != nullptr && contains(kContours, motion->motion);
-}
-
 /// Modes of which it is told where a program has not set them.
 bool is_assumed(Mode mode) { return mode == Mode::kUnits || mode == Mode::kDistance || mode == Mode::kPlane; }
 

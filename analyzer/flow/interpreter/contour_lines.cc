@@ -39,8 +39,7 @@ bool add_line(std::string_view text, uint64_t offset, ContourSub* sub) {
 /// The lines of the sub that the contour of this line calls; nothing if they may be others, or compute anything.
 std::optional<ContourSub> AbstractMachine::Step::contour_sub() const {
   StatementId cut = here + 1;
-  while (cut < m.program_.size() && on_one_line(m.program_.at(cut), s) &&
-         m.program_.at(cut).kind != LineKind::kContour)
+  while (cut < m.program_.size() && on_one_line(m.program_.at(cut), s) && m.program_.at(cut).kind != LineKind::kContour)
     ++cut;
   if (cut >= m.program_.size() || !on_one_line(m.program_.at(cut), s)) return std::nullopt;
   const Statement& line = m.program_.at(cut);
