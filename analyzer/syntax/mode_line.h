@@ -18,17 +18,23 @@ inline constexpr MotionSet kSplines =
 inline constexpr MotionSet kContours = set_of(Motion::kG70) | set_of(Motion::kG71) | set_of(Motion::kG71_1) |
     set_of(Motion::kG71_2) | set_of(Motion::kG72) | set_of(Motion::kG72_1) | set_of(Motion::kG72_2);
 
+/// What such a line stops with hangs on the lines of a sub.
+inline bool cuts_contour(const WordLine& words) {
+  const GCode* const motion = words.code(GGroup::kMotion);
+  return motion != nullptr && contains(kContours, motion->motion);
+}
+
 /// How far from a whole number the number of a tool or an orientation may be.
 inline constexpr double kWholeSlack = 0.0001;
 
 class ModeLine : public ModeFaults {
  public:
   ModeLine(const MachineWords& machine, const WordLine& words, ModeState* state, std::vector<ModeFault>* faults,
-           Place* place, MoveWatch watch = {})
-      : ModeFaults(state, faults), machine_(machine), words_(words), place_(place), watch_(watch) {}
+           Place* place, MoveWatch watch = {}, const ContourSub* contour = nullptr)
+      : ModeFaults(state, faults), machine_(machine), words_(words), place_(place), watch_(watch), contour_(contour) {}
   /// The same line, on some runs; nobody is told where it goes.
   ModeLine(const ModeLine& line, ModeState* state, std::vector<ModeFault>* faults, Place* place)
-      : ModeLine(line.machine_, line.words_, state, faults, place) {}
+      : ModeLine(line.machine_, line.words_, state, faults, place, {}, line.contour_) {}
 
   const MachineWords& machine() const { return machine_; }
   const WordLine& words() const { return words_; }
@@ -36,6 +42,8 @@ class ModeLine : public ModeFaults {
   Place* place() const { return place_; }
   /// Who is told where the line goes; only with a place.
   const MoveWatch& watch() const { return watch_; }
+  /// The sub of a contour; null if its lines are not known.
+  const ContourSub* contour() const { return contour_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
   /// Where the machine is not known, a line that chooses one says so.
@@ -75,6 +83,7 @@ class ModeLine : public ModeFaults {
   const WordLine& words_;
   Place* const place_;
   const MoveWatch watch_;
+  const ContourSub* const contour_;
 };
 
 /// The checks of the complete line, and its motion: for each motion that may be in effect (mode_motion.cc).

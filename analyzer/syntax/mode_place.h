@@ -104,6 +104,9 @@ void wait_on_path(ModeLine& line);
 bool starts_at_end(ModeLine& line, const Point& end);
 bool moves_rotary_axes(ModeLine& line, const Point& end);
 
+/// A lathe contour is cut, with compensation off; true if it does not come to its end.
+bool cut_contour(ModeLine& line, Motion motion);
+
 // Offsets.
 void lose_offsets(ModeLine& line);
 void change_units(ModeLine& line, Answer changes);

@@ -119,14 +119,15 @@ bool ModeRun::check(ModeState* state, std::vector<ModeFault>* faults) const {
   return !stops_before_it_acts(machine_, line_, state, faults);
 }
 
-bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place, MoveWatch watch) const {
+bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place, MoveWatch watch,
+                  const ContourSub* contour) const {
   if (line_.has_unknown_code() || line_.has_remapped_code()) {
     *state = ModeState::unknown();
     if (place != nullptr) *place = Place::unknown();
     if (watch.visitor != nullptr) watch.visitor->lose(watch.line, kAllAxes);
     return true;
   }
-  ModeLine line(machine_, line_, state, faults, place, watch);
+  ModeLine line(machine_, line_, state, faults, place, watch, contour);
   if (stops_at(kFirstSteps, line)) return false;
   const bool restores = line.code(MGroup::kSpindle) == code::kM72;
   if (restores ? !run_from_m72(line) : stops_at(kRest, line)) return false;

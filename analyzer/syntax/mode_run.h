@@ -1,14 +1,15 @@
 // What the interpreter does with a line of words in the modes that may be in effect: the checks of the complete line, then its
 // words one after the other in the order in which they act. The line stops at the first that the modes refuse; what passes
-// changes them. Positions are followed if the caller has a Place: then what an arc or a cycle stops with for its numbers is here,
-// too. What a compensated path or a lathe contour stops with is not, nor what needs the tool in the spindle (G10 L0), or the
-// program of a user code.
+// changes them. Positions are followed if the caller has a Place: then what an arc or a cycle stops with for its numbers is
+// here, too; and what a lathe contour stops with, if the caller also has the lines of its sub. What needs the tool in the
+// spindle (G10 L0) is not, or the program of a user code.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "analyzer/geometry/arc.h"
+#include "analyzer/syntax/contour_sub.h"
 #include "analyzer/syntax/modes.h"
 #include "analyzer/syntax/moves.h"
 #include "analyzer/syntax/place.h"
@@ -64,7 +65,8 @@ class ModeRun {
   }
   /// Its two parts: the checks before the line does anything, even set parameters, and what it does.
   bool check(ModeState* state, std::vector<ModeFault>* faults) const;
-  bool act(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr, MoveWatch watch = {}) const;
+  bool act(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr, MoveWatch watch = {},
+           const ContourSub* contour = nullptr) const;
   /// Like act(), a part of a line with remapped codes, which themselves do nothing here.
   bool act_part(const LinePart& part, ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr,
                 MoveWatch watch = {}) const;

@@ -221,11 +221,15 @@ bool contour(ModeLine& line, Motion motion) {
       line.stop_in({kOtherPlane}, StopKind::kPlaneWrong, name_of_contour(code) + " can only be used in XZ plane (G18)",
                    line.mover()))
     return true;
-  // What it cuts is not followed.
-  places::lose_moves(line, axis_set(0) | axis_set(2));
-  places::lose_point(line);
-  line.set_open(Mode::kStraightOwed);
-  if (line.holds({kCompensationMoves}) != Answer::kNo) line.set_open(Mode::kEntry);
+  places::lose_moves(line, axis_set(0) | axis_set(2));  // it goes to and fro along its contour
+  if (line.holds({kCompensationOn}) == Answer::kNo) {
+    owe_nothing(line);
+    if (places::cut_contour(line, motion)) return true;
+  } else {
+    places::lose_point(line);
+    line.set_open(Mode::kStraightOwed);
+    if (line.holds({kCompensationMoves}) != Answer::kNo) line.set_open(Mode::kEntry);
+  }
   if (line.holds({kInverseTime}) != Answer::kNo) line.set_open(Mode::kFeed);
   return false;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "analyzer/syntax/mode_line.h"
+
 namespace owlint {
 namespace {
 
@@ -190,7 +192,9 @@ void ModesInEffect::flush() {
 
 /// Whether the flow has to carry out the line: what it stops with or does depends on what is not known here.
 bool ModesInEffect::asks(const WordLine& words, const ModeState& after, bool alone) const {
-  if (!faults_.empty() || stacks_modes(words) || words.has_unknown_code() || words.has_remapped_code()) return true;
+  if (!faults_.empty() || stacks_modes(words) || cuts_contour(words) || words.has_unknown_code() ||
+      words.has_remapped_code())
+    return true;
   for (size_t i = 0; i < words.size(); ++i) {
     if (!words[i].known && (letter_set({&words[i].letter, 1}) & kPlaceLetters & ~machine_.wrapped) == 0) return true;
   }

@@ -129,7 +129,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   ModeRun(machine_, words).run(&assumed_, &faults_, &place_, watch);
   const bool stops = std::ranges::any_of(
       faults_, [](const ModeFault& fault) { return fault.by_place && (fault.fault.certain || fault.believed); });
-  if (!left_ && (stops || leaves || takes_tool)) leave(start);
+  const bool cuts = contains(kContours, motion);
+  if (!left_ && (stops || leaves || takes_tool || cuts)) leave(start);
   if (!left_) return false;
   note_limits(words);
   const bool moves = words.has_axis_words() || words.has_polar_words();
@@ -156,7 +157,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
     note(line, &reaches, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
     return false;
   }
-  if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops && !chooses_tool)
+  if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops && !chooses_tool &&
+      !cuts)
     return false;
   if (questions_ == kMostQuestions && !asked) {
     note_lost();
@@ -164,7 +166,8 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   }
   if (!asked) ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
-  if (stops || pauses || words.has_polar_words() || (moves && (compensates || !contains(kStraightMoves, motion))))
+  if (stops || pauses || cuts || words.has_polar_words() ||
+      (moves && (compensates || !contains(kStraightMoves, motion))))
     out_.asks_place = true;
   return true;
 }

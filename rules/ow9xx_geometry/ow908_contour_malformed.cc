@@ -1,6 +1,6 @@
 // OW908 contour-malformed: a lathe contour, spline, NURBS curve or thread whose words do not make one.
 // Depends on: G5 and G5.1 need their control points in XY; the points of G5.2 belong to one curve until G5.3; G76 cuts from J to
-// K. What the sub of a lathe contour contains is not looked at.
+// K; G70 to G72.2 read the sub that Q names, and what they make of its lines (geometry/contour.h).
 #include <array>
 
 #include <fmt/format.h>
@@ -14,9 +14,36 @@ constexpr std::string_view kCurve =
     "write the three together: `G5.2` with `X`, `Y` and the weight `P` for each control point";
 constexpr std::string_view kFirst = "write it on the first line with `G6.2`";
 
+constexpr std::string_view kContours = "G70 G71 G71.1 G71.2 G72 G72.1 G72.2";
+
 constexpr std::array kSaid = {
-    Said{"requires a Q word", "G70 G71 G71.1 G71.2 G72 G72.1 G72.2", "has no `Q`",
-         "write `Q` and the number of the sub with the contour"},
+    Said{"requires a Q word", kContours, "has no `Q`", "write `Q` and the number of the sub with the contour"},
+    Said{"Not monotonic", kContours, "cuts a contour that turns back",
+         "let Z go in one direction from line to line, with `G72` X; no arc may pass its leftmost or rightmost point, "
+         "with `G72` its highest or lowest one"},
+    Said{"Cannot intersect parallel lines", kContours,
+         "moves the contour aside, and two lines in one direction do not meet then", "write the two lines as one"},
+    Said{"x too large in straight dive", kContours, "finds no way down to the next layer of the contour",
+         "begin the contour at its side, or choose another depth `I` or allowance `D`"},
+    Said{"How did we get here", kContours, "loses its way along the contour",
+         "let the contour begin and end outside of its pockets"},
+    Said{"I must be greater than zero", "I", "is no depth of a layer", "write an `I` above 0"},
+    Said{"both R and I or K", kContours, "cuts a contour with an arc that has both a radius and a center",
+         "write either `R`, or `I` and `K`, in the sub"},
+    Said{"either I or K must be present", kContours,
+         "cuts a contour with an arc that has neither a radius nor a center", "write `I` and `K`, or `R`, in the sub"},
+    Said{"Both A and C parameters", kContours, "cuts a contour with both a fillet and a chamfer at one corner",
+         "write either `A` or `C` in the sub"},
+    Said{"in incremental mode (G91)", kContours, "cuts a contour with `U` or `W` while `G91` is in effect",
+         "write `X` and `Z` in the sub: in `G91` they are steps as well"},
+    Said{"in the same block", kContours,
+         "cuts a contour with a line that names one axis twice, as a place and as a step",
+         "write either `X` or `U`, and either `Z` or `W`, in the sub"},
+    Said{"Radius to end of arc differs", kContours,
+         "cuts a contour with an arc whose ends are not equally far from its center",
+         "correct `I`, `K` or the end of the arc in the sub"},
+    Said{"Zero-radius arc", kContours, "cuts a contour with an arc that has its center at one of its ends",
+         "correct `I`, `K` or the end of the arc in the sub"},
     Said{"Splines may not have motion", "Z A B C", "cannot be in a spline: a spline moves only X and Y",
          "move this axis on another line"},
     Said{"both I and J with G5.1", "G5.1 G6.1", "needs both `I` and `J` for its control point",
@@ -83,15 +110,19 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A `G70` to `G72.2` without `Q`; a spline (`G5`, `G5.1`) without its control points, or with an axis other than
-X and Y; a NURBS curve (`G5.2`, `G5.3`) with points that lack a word or with too few of them; a `G76` whose
-`I`, `J` and `K` do not describe a thread.)",
+                R"(A `G70` to `G72.2` without `Q`, or with a sub whose lines do not make a contour that can be cut; a spline
+(`G5`, `G5.1`) without its control points, or with an axis other than X and Y; a NURBS curve (`G5.2`, `G5.3`)
+with points that lack a word or with too few of them; a `G76` whose `I`, `J` and `K` do not make a thread.)",
             .why =
                 R"(LinuxCNC stops with `Must specify both P and Q with G5`, `You must specify a number of control points at
 least equal to the order L = 3`, `In G76, K must be greater than J` and the like.
 
 `G5` and `G5.1` do not stay in effect: a next line with only axis words moves as the motion before them.
 LinuxCNC keeps the points of `G5.2` until `G5.3`; before 2.10, even after the end of the program.
+
+`G71` cuts from the right to the left, layer by layer: its contour may not turn back in Z (`G7X error: Not
+monotonic`), that of `G72` not in X. Whether an arc in the sub fits is found only when it is cut. LinuxCNC
+prints the last line of the sub below the message, whichever line it is about.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17

@@ -69,15 +69,16 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
      r"I J words not allowed|R not allowed in G10|G10 L0 not allowed|Need non-negative Q-word|Q word with M19|No valid P word|"
      r"both a digital and an analog|Zero timeout|Can't select analog|valid P or a valid E|input selected out of bounds|Invalid analog index|"
      r"^G43\.2: |polar coordinates with G53|^Must specify angle in polar|with polar coordinates is indeterminate|^Start point too close|wrapped rotary axis|Indexing axis|along with an indexer", "OW808"),
-    (r"^Radius to end of arc differs", "OW901"),
+    (r"^Radius to end of arc differs", "OW901 OW908"),
     (r"^Arc radius too small", "OW902"),
     (r"^(Length|Radius) of cutter compensation entry|^Bug in tool radius comp", "OW905"),
     (r"without gouging|^Tool radius not less than arc radius|arcs have the same center|^BUG: cutter compensation has generated", "OW906"),
-    (r"^Zero-radius arc|^Current point same as end point|words all missing for arc|Mixed radius ijk|word missing in absolute center arc|words missing for arc in", "OW903"),
+    (r"^Zero-radius arc", "OW903 OW908"),
+    (r"^Current point same as end point|words all missing for arc|Mixed radius ijk|word missing in absolute center arc|words missing for arc in", "OW903"),
     (r"R clearance plane|zero repeats of cycle|value unspecified in|^R less than|Dwell time p word|Q word missing with g|"
      r"[Nn]egative or zero q|^[IJK] word missing with g87", "OW904"),
     (r"requires a Q word|Splines may not|Must specify both|You must specify|P without X and Y|positive weight P|G5\.3 without|^In G76|"
-     r"rotary axes with G76|[Nn]urbs", "OW908"),
+     r"rotary axes with G76|[Nn]urbs|^G7[Xx] error", "OW908"),
     (r"Unknown control command", "OW301 OW314"),
     (r"Left bracket missing after (unary|slash)", "OW302 OW303 OW701 OW702"),
     (r"Left bracket missing", "OW302"),

@@ -9,7 +9,7 @@ import re
 GEOMETRY, MACHINE = "geometry", "machine"
 
 _MESSAGES = {
-    # Compensated paths, splines, contours.
+    # Compensated paths, splines.
     GEOMETRY: r"""
         Arc (?:move|to)
         (?:Length|Radius) of cutter compensation entry
@@ -20,8 +20,7 @@ _MESSAGES = {
         BUG: (?:Invalid|Unsupported) plane
         Bug in tool radius comp
         Bug code not g0 or g1
-        You must specify a number of control points
-        G7[Xx] error""",
+        You must specify a number of control points""",
     # Tools, spindles, axes, user M codes, what an INI or a component says.
     MACHINE: r"""
         Requested tool -?\d+ not found in the tool table

@@ -7,6 +7,7 @@
 #include "analyzer/flow/domain/modes.h"
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/mode_line.h"
 #include "analyzer/syntax/questions.h"
 #include "analyzer/syntax/remaps.h"
 
@@ -112,9 +113,11 @@ void ModeUses::find_followed() {
     const Statement& s = program_.at(id);
     if (s.kind != LineKind::kModeLine) continue;
     run(id, &faults);
-    if (stores) continue;
     WordLine words(machine_);
-    stores = read_words(program_.syntax, s, words) && has_store(words);
+    if (!read_words(program_.syntax, s, words)) continue;
+    stores = stores || has_store(words);
+    // Whether it feeds depends on the lines of its sub.
+    if (cuts_contour(words)) followed_ |= mask_of(Mode::kFeed) | mask_of(Mode::kSpeed);
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
   refuses_ = !faults.empty();

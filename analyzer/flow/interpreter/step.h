@@ -244,6 +244,8 @@ struct AbstractMachine::Step {
   void enter_remap(const RemappedCode& code);
   void run_python();
   void come_back_from(const Statement& remap);
+  std::optional<ContourSub> contour_sub() const;
+  StatementId contour_opener(NameId sub) const;
   bool refuses_words(const Statement& asks);
   bool is_mistake(StopKind kind, std::string_view message) const;
   bool read_words(const Statement& asks, WordLine& words, bool computes = true);
@@ -254,6 +256,7 @@ struct AbstractMachine::Step {
   void machine_check();
   void repeated_word(const LineError& repeated);
   bool may_end(const Statement& line) const;
+  static bool passes_in_contour(const LineError& error);
   void call_elsewhere(FullLabel sub);
   void find_sub(State enter, Context callee, int repeats);
   bool times_called(const Evaluation& of_l, int* times);

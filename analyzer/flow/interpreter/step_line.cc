@@ -62,7 +62,7 @@ void AbstractMachine::Step::plain() {
   state.parameters = std::move(after);
   if (m.mode_uses_.follows_place(here)) write_offsets();
   if (may_end(s)) out.end(state);
-  if (context.contour && error() != nullptr && is_of_execution(error()->kind)) return next_line();
+  if (context.contour && error() != nullptr && passes_in_contour(*error())) return next_line();
   if (error() != nullptr && error()->first_value != kNoExpr) return repeated_word(*error());
   if (error() != nullptr) return stop_error();
   if (e.read_only != kNoName) {
@@ -83,6 +83,12 @@ void AbstractMachine::Step::plain() {
     Evaluator::call_outside(state.parameters);
   }
   next_line();
+}
+
+/// What no line of a contour stops with: nothing of it is executed, and some axes may be named that the machine does not have.
+bool AbstractMachine::Step::passes_in_contour(const LineError& error) {
+  if (is_of_execution(error.kind)) return true;
+  return error.message == "Bad character 'u' used" || error.message == "Bad character 'w' used";
 }
 
 /// Whether the line has an M code that is computed: it may be M2.
@@ -112,6 +118,7 @@ void AbstractMachine::Step::user_code() {
 
 void AbstractMachine::Step::machine_check() {
   const LineError& what = m.program_.syntax.errors[s.first];
+  if (context.contour && passes_in_contour(what)) return next_line();
   if (is_mistake(what.kind, what.message)) return stop(what.kind, what.message);
   may_stop(what.kind, what.message);
   next_line();

@@ -1,0 +1,83 @@
+// The sub of a lathe contour as the line that cuts it will read it: where that is known before it is called.
+#include <algorithm>
+
+#include "analyzer/flow/interpreter/step.h"
+#include "analyzer/syntax/questions.h"
+#include "analyzer/syntax/word_reader.h"
+
+namespace owlint::flow {
+namespace {
+
+/// More than people write by hand.
+constexpr uint64_t kMostBytes = 1'000'000;
+
+/// Whether a statement within the sub is nothing but words with known numbers. `passes`: for its error.
+template <typename Passes>
+bool is_plain(const Syntax& syntax, const Statement& s, const Passes& passes) {
+  if (s.block_delete) return false;
+  if (s.kind == LineKind::kModeLine || s.kind == LineKind::kAbort) return true;
+  if (s.kind == LineKind::kMachineCheck) return passes(syntax.errors[s.first]);
+  if (s.kind == LineKind::kProgramEnd) return s.item_count == 0 && !s.has_error();
+  if (s.kind != LineKind::kWords || s.item_count > 0) return false;
+  const LineError* const error = syntax.error(s);
+  return error == nullptr || passes(*error);
+}
+
+/// Adds the words of a line. False if one is not known.
+bool add_line(std::string_view text, uint64_t offset, ContourSub* sub) {
+  WordReader reader(text, offset);
+  while (const std::optional<WrittenWord> word = reader.next()) {
+    if (!word->value) return false;
+    sub->words.push_back({word->letter, *word->value});
+  }
+  sub->ends.push_back(sub->words.size());
+  return !reader.lost();
+}
+
+}  // namespace
+
+/// The lines of the sub that the contour of this line calls; nothing if they may be others, or compute anything.
+std::optional<ContourSub> AbstractMachine::Step::contour_sub() const {
+  StatementId cut = here + 1;
+  while (cut < m.program_.size() && on_one_line(m.program_.at(cut), s) && m.program_.at(cut).kind != LineKind::kContour)
+    ++cut;
+  if (cut >= m.program_.size() || !on_one_line(m.program_.at(cut), s)) return std::nullopt;
+  const Statement& line = m.program_.at(cut);
+  const auto sets = [](const Item& item) { return item.target != kNoExpr || item.target_name != kNoName; };
+  if (line.label == kNoName || std::ranges::any_of(m.program_.syntax.items_of(line), sets)) return std::nullopt;
+  const StatementId opener = contour_opener(line.label);
+  if (opener == kNoStatement) return std::nullopt;
+  const Region& region = m.program_.regions[m.program_.region_of[opener]];
+  if (region.opener != opener || region.end == kNoStatement || region.early_end != kNoStatement) return std::nullopt;
+  for (StatementId id = opener + 1; id < region.end; ++id) {
+    if (!is_plain(m.program_.syntax, m.program_.at(id), passes_in_contour)) return std::nullopt;
+  }
+  const Source& source = m.linked_.source_of(opener);
+  const uint64_t begin = m.program_.at(opener).end() + 1, end = m.program_.at(region.end).offset;
+  if (begin > end || end - begin > kMostBytes) return std::nullopt;
+  ContourSub sub;
+  const std::string_view text = source.slice({begin, end});
+  for (size_t from = 0; from < text.size();) {
+    const size_t to = std::min(text.find('\n', from), text.size());
+    if (!add_line(text.substr(from, to - from), begin + from, &sub)) return std::nullopt;
+    from = to + 1;
+  }
+  return sub;
+}
+
+/// The definition that a call of this sub runs; none if there are several.
+StatementId AbstractMachine::Step::contour_opener(NameId sub) const {
+  const Definers::Set set = m.definers_.get(state.table.get(m.full_label(kGlobalScope, sub)));
+  if (set.lines.size() > 1 || (set.undefined && !set.lines.empty())) return kNoStatement;
+  if (!set.lines.empty()) return m.program_.at(set.lines.front()).is(Keyword::kSub) ? set.lines.front() : kNoStatement;
+  if (!set.undefined || sub >= m.program_.by_label.size()) return kNoStatement;
+  StatementId found = kNoStatement;
+  for (const StatementId id : m.program_.by_label[sub]) {
+    if (!m.program_.at(id).opens_sub()) continue;
+    if (found != kNoStatement || !m.program_.at(id).is(Keyword::kSub)) return kNoStatement;
+    found = id;
+  }
+  return found;
+}
+
+}  // namespace owlint::flow
