@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analyzer/findings/arc_sketch.h"
 #include "analyzer/text/reach.h"
 #include "analyzer/text/source.h"
 
@@ -79,6 +80,7 @@ struct Finding {
       path;  ///< the branch outcomes that lead here, or the line that keeps every run away; shown behind `related`
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
+  std::shared_ptr<const ArcSketch> arc;  ///< what can be drawn of it; or null
   std::string group;  ///< findings of one rule and group, wherever they are in a run, are one mistake: see cli/groups.h
   /// The severity where several files of a run have it: what all of them leave out is left out on purpose, and what all of them
   /// call is on the machine. A rule sets it; the driver decides on it as on `severity`.
