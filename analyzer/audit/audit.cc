@@ -71,11 +71,19 @@ class Run {
     std::set<const MachineSetup*> machines;
     std::shared_ptr<const checking::Settings> last;
     int64_t last_id = 0;
+    const auto add_machine = [&](const std::shared_ptr<const checking::Settings>& with) {
+      const MachineSetup* const setup = with->profile.setup.get();
+      if (setup != nullptr && machines.insert(setup).second) machines_.push_back(with);
+    };
     for (checking::WalkedFile& file : found.files) {
       if (!job_.shard.has(file.path)) continue;
       std::string error;
       Item item{std::move(file.path), file.stamp, 0, "", nullptr, 0, false, false, ""};
       item.settings = configuration.shared_settings(item.key, &error);
+      if (item.settings != nullptr && item.settings->of_ini) {
+        add_machine(item.settings);
+        continue;
+      }
       if (item.settings == nullptr) {
         item.problem = error;
         if (error != last_error) out_.problems.push_back(error);
@@ -84,8 +92,7 @@ class Run {
         if (item.settings != last) {
           last_id = settings_number(settings_hash(*item.settings));
           last = item.settings;
-          if (const MachineSetup* setup = last->profile.setup.get(); setup != nullptr && machines.insert(setup).second)
-            machines_.push_back(last);
+          add_machine(last);
         }
         item.settings_id = last_id;
       }

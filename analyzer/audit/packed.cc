@@ -1,11 +1,10 @@
 #include "analyzer/audit/packed.h"
 
-extern "C" {
-#include <b64/cencode.h>
-}
 #include <zlib.h>
 
 #include <stdexcept>
+
+#include "analyzer/text/base64.h"
 
 namespace owlint::audit {
 namespace {
@@ -30,15 +29,6 @@ std::string gzip(std::string_view text) {
 
 }  // namespace
 
-std::string packed(std::string_view text) {
-  const std::string bytes = gzip(text);
-  std::string out(bytes.size() * 2 + 16, '\0');  // room for the line ends that libb64 makes
-  base64_encodestate state;
-  ::base64_init_encodestate(&state);
-  int length = ::base64_encode_block(bytes.data(), static_cast<int>(bytes.size()), out.data(), &state);
-  length += ::base64_encode_blockend(out.data() + length, &state);
-  out.resize(static_cast<size_t>(length));
-  return out;
-}
+std::string packed(std::string_view text) { return base64(gzip(text)); }
 
 }  // namespace owlint::audit

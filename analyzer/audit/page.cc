@@ -19,12 +19,14 @@
 #include "analyzer/audit/page_blocks.h"
 #include "analyzer/audit/page_extents.h"
 #include "analyzer/audit/page_lines.h"
+#include "analyzer/audit/page_modes.h"
 #include "analyzer/audit/page_template.h"
 #include "analyzer/audit/reading.h"
 #include "analyzer/audit/record.h"
 #include "analyzer/audit/shown_paths.h"
 #include "analyzer/findings/identity.h"
 #include "analyzer/program/linker.h"
+#include "analyzer/report/arc_drawing.h"
 #include "analyzer/report/json.h"
 #include "analyzer/report/pages.h"
 #include "analyzer/report/report.h"
@@ -147,6 +149,7 @@ class Page {
     Json json{{"lineCount", row.lines},
               {"source", Json::array()},
               {"findings", Json::array()},
+              {"modes", nullptr},
               {"blocks", nullptr},
               {"extents", nullptr}};
     for (const Finding& f : findings) json["findings"].push_back(shown(*report->source, f));
@@ -159,15 +162,15 @@ class Page {
     }
     const auto program = library_.load(source);
     json["source"] = shown_lines(*program, findings);
-    if (kinds_[number] == kProgram)
-      json["extents"] =
-          page_extents(source, settings->profile, [this](const std::string& path) { return number_of(path); });
+    const Linked linked(program, settings->profile, library_);
+    const auto number_of_path = [this](const std::string& path) { return number_of(path); };
+    json["modes"] = modes_json(linked, settings->profile, json["source"], number_of_path);
+    if (kinds_[number] == kProgram) json["extents"] = page_extents(source, settings->profile, number_of_path);
     if (program->blocks.empty() && program->calls.empty() && program->regions.size() < 2) return json;
     constexpr size_t kMost = 2000;  // more than that nobody can look at
-    const Linked linked(program, settings->profile, library_);
     note_calls(number, linked);
     if (program->blocks.size() + program->regions.size() + program->calls.size() > kMost) return json;
-    json["blocks"] = blocks_json(linked, [this](const std::string& path) { return number_of(path); });
+    json["blocks"] = blocks_json(linked, number_of_path);
     return json;
   }
 
@@ -186,6 +189,7 @@ class Page {
     for (Consequence& c : f.consequences) c.interpreter = paths_.text(c.interpreter);
     Json json = finding_json(source, f);
     json["pathFrom"] = f.related.size();
+    if (f.arc != nullptr) json["arc"] = {{"words", arc_sentence(*f.arc)}, {"drawing", arc_svg(*f.arc)}};
     size_t at = 0;
     for (const auto* places : {&f.related, &f.path}) {
       for (const Related& place : *places) {

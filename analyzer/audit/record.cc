@@ -79,6 +79,19 @@ class Writer {
     return all;
   }
 
+  static nlohmann::json point(const ArcSketch::Point& point) { return {point.right, point.up, point.words}; }
+
+  static nlohmann::json sketch(const ArcSketch& arc) {
+    nlohmann::json json{{"clockwise", arc.clockwise},
+                        {"start", point(arc.start)},
+                        {"end", point(arc.end)},
+                        {"start_radius", {arc.start_radius, arc.start_radius_words}},
+                        {"end_radius", {arc.end_radius, arc.end_radius_words}}};
+    if (arc.center) json["center"] = point(*arc.center);
+    if (arc.nearest) json["nearest"] = {point(arc.nearest->center), arc.nearest->radius, arc.nearest->words};
+    return json;
+  }
+
   nlohmann::json finding(const Source& own, const Finding& f) {
     const Source& in = f.source == nullptr ? own : *f.source;
     nlohmann::json fixes = nlohmann::json::array();
@@ -89,27 +102,30 @@ class Writer {
     }
     nlohmann::json consequences = nlohmann::json::array();
     for (const Consequence& c : f.consequences) consequences.push_back({c.code, place(in, c.span), c.interpreter});
-    return {{"code", f.code},
-            {"severity", static_cast<int>(f.severity)},
-            {"span", place(in, f.span)},
-            {"source", f.source == nullptr ? nlohmann::json(nullptr) : nlohmann::json(source(in))},
-            {"scope", f.scope},
-            {"message", f.message},
-            {"help", f.help},
-            {"interpreter", f.interpreter},
-            {"reach", static_cast<int>(f.reach)},
-            {"stops", f.stops},
-            {"unproven", f.unproven},
-            {"never_ends", f.never_ends},
-            {"runs_other", f.runs_other},
-            {"group", f.group},
-            {"habit", f.habit_severity ? nlohmann::json(static_cast<int>(*f.habit_severity)) : nlohmann::json(nullptr)},
-            {"related", related(in, f.related)},
-            {"path", related(in, f.path)},
-            {"fixes", std::move(fixes)},
-            {"consequences", std::move(consequences)},
-            {"block_delete", f.block_delete},
-            {"versions", f.versions}};
+    nlohmann::json json{
+        {"code", f.code},
+        {"severity", static_cast<int>(f.severity)},
+        {"span", place(in, f.span)},
+        {"source", f.source == nullptr ? nlohmann::json(nullptr) : nlohmann::json(source(in))},
+        {"scope", f.scope},
+        {"message", f.message},
+        {"help", f.help},
+        {"interpreter", f.interpreter},
+        {"reach", static_cast<int>(f.reach)},
+        {"stops", f.stops},
+        {"unproven", f.unproven},
+        {"never_ends", f.never_ends},
+        {"runs_other", f.runs_other},
+        {"group", f.group},
+        {"habit", f.habit_severity ? nlohmann::json(static_cast<int>(*f.habit_severity)) : nlohmann::json(nullptr)},
+        {"related", related(in, f.related)},
+        {"path", related(in, f.path)},
+        {"fixes", std::move(fixes)},
+        {"consequences", std::move(consequences)},
+        {"block_delete", f.block_delete},
+        {"versions", f.versions}};
+    if (f.arc != nullptr) json["arc"] = sketch(*f.arc);
+    return json;
   }
 
   std::vector<std::pair<const Source*, std::set<uint32_t>>> sources_;
@@ -140,6 +156,25 @@ std::vector<Related> related_of(const nlohmann::json& json, const Sources& sourc
   for (const nlohmann::json& r : json)
     all.push_back({span_of(r.at(0)), r.at(1).get<std::string>(), source_at(r.at(2), sources)});
   return all;
+}
+
+ArcSketch::Point point_of(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+
+std::shared_ptr<const ArcSketch> sketch_of(const nlohmann::json& json) {
+  ArcSketch arc;
+  arc.clockwise = json.at("clockwise");
+  arc.start = point_of(json.at("start"));
+  arc.end = point_of(json.at("end"));
+  arc.start_radius = json.at("start_radius").at(0);
+  json.at("start_radius").at(1).get_to(arc.start_radius_words);
+  arc.end_radius = json.at("end_radius").at(0);
+  json.at("end_radius").at(1).get_to(arc.end_radius_words);
+  if (json.contains("center")) arc.center = point_of(json.at("center"));
+  if (json.contains("nearest")) {
+    const nlohmann::json& nearest = json.at("nearest");
+    arc.nearest = {point_of(nearest.at(0)), nearest.at(1), nearest.at(2)};
+  }
+  return std::make_shared<const ArcSketch>(std::move(arc));
 }
 
 Finding finding_of(const nlohmann::json& json, const Sources& sources) {
@@ -175,6 +210,7 @@ Finding finding_of(const nlohmann::json& json, const Sources& sources) {
     const Rule* other = find_rule(c.at(0).get<std::string>());
     if (other != nullptr) f.consequences.push_back({other->code, span_of(c.at(1)), c.at(2).get<std::string>()});
   }
+  if (json.contains("arc")) f.arc = sketch_of(json.at("arc"));
   json.at("block_delete").get_to(f.block_delete);
   json.at("versions").get_to(f.versions);
   return f;

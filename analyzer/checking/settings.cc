@@ -217,11 +217,16 @@ bool Configuration::find_sub_path(const ConfigurationFile* file, const std::stri
   return true;
 }
 
+bool Configuration::is_taken_ini(const std::string& path) const {
+  return request_.walk.takes_inis && small_letters(ending_of(path)) == ".ini";
+}
+
 std::shared_ptr<const Settings> Configuration::shared_settings(const std::string& path, std::string* error) {
   const std::string folder = path.substr(0, path.rfind('/') + 1);
-  if (last_shared_ != nullptr && folder == last_folder_) return last_shared_;
+  if (last_shared_ != nullptr && folder == last_folder_ && !is_taken_ini(path)) return last_shared_;
   auto settings = std::make_shared<Settings>();
   if (!settings_for(path, settings.get(), error)) return nullptr;
+  if (settings->of_ini) return settings;
   const auto file = file_for(path, error);
   last_folder_ = folder;
   last_shared_ = file == nullptr || file->overrides.empty() ? settings : nullptr;
@@ -249,7 +254,7 @@ bool Configuration::settings_for(const std::string& path, Settings* settings, st
   const auto line_of = [&](std::string_view key) { return file->place_of(key); };
   std::optional<std::string> ini = request_.ini;
   if (ini && request_.absolute) ini = file_key(*ini);
-  settings->of_ini = request_.walk.takes_inis && small_letters(ending_of(path)) == ".ini";
+  settings->of_ini = is_taken_ini(path);
   if (settings->of_ini) {
     ini = path;
   } else if (ini) {

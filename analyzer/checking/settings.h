@@ -75,6 +75,8 @@ class Configuration {
   /// The configuration file that holds for a program; null where there is none, and with a message where it is wrong.
   std::shared_ptr<const ConfigurationFile> file_for(const std::string& program, std::string* error);
   std::shared_ptr<const ConfigurationFile> load(const std::string& path, std::string* error);
+  /// Whether a file is a machine's INI for this request, and no program.
+  bool is_taken_ini(const std::string& path) const;
   std::string nearest(const std::string& program);
   bool read_machine_ini(const std::string& path, Profile* profile, std::string* error);
   /// The folders of `--sub-path`, then those of the configuration file.

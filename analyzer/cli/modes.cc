@@ -1,6 +1,7 @@
 // `owlint modes`: which modes are in effect before a line of a program, and where they were set.
 #include <algorithm>
 #include <iostream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,6 +44,13 @@ Json as_json(const std::vector<ModeThere>& modes) {
   return out;
 }
 
+/// Each number once, ascending.
+std::vector<uint32_t> in_order(std::vector<uint32_t> lines) {
+  std::ranges::sort(lines);
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
 /// The lines behind which a mode may be another one.
 std::vector<uint32_t> lines_of_change(const Program& program) {
   std::vector<uint32_t> lines;
@@ -52,31 +60,26 @@ std::vector<uint32_t> lines_of_change(const Program& program) {
   for (const Statement& s : program.syntax.statements) {
     if (s.kind == LineKind::kModeLine || s.calls()) lines.push_back(s.line);
   }
-  std::ranges::sort(lines);
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  return lines;
+  return in_order(std::move(lines));
 }
 
 /// Every line that changes modes, with what it changes.
 void print_changes(const Program& program, const ModeMap& map, bool json) {
   Json out = Json::array();
   const Source& source = *program.source;
-  for (const uint32_t line : lines_of_change(program)) {
-    const auto before = map.before(line), behind = map.before(line + 1);
-    if (!before || !behind) continue;
-    std::vector<ModeThere> changed;
-    for (size_t i = 0; i < before->size(); ++i) {
-      const ModeThere& was = (*before)[i];
-      const ModeThere& is = (*behind)[i];
-      if (was.may != is.may || was.known != is.known) changed.push_back(is);
-    }
-    if (changed.empty()) continue;
+  const std::vector<uint32_t> lines = lines_of_change(program);
+  std::vector<uint32_t> with_next = lines;
+  for (const uint32_t line : lines) with_next.push_back(line + 1);
+  bool reached = true;  // the line before
+  for (const flow::ModeStep& step : map.steps(in_order(std::move(with_next)))) {
+    const uint32_t line = step.line - 1;
+    if (std::exchange(reached, step.reached) != step.reached || !std::ranges::binary_search(lines, line)) continue;
     if (json) {
-      out.push_back({{"line", line}, {"changes", as_json(changed)}});
+      out.push_back({{"line", line}, {"changes", as_json(step.changed)}});
       continue;
     }
     std::vector<std::string> words;
-    for (const ModeThere& there : changed) {
+    for (const ModeThere& there : step.changed) {
       if (!flow::is_inner(there.mode)) words.push_back(fmt::format("{} {}", mode_name(there.mode), value_text(there)));
     }
     if (words.empty()) continue;

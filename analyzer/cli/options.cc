@@ -187,6 +187,7 @@ void add_audit(CLI::App& app, AuditLine& line) {
   add_color(audit, check);
   add_settings_options(audit, check);
   add_walk_options(audit, check.walk);
+  check.walk.takes_inis = true;
 
   store(*audit.add_subcommand("list", "list the runs of a store"));
   CLI::App& show = *audit.add_subcommand("show", "show the findings of a run");

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analyzer/findings/arc_sketch.h"
 #include "analyzer/text/reach.h"
 #include "analyzer/text/source.h"
 
@@ -79,6 +80,7 @@ struct Finding {
       path;  ///< the branch outcomes that lead here, or the line that keeps every run away; shown behind `related`
   std::vector<Fix> fixes;
   std::vector<Consequence> consequences;
+  std::shared_ptr<const ArcSketch> arc;  ///< what can be drawn of it; or null
   std::string missing;  ///< the file or folder that an INI names and that is not here, if the finding follows from that
   std::string
       group;  ///< findings of one rule and group, wherever they are in a run, are one mistake: see checking/groups.h

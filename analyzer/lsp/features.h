@@ -41,6 +41,16 @@ Json completion(Workspace& workspace, const Json& params);
 // hover.cc
 Json hover(Workspace& workspace, const Json& params);
 
+// ini_help.cc: the same for a machine's INI
+Json ini_hover(Workspace& workspace, const Json& params);
+Json ini_completion(Workspace& workspace, const Json& params);
+
+// ini_navigation.cc
+Json ini_definition(Workspace& workspace, const Json& params);
+Json ini_references(Workspace& workspace, const Json& params);
+Json ini_document_link(Workspace& workspace, const Json& params);
+Json ini_document_symbol(Workspace& workspace, const Json& params);
+
 // hints.cc
 Json signature_help(Workspace& workspace, const Json& params);
 Json inlay_hint(Workspace& workspace, const Json& params);

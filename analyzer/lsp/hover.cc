@@ -6,7 +6,9 @@
 #include "analyzer/lsp/mode_help.h"
 #include "analyzer/lsp/places.h"
 #include "analyzer/lsp/word_help.h"
+#include "analyzer/report/arc_drawing.h"
 #include "analyzer/report/summary.h"
+#include "analyzer/text/base64.h"
 
 namespace owlint::lsp {
 namespace {
@@ -54,6 +56,21 @@ std::string about_parameter(const Document& document, uint64_t offset, const std
                      global ? "in this file" : "in this sub");
 }
 
+/// The numbers of the arcs on a line that do not fit, with a drawing where the client shows images.
+std::string about_arcs(const Workspace& workspace, const Document& document, uint32_t line) {
+  const Checked* checked = workspace.checked(document.uri());
+  if (checked == nullptr) return {};
+  std::string out;
+  for (const Finding& f : checked->findings) {
+    if (f.arc == nullptr || document.lines().line_of(f.span.begin) + 1 != line) continue;
+    out += "\n\nThe arc:\n";
+    for (const ArcFact& fact : arc_facts(*f.arc)) out += fmt::format("\n- {}: {}", fact.name, fact.words);
+    if (workspace.client_shows_images)
+      out += fmt::format("\n\n![the arc](data:image/svg+xml;base64,{})", base64(arc_svg(*f.arc)));
+  }
+  return out;
+}
+
 Json hover_of(const Document& document, const std::string& text, Span span) {
   return {{"contents", {{"kind", "markdown"}, {"value", text}}}, {"range", document.range(span)}};
 }
@@ -77,8 +94,9 @@ Json hover(Workspace& workspace, const Json& params) {
       const auto word = word_help(document, workspace.profile_of(document), offset);
       if (!word) return nullptr;
       const auto line = static_cast<uint32_t>(document.lines().line_of(offset)) + 1;
-      const std::string modes = modes_before(workspace, document, line);
-      return hover_of(document, modes.empty() ? word->text : word->text + "\n\n" + modes, word->span);
+      std::string help = word->text + about_arcs(workspace, document, line);
+      if (const std::string modes = modes_before(workspace, document, line); !modes.empty()) help += "\n\n" + modes;
+      return hover_of(document, help, word->span);
     }
     const Statement& s = document.program().at(id);
     text = s.kind == LineKind::kM98    ? "**M98** calls a Fanuc-style sub by its number."

@@ -59,6 +59,22 @@ const Ini::Entry* ini_use_of_sub(const Ini& ini, const std::string& name) {
   return find(ini, [&](const Ini::Entry& entry) { return names(entry, name); });
 }
 
+Json ini_places_of_sub(Workspace& workspace, const Document& document, const std::string& name) {
+  Json out = Json::array();
+  for (const auto& machine : workspace.machines(document)) {
+    const auto file = machine->search_path->find(name);
+    if (file && file_key(file->path) != file_key(document.path())) continue;  // another machine's
+    for (const Ini::Entry& entry : machine->ini.entries()) {
+      const Document* const ini = names(entry, name) ? workspace.document_of_path(entry.source->path()) : nullptr;
+      if (ini == nullptr) continue;
+      const size_t at = small_letters(entry.source->slice(entry.span)).find(name);
+      const uint64_t begin = entry.span.begin + (at == std::string::npos ? 0 : at);
+      out.push_back(ini->location(at == std::string::npos ? entry.span : Span{begin, begin + name.size()}));
+    }
+  }
+  return out;
+}
+
 const Ini::Entry* ini_use_of_parameter(const Ini& ini, const std::string& name) {
   return find(ini, [&](const Ini::Entry& entry) {
     if (entry.value.find('#') == std::string::npos) return false;

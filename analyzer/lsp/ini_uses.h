@@ -3,12 +3,15 @@
 
 #include <string>
 
+#include "analyzer/lsp/workspace.h"
 #include "analyzer/machine/setup.h"
 
 namespace owlint::lsp {
 
 /// The entry that names the sub, or a file of that name; null if there is none.
 const Ini::Entry* ini_use_of_sub(const Ini& ini, const std::string& name);
+/// Where INIs of the workspace name the sub that a document defines, as locations.
+Json ini_places_of_sub(Workspace& workspace, const Document& document, const std::string& name);
 /// The entry whose code names the parameter, `<_depth>` or `100`; null if there is none.
 const Ini::Entry* ini_use_of_parameter(const Ini& ini, const std::string& name);
 /// The same for a remap's own sub.

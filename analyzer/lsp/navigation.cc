@@ -1,5 +1,6 @@
 // Definition and declaration, references, highlight.
 #include "analyzer/lsp/features.h"
+#include "analyzer/lsp/ini_uses.h"
 #include "analyzer/lsp/places.h"
 
 namespace owlint::lsp {
@@ -35,7 +36,12 @@ Json references(Workspace& workspace, const Json& params) {
   const auto target = target_at(document, offset);
   if (!target) return nullptr;
   const bool with_definition = !params.contains("context") || params.at("context").value("includeDeclaration", true);
-  return locations(occurrences(workspace, document, *target, offset), with_definition);
+  Json out = locations(occurrences(workspace, document, *target, offset), with_definition);
+  if (target->kind != Target::Kind::kSub) return out;
+  const Sub sub = find_sub(workspace, document, target->name);
+  if (sub.document == nullptr || !sub.own_file) return out;
+  for (Json& use : ini_places_of_sub(workspace, *sub.document, target->name)) out.push_back(std::move(use));
+  return out;
 }
 
 Json document_highlight(Workspace& workspace, const Json& params) {

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "analyzer/lsp/features.h"
+#include "analyzer/lsp/ini_document.h"
 #include "analyzer/report/report.h"
 
 namespace owlint::lsp {
@@ -48,6 +49,22 @@ const std::unordered_map<std::string, Feature>& features() {
   return all;
 }
 
+/// What there is for a machine's INI; to other questions about it the answer is `null`.
+const std::unordered_map<std::string, Feature>& ini_features() {
+  static const std::unordered_map<std::string, Feature> all = {
+      {"textDocument/diagnostic", document_diagnostic},
+      {"textDocument/definition", ini_definition},
+      {"textDocument/declaration", ini_definition},
+      {"textDocument/references", ini_references},
+      {"textDocument/documentSymbol", ini_document_symbol},
+      {"textDocument/documentLink", ini_document_link},
+      {"textDocument/completion", ini_completion},
+      {"textDocument/hover", ini_hover},
+      {"textDocument/codeAction", code_action},
+  };
+  return all;
+}
+
 const char* encoding_name(Encoding encoding) {
   return encoding == Encoding::kUtf8 ? "utf-8" : encoding == Encoding::kUtf32 ? "utf-32" : "utf-16";
 }
@@ -75,7 +92,7 @@ Json capabilities(Encoding encoding) {
       {"selectionRangeProvider", true},
       {"callHierarchyProvider", true},
       {"completionProvider",
-       {{"triggerCharacters", {"o", "O", "<", " ", "g", "G", "m", "M", "."}}, {"resolveProvider", false}}},
+       {{"triggerCharacters", {"o", "O", "<", " ", "g", "G", "m", "M", ".", "[", "="}}, {"resolveProvider", false}}},
       {"hoverProvider", true},
       {"signatureHelpProvider", {{"triggerCharacters", {"["}}, {"retriggerCharacters", {"]"}}}},
       {"inlayHintProvider", {{"resolveProvider", false}}},
@@ -187,7 +204,10 @@ void Server::request(const Json& id, const std::string& method, const Json& para
     }
     const auto feature = features().find(method);
     if (feature == features().end()) throw ResponseError{ErrorCode::kMethodNotFound, "no such method: " + method};
-    answer(id, feature->second(workspace_, params));
+    const Json uri = at_path(params, {"textDocument", "uri"});
+    if (!uri.is_string() || !is_ini(path_of_uri(uri))) return answer(id, feature->second(workspace_, params));
+    const auto of_ini = ini_features().find(method);
+    answer(id, of_ini == ini_features().end() ? Json() : of_ini->second(workspace_, params));
   } catch (const ResponseError& error) {
     refuse(id, error);
   } catch (const Json::exception& error) {

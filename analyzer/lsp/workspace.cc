@@ -5,6 +5,7 @@
 #include "analyzer/checking/groups.h"
 #include "analyzer/checking/run.h"
 #include "analyzer/checking/walk.h"
+#include "analyzer/lsp/ini_document.h"
 #include "analyzer/text/paths.h"
 
 namespace owlint::lsp {
@@ -35,6 +36,7 @@ Workspace::Workspace(const Files& saved)
 void Workspace::configure(const Json& settings) {
   line_ = {};
   line_.absolute = true;  // uris are made of the paths that findings name
+  line_.walk.takes_inis = true;
   const auto text = [&](const char* key, std::optional<std::string>* into) {
     if (settings.contains(key) && settings.at(key).is_string() && !settings.at(key).get<std::string>().empty())
       *into = settings.at(key).get<std::string>();
@@ -54,6 +56,7 @@ void Workspace::configure(const Json& settings) {
     list("select", &line_.select);
     list("extend-select", &line_.extend_select);
     list("ignore", &line_.ignore);
+    if (settings.contains("images") && settings.at("images").is_boolean()) client_shows_images = settings.at("images");
   }
   forget_files();
 }
@@ -72,6 +75,7 @@ Document& Workspace::open(const std::string& uri, std::string text, std::optiona
   document->version = version;
   uri_of_[file_key(path)] = uri;
   forget_file(path);
+  if (is_ini(path)) forget_machines();
   return *document;
 }
 
@@ -85,6 +89,7 @@ void Workspace::close(const std::string& uri) {
   known_calls_.erase(file_key(path));
   sent_tokens.erase(uri);
   forget_file(path);
+  if (is_ini(path)) forget_machines();
 }
 
 Document* Workspace::find_open(const std::string& uri) {
@@ -128,6 +133,14 @@ void Workspace::forget_files() {
   library_ = std::make_unique<Library>(files_);
 }
 
+/// An INI has changed: what was read of it, and what was found with it.
+void Workspace::forget_machines() {
+  known_calls_.clear();
+  everything_.reset();
+  configuration_ = std::make_unique<checking::Configuration>(files_, line_);
+  library_ = std::make_unique<Library>(files_);
+}
+
 void Workspace::forget_file(const std::string& path) {
   everything_.reset();
   on_disk_.erase(path);
@@ -148,96 +161,22 @@ std::vector<std::string> Workspace::program_files() {
   std::set<std::string> known;
   for (const std::string& file : files) known.insert(file_key(file));
   for (const auto& [key, uri] : uri_of_) {
-    if (known.insert(key).second) files.push_back(open_.at(uri)->path());
+    if (!is_ini(key) && known.insert(key).second) files.push_back(open_.at(uri)->path());
   }
   return files;
 }
 
-std::vector<const Document*> Workspace::documents_around(const Document& from) {
-  std::vector<std::string> paths;
+/// Those of machines, below the workspace folders.
+std::vector<std::string> Workspace::ini_files() {
   checking::WalkOptions all;
-  all.ignore_files = false;  // LinuxCNC runs these, too
-  for (checking::WalkedFile& file : checking::walk(files_, folders_, all).files) paths.push_back(std::move(file.path));
-  for (const auto& [uri, document] : open_) paths.push_back(document->path());
-  const auto folders = search_path(from);
-  for (const std::string& name : folders->names()) {
-    if (const auto file = folders->find(name); file && file->regular) paths.push_back(file->path);
+  all.takes_inis = true;
+  std::vector<std::string> files;
+  for (checking::WalkedFile& file : checking::walk(files_, folders_, all, [this](const std::string& folder) {
+                                      return configuration_->patterns_in(folder);
+                                    }).files) {
+    if (is_ini(file.path)) files.push_back(std::move(file.path));
   }
-  std::vector<const Document*> out{&from};
-  std::set<std::string> known{file_key(from.path())};
-  for (const std::string& path : paths) {
-    if (!known.insert(file_key(path)).second) continue;
-    if (const Document* document = document_of_path(path)) out.push_back(document);
-  }
-  return out;
-}
-
-std::vector<const Document*> Workspace::documents_run_with(const Document& from) {
-  std::vector<const Document*> all = documents_around(from);
-  std::map<std::string, size_t> numbers;
-  for (size_t i = 0; i < all.size(); ++i) numbers.emplace(file_key(all[i]->path()), i);
-  std::vector<std::vector<size_t>> callees, callers(all.size());
-  for (size_t i = 0; i < all.size(); ++i) {
-    callees.emplace_back();
-    const Program& p = all[i]->program();
-    const auto folders = p.calls.empty() ? nullptr : search_path(*all[i]);
-    for (const Call& call : p.calls) {
-      if (call.callee == kNoName || call.target != kNoRegion) continue;
-      const auto file = folders->find(p.name(call.callee));
-      const Document* called = file && file->regular ? document_of_path(file->path) : nullptr;
-      if (called == nullptr) continue;
-      const auto [entry, is_new] = numbers.emplace(file_key(file->path), all.size());
-      if (is_new) {
-        all.push_back(called);
-        callers.emplace_back();
-      }
-      callees[i].push_back(entry->second);
-      callers[entry->second].push_back(i);
-    }
-  }
-  const auto reach = [&](std::vector<size_t> todo, const std::vector<std::vector<size_t>>& edges) {
-    std::vector<bool> reached(all.size());
-    for (const size_t i : todo) reached[i] = true;
-    for (size_t at = 0; at < todo.size(); ++at) {
-      for (const size_t next : edges[todo[at]]) {
-        if (!reached[next]) todo.push_back(next);
-        reached[next] = true;
-      }
-    }
-    return todo;
-  };
-  std::vector<const Document*> out;
-  std::vector<size_t> found = reach(reach({0}, callers), callees);
-  std::ranges::sort(found);
-  out.reserve(found.size());
-  for (const size_t i : found) out.push_back(all[i]);
-  return out;
-}
-
-std::vector<std::shared_ptr<const MachineSetup>> Workspace::machines(const Document& from) {
-  std::vector<std::shared_ptr<const MachineSetup>> out;
-  std::set<std::string> known;
-  checking::Settings settings;
-  if (settings_for(from.path(), &settings) && settings.profile.setup != nullptr) {
-    out.push_back(settings.profile.setup);
-    known.insert(file_key(settings.profile.setup->path));
-  }
-  std::vector<std::string> paths;
-  checking::WalkOptions all;
-  all.ignore_files = false;
-  all.include = {"*.ini"};
-  for (checking::WalkedFile& file : checking::walk(files_, folders_, all).files) paths.push_back(std::move(file.path));
-  for (const SearchFolder& folder : search_path(from)->folders()) {
-    std::string unread;  // then none are found there
-    for (const FolderEntry& entry : files_.list(folder.path, &unread))
-      paths.push_back(joined_path(folder.path, entry.name));
-  }
-  for (const std::string& path : paths) {
-    std::string error;
-    if (!small_letters(path).ends_with(".ini") || !known.insert(file_key(path)).second) continue;
-    if (auto setup = read_setup(files_, path, &error)) out.push_back(std::move(setup));
-  }
-  return out;
+  return files;
 }
 
 std::set<std::string> Workspace::related(const Document& document) const {
@@ -255,6 +194,7 @@ std::set<std::string> Workspace::related(const Document& document) const {
 
 bool Workspace::settings_for(const std::string& path, checking::Settings* settings) {
   std::string error;
+  if (is_ini(path) && !is_machine_ini(files_, path)) return false;  // another program's
   return configuration_->settings_for(path, settings, &error);
 }
 
@@ -313,11 +253,30 @@ std::map<std::string, Checked> Workspace::run(const std::vector<std::string>& fi
   return out;
 }
 
+/// The open programs that are checked for the machine of an INI.
+std::set<std::string> Workspace::open_on_machine(const std::string& ini) {
+  std::set<std::string> uris;
+  for (const auto& [uri, document] : open_) {
+    if (is_ini(document->path())) continue;
+    const Profile profile = profile_of(*document);
+    if (profile.setup != nullptr && file_key(profile.setup->path) == file_key(ini)) uris.insert(uri);
+  }
+  return uris;
+}
+
 std::vector<std::string> Workspace::check(const std::string& uri) {
   const Document* changed = find_open(uri);
   if (changed == nullptr) return {};
   everything_.reset();
-  const std::set<std::string> uris = related(*changed);
+  std::set<std::string> uris;
+  if (is_ini(changed->path())) {
+    uris = open_on_machine(changed->path());
+    forget_machines();
+    uris.merge(open_on_machine(changed->path()));
+    uris.insert(uri);
+  } else {
+    uris = related(*changed);
+  }
   std::vector<std::string> files;
   for (const std::string& one : uris) {
     files.push_back(open_.at(one)->path());
@@ -329,7 +288,11 @@ std::vector<std::string> Workspace::check(const std::string& uri) {
 }
 
 const std::map<std::string, Checked>& Workspace::check_everything() {
-  if (!everything_) everything_ = run(program_files());
+  if (!everything_) {
+    std::vector<std::string> files = program_files();
+    std::ranges::move(ini_files(), std::back_inserter(files));
+    everything_ = run(files);
+  }
   return *everything_;
 }
 

@@ -71,7 +71,8 @@ class Workspace {
   std::vector<std::shared_ptr<const MachineSetup>> machines(const Document& from);
   /// The machine and version that a document is checked for; the defaults where its settings are wrong.
   Profile profile_of(const Document& document);
-  bool renames_files = true;  ///< the client does, when an edit wants it
+  bool client_shows_images = false;  ///< in Markdown, from data URIs: the setting `images`
+  bool renames_files = true;         ///< the client does, when an edit wants it
 
   /// Checks a document and, with it, the open ones that call it or that it calls. Returns the uris of all that were
   /// checked; findings() then has them.
@@ -95,7 +96,10 @@ class Workspace {
   std::shared_ptr<const SearchPath> search_path(const Document& from);
   std::shared_ptr<const Source> text_of_open(const std::string& path) const;
   std::set<std::string> related(const Document& document) const;
+  std::set<std::string> open_on_machine(const std::string& ini);
   void forget_file(const std::string& path);
+  void forget_machines();
+  std::vector<std::string> ini_files();
   std::map<std::string, Checked> run(const std::vector<std::string>& files);
   bool settings_for(const std::string& path, checking::Settings* settings);
 

@@ -25,6 +25,7 @@ struct IniKey {
   };
   std::string_view section;  ///< `JOINT_` stands for `[JOINT_0]` and its like, `AXIS_` for `[AXIS_X]`
   std::string_view name;
+  std::string_view meaning;  ///< in a few words, with code in backticks
   Type type = Type::kText;
   bool refuses = false;  ///< LinuxCNC ends where the value is no such thing; otherwise the default stays
   bool several = false;  ///< may be there more than once
@@ -37,8 +38,13 @@ std::span<const IniKey> ini_keys();
 
 /// Whether a section is one of LinuxCNC's own, with keys that LinuxCNC or its displays read.
 bool is_known_section(std::string_view section);
-/// The names of those sections that LinuxCNC itself reads.
-std::span<const std::string_view> machine_sections();
+struct IniSection {
+  std::string_view name;  ///< `JOINT_` as above
+  std::string_view meaning;
+};
+/// Those sections that LinuxCNC itself reads.
+std::span<const IniSection> machine_sections();
+const IniSection* find_ini_section(std::string_view section);
 /// Whether some display, or a driver of the sample configurations, has this key in that section, so that it is not misspelt.
 bool is_display_key(std::string_view section, std::string_view name);
 

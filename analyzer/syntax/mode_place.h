@@ -90,7 +90,7 @@ bool go_home(ModeLine& line);
 /// G28.1 and G30.1.
 void store_home(ModeLine& line);
 /// An arc that ends there.
-bool arc(ModeLine& line, const Point& end);
+bool arc(ModeLine& line, Motion motion, const Point& end);
 /// A compensated path: with a tool of this radius, in the units in effect, on this side; a move on it; its end. They tell
 /// whether the tool does not fit.
 void begin_path(ModeLine& line, bool right, double radius, int orientation);

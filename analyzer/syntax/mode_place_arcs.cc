@@ -14,8 +14,8 @@ struct Ends {
 
 class Arc {
  public:
-  Arc(ModeLine& line, const ArcAxes& axes, const Point& end)
-      : line_(line), axes_(axes), from_(line.place()->at), to_(end) {
+  Arc(ModeLine& line, const ArcAxes& axes, Motion motion, const Point& end)
+      : line_(line), axes_(axes), motion_(motion), from_(line.place()->at), to_(end) {
     const size_t first = index(axes.first), second = index(axes.second);
     here_ = {{places::here(from_[first]), places::here(from_[second])},
              {places::here(to_[first]), places::here(to_[second])}};
@@ -43,6 +43,7 @@ class Arc {
 
   ModeLine& line_;
   const ArcAxes& axes_;
+  Motion motion_;
   const Point& from_;
   const Point& to_;
   Ends here_{}, elsewhere_{};
@@ -85,6 +86,7 @@ ArcNumbers Arc::numbers(bool absolute) const {
   numbers.diameter = line_.holds({{Mode::kDiameter, value_bit(modes::kG7)}}) == Answer::kYes;
   numbers.incremental = line_.only(Mode::kDistance) == modes::kG91;
   numbers.absolute_center = absolute;
+  numbers.clockwise = motion_ == Motion::kG2;
   numbers.tolerance = tolerance_;
   numbers.start = here_.start;
   numbers.end = here_.end;
@@ -152,7 +154,7 @@ bool knows_center(const ModeLine& line) {
 
 }  // namespace
 
-bool arc(ModeLine& line, const Point& end) {
+bool arc(ModeLine& line, Motion motion, const Point& end) {
   if (line.place() == nullptr) return false;
   // A compensated path looks at its arcs itself. Where nothing is known of it, the radii have to fit whatever the tool.
   if (line.place()->path.offsets()) return false;
@@ -168,7 +170,7 @@ bool arc(ModeLine& line, const Point& end) {
                              : "Radius to end of arc differs from radius to start: ...",
                    line.mover());
   }
-  Arc arc(line, kArcAxes[*plane], end);
+  Arc arc(line, kArcAxes[*plane], motion, end);
   return by_radius ? arc.stops_by_radius(*radius) : arc.stops_by_center(*arc_distance == modes::kG90_1);
 }
 

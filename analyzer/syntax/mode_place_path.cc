@@ -76,6 +76,7 @@ ArcNumbers numbers_of(const ModeLine& line, const PathPlane& plane, PlanePoint f
   numbers.diameter = line.only(Mode::kDiameter) == modes::kG7;
   numbers.incremental = line.only(Mode::kDistance) == modes::kG91;
   numbers.absolute_center = line.only(Mode::kArcDistance) == modes::kG90_1;
+  numbers.clockwise = arc.turns < 0;
   numbers.tolerance = arc_tolerance(numbers.inch, arc.spread);
   numbers.start = {from.first, from.second};
   numbers.center = {arc.center.first, arc.center.second};

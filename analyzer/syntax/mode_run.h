@@ -26,6 +26,7 @@ struct ArcNumbers {
   bool diameter;                     ///< X is one
   bool incremental;                  ///< G91
   bool absolute_center;              ///< G90.1
+  bool clockwise;                    ///< G2
   ArcTolerance tolerance;
   Flat start, center, end;
   double start_radius, end_radius;

@@ -166,7 +166,7 @@ bool arc(ModeLine& line, Motion motion) {
     if (no_center ? radius(line, plane) : center(line, plane)) return true;
   }
   Point end;
-  if (places::end_point(line, &end) || places::arc(line, end) || places::follow_path_by_arc(line, motion, end))
+  if (places::end_point(line, &end) || places::arc(line, motion, end) || places::follow_path_by_arc(line, motion, end))
     return true;
   places::visit_arc(line, motion, end);
   keep_feed(line);

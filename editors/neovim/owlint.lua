@@ -57,3 +57,19 @@ vim.api.nvim_create_autocmd('FileType', {
     start(event.buf)
   end,
 })
+
+-- A machine's INI, and no other program's.
+local function is_machine(buffer)
+  for _, line in ipairs(vim.api.nvim_buf_get_lines(buffer, 0, -1, false)) do
+    if line:match('^%s*%[EMC%]') or line:match('^%s*%[RS274NGC%]') then return true end
+  end
+  return false
+end
+
+vim.api.nvim_create_autocmd('BufRead', {
+  group = group,
+  pattern = '*.ini',
+  callback = function(event)
+    if is_machine(event.buf) then start(event.buf) end
+  end,
+})

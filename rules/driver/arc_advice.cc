@@ -202,6 +202,39 @@ void advise_about_zero_radius(const Input& in, const FlowStop& stop, Finding& fi
   finding.help = fmt::format("{} as {}", what, letters(arc));
 }
 
+std::shared_ptr<const ArcSketch> sketch_of(const ArcNumbers& arc) {
+  const bool by_radius = arc.radius != 0;
+  if (arc.start == arc.end && (by_radius || arc.center == arc.start)) return nullptr;
+  const auto point = [&arc](Flat at) -> ArcSketch::Point {
+    if (arc.start_known) return {at.first, at.second, point_words(arc, at)};
+    return {at.first, at.second, point_words(arc, minus(at, arc.start))};
+  };
+  const auto circle = [&](Flat center, double radius) -> ArcSketch::Circle {
+    return {point(center), radius, length(radius, arc.inch)};
+  };
+  ArcSketch sketch;
+  sketch.clockwise = arc.clockwise;
+  sketch.start = point(arc.start);
+  if (!arc.start_known) sketch.start.words += ", wherever the machine stands";
+  sketch.end = point(arc.end);
+  sketch.start_radius = by_radius ? std::abs(arc.radius) : arc.start_radius;
+  sketch.end_radius = by_radius ? std::abs(arc.radius) : arc.end_radius;
+  const int decimals = by_radius ? telling_decimals(sketch.start_radius, arc.least_radius)
+                                 : telling_decimals(arc.start_radius, arc.end_radius);
+  sketch.start_radius_words = length(sketch.start_radius, arc.inch, decimals);
+  sketch.end_radius_words = length(sketch.end_radius, arc.inch, decimals);
+  if (!by_radius) sketch.center = point(arc.center);
+  if (arc.start == arc.end) return std::make_shared<const ArcSketch>(std::move(sketch));
+  if (by_radius) {
+    sketch.nearest = circle(times(plus(arc.start, arc.end), 0.5), arc.least_radius);
+    sketch.nearest->words = length(arc.least_radius, arc.inch, decimals);
+  } else if (arc.start_radius >= arc.tolerance.least_radius && arc.end_radius >= arc.tolerance.least_radius) {
+    const Flat center = nearest_center(arc);
+    sketch.nearest = circle(center, std::hypot(center.first - arc.start.first, center.second - arc.start.second));
+  }
+  return std::make_shared<const ArcSketch>(std::move(sketch));
+}
+
 std::string least_radius_word(const ArcNumbers& arc) {
   constexpr double kDecimals = 1e4;
   const double least = std::ceil(arc.least_radius * kDecimals) / kDecimals;

@@ -2,8 +2,10 @@
 // before it is shown.
 #pragma once
 
+#include <memory>
 #include <string>
 
+#include "analyzer/findings/arc_sketch.h"
 #include "rules/driver/modes.h"
 
 namespace owlint::rules {
@@ -16,6 +18,8 @@ void tell_arc_start(const Input& in, const FlowStop& stop, Finding& finding);
 void advise_about_center(const Input& in, const FlowStop& stop, Finding& finding);
 /// The same for an arc whose center is at its start or end.
 void advise_about_zero_radius(const Input& in, const FlowStop& stop, Finding& finding);
+/// What of the arc can be drawn; null if it has no two points that differ.
+std::shared_ptr<const ArcSketch> sketch_of(const ArcNumbers& arc);
 /// The least radius that reaches the end, as `R6.0001`; with the sign of the one that is written.
 std::string least_radius_word(const ArcNumbers& arc);
 

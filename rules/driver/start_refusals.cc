@@ -66,8 +66,8 @@ std::string meant_section(const IniText& text, std::string_view name) {
   std::ranges::transform(letters, letters.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   std::ranges::replace(letters, '-', '_');
   std::vector<std::string> candidates;
-  for (const std::string_view section : machine_sections()) {
-    if (!section.ends_with('_') && !is_there(section)) candidates.emplace_back(section);
+  for (const IniSection& section : machine_sections()) {
+    if (!section.name.ends_with('_') && !is_there(section.name)) candidates.emplace_back(section.name);
   }
   // `[JOINT0]` and `[axis_x]`
   for (const std::string_view family : {"JOINT", "AXIS"}) {

@@ -27,6 +27,7 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, what_differs(at, *stop.words.arc));
     advise_about_center(in, stop, f);
     tell_arc_start(in, stop, f);
+    f.arc = sketch_of(*stop.words.arc);
     return &f;
   });
 }

@@ -42,6 +42,7 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, what_is_lacking(at, *stop.words.arc));
     f.help = how_to_reach(*stop.words.arc);
     tell_arc_start(in, stop, f);
+    f.arc = sketch_of(*stop.words.arc);
     return &f;
   });
 }

@@ -51,6 +51,7 @@ void explain_place(const Input& in, const FlowStop& stop, Finding& f) {
     advise_about_zero_radius(in, stop, f);
   }
   tell_arc_start(in, stop, f);
+  f.arc = sketch_of(arc);
 }
 
 void check(const Input& in, Reporter& out) {

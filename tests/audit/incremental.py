@@ -83,6 +83,11 @@ def test(options, folder):
     with open(shop.root + "/machine.ini", "a", encoding="utf-8") as ini:
         ini.write("FEATURES = 0\n")
     shop.audit("the INI is changed", all_files, new=0)
+    lathe = "[EMC]\nVERSION = 1.1\n[RS274NGC]\nOWORD_NARGS = %s\n"
+    write(shop.root + "/lathe.ini", lathe % "YES")
+    shop.audit("an INI that no program uses", 0, new=1)
+    write(shop.root + "/lathe.ini", lathe % "1")
+    shop.audit("it is fixed", 0, gone=1)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,10 @@ export function shopPage(change = () => {}) {
   writeFileSync(join(shop, "new.ngc"), "o<probe> sub\n  o100 if [#1 GT 1]\n    o<touch> call [#1]\n  o100 endif\no<probe> endsub\no<touch> sub\no<touch> endsub\no<probe> call [2]\no100 if [1]\no100 if [0]\no100 endif\no100 endif\nM2\n");
   writeFileSync(join(shop, "calling.ngc"), "o<called> call [1]\nM2\n");
   writeFileSync(join(shop, "called.ngc"), "o<called> sub\no<called> endsub\nM2\n");
+  writeFileSync(join(shop, "modes.ngc"), "G21 G90 G17\nG0 X0 Y0\no<leaves> call\nG0 X10\no100 if [#5070 EQ 0]\n  G90 G18\no100 endif\nG0 X20\nM2\nG0 X30\n");
+  writeFileSync(join(shop, "leaves.ngc"), "o<leaves> sub\n  G91 G0 Z5\no<leaves> endsub\nM2\n");
+  writeFileSync(join(shop, "arc.ngc"), "G21 G90 G17 F200\nG0 X0 Y0\nG2 X20 Y0 I10.1 J0\nG3 X40 Y0 R9\nM2\n");
+  writeFileSync(join(shop, "unused.ini"), "[EMC]\nVERSION = 1.1\n[RS274NGC]\nOWORD_NARGS = YES\n");
   change(shop);
   audit(folder, "--report", "audit.html");
   return join(folder, "audit.html");

@@ -327,6 +327,61 @@ test("the findings of a program stand above its lines, the worst first", () => r
   await page.locator("li.chosen").waitFor();
 }));
 
+test("an arc that does not fit is drawn beside its finding", async () => {
+  for (const [name, options] of [["light", {}], ["dark", { colorScheme: "dark" }], ["phone", phone]]) {
+    await reading(program("arc.ngc", "?line=3"), options, async (page) => {
+      const drawing = page.locator("li.chosen img.arc");
+      await drawing.waitFor();
+      assert.match(await drawing.getAttribute("alt"), /start: X0 Y0; end: X20 Y0; center, as written: X10\.1 Y0.*radius that fits: 10 mm/);
+      await eventually(async () => assert.ok(await drawing.evaluate((image) => image.complete && image.naturalWidth > 0)));
+      await page.screenshot({ path: join(shots, `arc-${name}.png`) });
+    });
+  }
+});
+
+test("the drawing has the colours of the page", () => reading(program("arc.ngc", "?line=3"), {}, async (page) => {
+  const corner = () => page.locator("li.chosen img.arc").evaluate(async (image) => {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 4;
+    const context = canvas.getContext("2d");
+    context.drawImage(image, -190, -4);
+    return [...context.getImageData(0, 0, 1, 1).data].join();
+  });
+  await page.locator("li.chosen img.arc").waitFor();
+  await eventually(async () => assert.equal(await corner(), "255,255,255,255"));
+  await page.getByRole("button", { name: "dark colours" }).click();
+  await eventually(async () => assert.equal(await corner(), "31,35,41,255"));
+}));
+
+test("lines tell of modes that the line above does not show", () => reading(program("modes.ngc"), {}, async (page) => {
+  const note = (line) => page.locator(`li[data-line='${line}'] .note`);
+  await says(note(4), /^distance mode G91$/);
+  await says(note(8), /plane G17 or G18/);
+  await counts(page.locator(".source .note"), 2);
+}));
+
+test("the chosen line shows all modes in effect, and where they were set", async () => {
+  await reading(program("modes.ngc"), {}, async (page) => {
+    await says(page.locator("aside .modes-panel"), /Choose a line/);
+    await page.locator("li[data-line='4'] .number").click();
+    await says(page.locator("aside .modes-panel"), /Modes on line 4[^]*distance mode\s*G91\s*leaves\.ngc:2/);
+    await says(page.locator("aside .modes-panel"), /motion mode\s*G0\s*line 2/);
+    await page.screenshot({ path: join(shots, "modes.png") });
+    await page.keyboard.press("ArrowDown");
+    await says(page.locator("aside .modes-panel h2"), /line 5/);
+    await page.locator("aside .modes-panel").getByRole("link", { name: "leaves.ngc:2" }).click();
+    await page.locator("h1", { hasText: "leaves.ngc" }).waitFor();
+  });
+  await reading(program("modes.ngc", "?line=10"), {}, (page) => says(page.locator("aside .modes-panel"), /No run gets to this line/));
+  await reading(program("modes.ngc", "?line=8"), { ...phone, colorScheme: "dark" }, async (page) => {
+    await says(page.locator("li.chosen .modes-panel"), /distance mode\s*G90 or G91/);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+    await page.screenshot({ path: join(shots, "phone-modes.png") });
+  });
+});
+
+test("INIs that no program uses are checked as well", () => reading("#/findings?q=unused.ini", {}, (page) => allRows(page, /unused\.ini/)));
+
 test("on paper there are the findings and no controls", () => reading("#/findings?severity=2&q=OW1", {}, async (page) => {
   await page.emulateMedia({ media: "print" });
   await page.locator("ul.print-only li").first().waitFor();
@@ -336,7 +391,7 @@ test("on paper there are the findings and no controls", () => reading("#/finding
 
 test("axe-core finds nothing on any view, light or dark", async () => {
   for (const colorScheme of ["light", "dark"]) {
-    for (const route of ["#/", "#/findings", "#/programs", "#/program/3", "#/program/3?view=blocks", fixable("OW304"), program("new.ngc", "?line=9"), program("new.ngc", "?view=blocks"), program("calling.ngc", "?view=calls"), "#/rule/OW104", "#/findings?q=none-at-all", "#/program/999999"]) {
+    for (const route of ["#/", "#/findings", "#/programs", "#/program/3", "#/program/3?view=blocks", fixable("OW304"), program("new.ngc", "?line=9"), program("modes.ngc", "?line=4"), program("arc.ngc", "?line=3"), program("new.ngc", "?view=blocks"), program("calling.ngc", "?view=calls"), "#/rule/OW104", "#/findings?q=none-at-all", "#/program/999999"]) {
       await reading(route, { colorScheme }, async (page) => {
         await page.locator(".blocks, .drawing svg, .source, .empty, .list, .rule, .totals").first().waitFor();
         assert.deepEqual(await violations(page), [], `${colorScheme} ${route}`);

@@ -57,7 +57,7 @@ export function samplePage(programs, findings) {
     }
   }
   const part = {};
-  for (let f = 0; f < programs; f += 20) part[f] = { lineCount: 3, source: [[1, ["o100 if [1]", "G1 X1", "o100 endif"]]], findings: [], blocks: null };
+  for (let f = 0; f < programs; f += 20) part[f] = { lineCount: 3, source: [[1, ["o100 if [1]", "G1 X1", "o100 endif"]]], findings: [], modes: null, blocks: null };
   const [before, after] = readFileSync(template, "utf8").split("<!--owlint:data-->");
   const file = join(mkdtempSync(join(tmpdir(), "owlint-page-")), "sample.html");
   writeFileSync(file, before + element("owlint-part-0", part) + element("owlint-index", index) + after);

@@ -1,12 +1,15 @@
 // Replays typing and tells how long it takes from a keystroke to its diagnostics.
 //
-// usage: node typing.mjs OWLINT
+// usage: node typing.mjs OWLINT [PROGRAM...]
 //
-// In a program of 10,000 lines with O-words and in a CAM program of 1,000,000 lines a word is typed and deleted again, one
-// character at a time; each time the diagnostics for that very version are waited for. A figure, not a test.
+// In a program of 10,000 lines with O-words and in a CAM program of 1,000,000 lines, or in the middle of PROGRAMs, a word is typed and
+// deleted again, one character at a time; each time the diagnostics for that very version are waited for. A figure, not a test.
 import { spawn } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
 import { performance } from 'node:perf_hooks';
 import process from 'node:process';
+import { pathToFileURL } from 'node:url';
 import { createMessageConnection, StreamMessageReader, StreamMessageWriter } from 'vscode-jsonrpc/node.js';
 
 const owlint = process.argv[2];
@@ -32,7 +35,7 @@ function motion(lines) {
   return ['G21 G90 F800', ...out, 'o100 if [#500 GT 0]', 'G0 Z5', 'o100 endif', 'M2', ''].join('\n');
 }
 
-async function replay(name, text, line, keys) {
+async function replay(name, text, line, keys, uri = 'file:///typing/program.ngc') {
   const server = spawn(owlint, ['lsp'], { stdio: ['pipe', 'pipe', 'inherit'] });
   const connection = createMessageConnection(new StreamMessageReader(server.stdout), new StreamMessageWriter(server.stdin));
   let wanted = -1;
@@ -41,7 +44,6 @@ async function replay(name, text, line, keys) {
   connection.listen();
   await connection.sendRequest('initialize', { processId: null, rootUri: null, capabilities: { general: { positionEncodings: ['utf-8'] } } });
   await connection.sendNotification('initialized', {});
-  const uri = 'file:///typing/program.ngc';
   const answered = (version) => new Promise((resolve) => { wanted = version; arrived = resolve; });
   let done = answered(0);
   await connection.sendNotification('textDocument/didOpen', { textDocument: { uri, languageId: 'linuxcnc', version: 0, text } });
@@ -67,5 +69,12 @@ async function replay(name, text, line, keys) {
   connection.dispose();
 }
 
-await replay('10,000 lines of O-words', oWords(10_000), 4_000, 'o900 if [#1 GT 5]');
-await replay('1,000,000 lines of motion', motion(1_000_000), 500_000, 'G1 X5 (stop)');
+const programs = process.argv.slice(3);
+for (const program of programs) {
+  const text = fs.readFileSync(program, 'utf8');
+  await replay(path.basename(program), text, Math.floor(text.split('\n').length / 2), 'G1 X5 (stop)', pathToFileURL(path.resolve(program)).href);
+}
+if (programs.length === 0) {
+  await replay('10,000 lines of O-words', oWords(10_000), 4_000, 'o900 if [#1 GT 5]');
+  await replay('1,000,000 lines of motion', motion(1_000_000), 500_000, 'G1 X5 (stop)');
+}

@@ -8,7 +8,7 @@ using namespace owlint;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (size < 8) return 0;
-  const std::string uri = "file:///no-such-folder/p.ngc";
+  const std::string uri = data[7] % 2 == 0 ? "file:///no-such-folder/p.ngc" : "file:///no-such-folder/p.ini";
   const MemoryFiles none;
   lsp::Workspace workspace(none);
   workspace.encoding = static_cast<lsp::Encoding>(data[0] % 3);
@@ -24,11 +24,31 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                          {"positions", {at}},
                          {"range", {{"start", at}, {"end", to}}},
                          {"newName", "o7"}};
-  for (const auto feature :
-       {lsp::definition, lsp::references, lsp::document_highlight, lsp::prepare_rename, lsp::rename,
-        lsp::document_symbol, lsp::document_link, lsp::code_lens, lsp::folding_range, lsp::selection_range,
-        lsp::prepare_call_hierarchy, lsp::completion, lsp::hover, lsp::signature_help, lsp::inlay_hint,
-        lsp::semantic_tokens_full, lsp::semantic_tokens_range, lsp::formatting, lsp::on_type_formatting}) {
+  for (const auto feature : {lsp::definition,
+                             lsp::references,
+                             lsp::document_highlight,
+                             lsp::prepare_rename,
+                             lsp::rename,
+                             lsp::document_symbol,
+                             lsp::document_link,
+                             lsp::code_lens,
+                             lsp::folding_range,
+                             lsp::selection_range,
+                             lsp::prepare_call_hierarchy,
+                             lsp::completion,
+                             lsp::hover,
+                             lsp::signature_help,
+                             lsp::inlay_hint,
+                             lsp::semantic_tokens_full,
+                             lsp::semantic_tokens_range,
+                             lsp::formatting,
+                             lsp::on_type_formatting,
+                             lsp::ini_hover,
+                             lsp::ini_completion,
+                             lsp::ini_definition,
+                             lsp::ini_references,
+                             lsp::ini_document_link,
+                             lsp::ini_document_symbol}) {
     try {
       feature(workspace, params).dump(-1, ' ', false, lsp::Json::error_handler_t::replace);
     } catch (const lsp::ResponseError&) {

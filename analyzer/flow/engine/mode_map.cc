@@ -55,13 +55,11 @@ ModeMap::ModeMap(const Linked& linked, const Profile& profile, const Limits& lim
 
 ModeMap::~ModeMap() = default;
 
-void ModeMap::add_setters(const Seen& seen, StatementId next, std::vector<ModeThere>* modes) const {
-  for (ModeThere& there : *modes) {
-    for (const RecordId record : seen.records) {
-      const ModeSetter setter = last_setter(analysis_, record, next, mask_of(there.mode));
-      const auto same = [&](const ModeSetter& one) { return one.file == setter.file && one.line == setter.line; };
-      if (setter.file != nullptr && std::ranges::none_of(there.set_on, same)) there.set_on.push_back(setter);
-    }
+void ModeMap::add_setters(const Seen& seen, StatementId next, ModeThere* there) const {
+  for (const RecordId record : seen.records) {
+    const ModeSetter setter = last_setter(analysis_, record, next, mask_of(there->mode));
+    const auto same = [&](const ModeSetter& one) { return one.file == setter.file && one.line == setter.line; };
+    if (setter.file != nullptr && std::ranges::none_of(there->set_on, same)) there->set_on.push_back(setter);
   }
 }
 
@@ -85,27 +83,101 @@ void ModeMap::carry_on(uint32_t first, uint32_t last, ModeState* state, std::vec
   }
 }
 
+/// Goes down the lines of the program, and knows the modes before each that it is asked for.
+class ModeMap::Walk {
+ public:
+  explicit Walk(const ModeMap& map) : map_(map), file_(*map.linked_.files()[0].program) {}
+
+  /// Whether a run gets to the line. Lines ascend.
+  bool go(uint32_t line) {
+    const auto& statements = file_.syntax.statements;
+    const auto at = std::ranges::lower_bound(statements, line, {}, &Statement::line);
+    const auto id = static_cast<StatementId>(at - statements.begin());
+    if (at != statements.end() && at->line == line) {
+      next_ = id;
+      return begin(map_.collector_->before(id));
+    }
+    if (id == 0 && carried_ == 0) {
+      state_ = map_.analysis_.machine().start();
+      carried_ = 1;
+    } else if (id > 0 && (next_ != kNoStatement || above_ != id - 1)) {
+      next_ = kNoStatement;
+      above_ = id - 1;
+      if (!begin(map_.collector_->left(above_))) return false;
+      carried_ = statements[above_].line + 1;
+    }
+    if (id > 0 && !seen_->modes) return false;
+    map_.carry_on(carried_, line, &state_, &modes_);
+    carried_ = line;
+    return true;
+  }
+
+  const ModeState& state() const { return state_; }
+  ModeThere there(Mode mode) const {
+    ModeThere there = modes_[static_cast<size_t>(mode)];
+    there.may = state_.now[mode];
+    there.known = !state_.now.is_open(mode);
+    if (there.set_on.empty() && seen_ != nullptr) map_.add_setters(*seen_, next_, &there);
+    return there;
+  }
+
+ private:
+  static std::vector<ModeThere> no_modes() {
+    std::vector<ModeThere> modes;
+    for (size_t i = 0; i < kModes; ++i) modes.push_back({static_cast<Mode>(i), 0, false, {}});
+    return modes;
+  }
+
+  bool begin(const Seen& seen) {
+    seen_ = &seen;
+    modes_ = no_modes();
+    if (!seen.modes) return false;
+    state_ = *seen.modes;
+    return true;
+  }
+
+  const ModeMap& map_;
+  const Program& file_;
+  const Seen* seen_ = nullptr;        // where the state was taken from; null: the start
+  StatementId next_ = kNoStatement;   // the statement of the line, if it has one
+  StatementId above_ = kNoStatement;  // else the nearest one above
+  uint32_t carried_ = 0;              // the line up to which the lines below it are carried out
+  ModeState state_;
+  std::vector<ModeThere> modes_ = no_modes();  // what those lines have set
+};
+
 std::optional<std::vector<ModeThere>> ModeMap::before(uint32_t line) const {
-  const Program& file = *linked_.files()[0].program;
-  const auto& statements = file.syntax.statements;
-  const auto at = std::ranges::lower_bound(statements, line, {}, &Statement::line);
-  const auto id = static_cast<StatementId>(at - statements.begin());
-  const bool own = at != statements.end() && at->line == line;
+  Walk walk(*this);
+  if (!walk.go(line)) return std::nullopt;
   std::vector<ModeThere> modes;
-  for (size_t i = 0; i < kModes; ++i) modes.push_back({static_cast<Mode>(i), 0, false, {}});
-  ModeState state = analysis_.machine().start();
-  if (own || id > 0) {
-    const Seen& seen = own ? collector_->before(id) : collector_->left(id - 1);
-    if (!seen.modes) return std::nullopt;
-    state = *seen.modes;
-    add_setters(seen, own ? id : kNoStatement, &modes);
-  }
-  if (!own) carry_on(id > 0 ? statements[id - 1].line + 1 : 1, line, &state, &modes);
-  for (ModeThere& there : modes) {
-    there.may = state.now[there.mode];
-    there.known = !state.now.is_open(there.mode);
-  }
+  for (size_t i = 0; i < kModes; ++i) modes.push_back(walk.there(static_cast<Mode>(i)));
   return modes;
+}
+
+std::vector<ModeStep> ModeMap::steps(std::span<const uint32_t> lines) const {
+  std::vector<ModeStep> steps;
+  Walk walk(*this);
+  std::optional<ModeState> last;
+  bool reached = true;
+  for (const uint32_t line : lines) {
+    const bool gets_there = walk.go(line);
+    if (!gets_there) {
+      if (reached) steps.push_back({line, false, {}});
+      reached = false;
+      continue;
+    }
+    ModeStep step{line, true, {}};
+    const ModeSets& now = walk.state().now;
+    for (size_t i = 0; i < kModes; ++i) {
+      const auto mode = static_cast<Mode>(i);
+      if (!last || last->now[mode] != now[mode] || last->now.is_open(mode) != now.is_open(mode))
+        step.changed.push_back(walk.there(mode));
+    }
+    if (!step.changed.empty() || !reached) steps.push_back(std::move(step));
+    reached = true;
+    last = walk.state();
+  }
+  return steps;
 }
 
 }  // namespace owlint::flow

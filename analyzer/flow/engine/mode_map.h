@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "analyzer/flow/engine/mode_setters.h"
@@ -16,6 +17,13 @@ struct ModeThere {
   std::vector<ModeSetter> set_on;  ///< by the runs that come here, as far as lines have set it
 };
 
+/// What is in effect from a line on, and was not on the line that was asked for before it.
+struct ModeStep {
+  uint32_t line = 0;
+  bool reached = true;             ///< false: no run gets there, and `changed` is empty
+  std::vector<ModeThere> changed;  ///< of the first line that a run gets to: all
+};
+
 class ModeMap {
  public:
   /// Analyses the program; `linked` must outlive it.
@@ -24,13 +32,16 @@ class ModeMap {
 
   /// Before a line of the program's own file (from 1) is carried out. Nothing if no run gets there.
   std::optional<std::vector<ModeThere>> before(uint32_t line) const;
+  /// The same for many lines, which ascend, in one pass; lines without a change are left out.
+  std::vector<ModeStep> steps(std::span<const uint32_t> lines) const;
 
  private:
   class Collector;
+  class Walk;
   struct Seen;
 
   void carry_on(uint32_t first, uint32_t last, ModeState* state, std::vector<ModeThere>* modes) const;
-  void add_setters(const Seen& seen, StatementId next, std::vector<ModeThere>* modes) const;
+  void add_setters(const Seen& seen, StatementId next, ModeThere* there) const;
 
   const Linked& linked_;
   Iteration analysis_;

@@ -1,5 +1,5 @@
 // The VS Code side of owlint: starts `owlint lsp`, restarts it when its settings change, and shows the
-// rules' pages. Everything about G-code is in the server.
+// rules' pages. Everything about G-code and INIs is in the server.
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 import { commands, type ExtensionContext, type OutputChannel, Uri, window, workspace } from "vscode";
@@ -58,8 +58,9 @@ async function start(): Promise<void> {
     documentSelector: [
       { language: "linuxcnc", scheme: "file" },
       { language: "linuxcnc", scheme: "untitled" },
+      { language: "ini", scheme: "file", pattern: "**/*.ini" },
     ],
-    initializationOptions: settings,
+    initializationOptions: { ...settings, images: true },  // VS Code shows images in hovers
     outputChannel: output,
     middleware: {
       async executeCommand(name, args, next) {

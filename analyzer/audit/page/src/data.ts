@@ -34,11 +34,12 @@ export interface Related { file: number; path: string; message: string; start: P
 export interface Edit { start: Position; end: Position; text: string }
 export interface Fix { title: string; safe: boolean; edits: Edit[] }
 
-/** As `owlint check --format json` has it. From `pathFrom` on, the related places say why a run gets to the finding, or why none does. */
+/** `arc`: of an arc that does not fit, what its drawing says, and an SVG. As `owlint check --format json` has the rest. From `pathFrom` on, the related places say why a run gets to the finding, or why none does. */
 export interface Finding {
   code: string; rule: string; severity: string; message: string; start: Position; end: Position;
   reach: string; stops: boolean; interpreter?: string; help?: string; related: Related[]; pathFrom: number;
   fixes: Fix[];
+  arc?: { words: string; drawing: string };
 }
 
 /** The subs of a program with what is in them. Blocks come after the blocks that they are in; `to` is null where a call leads nowhere. */
@@ -60,12 +61,20 @@ export interface Extents {
   unknown: (LineOf & { axes: string[]; why: string })[];
   stops_at: LineOf | null;
 }
+/** A line of the program itself, or of another file, -1 for one that this page does not have. */
+export type Place = number | [file: number, line: number, name: string];
+/**
+ * Names of modes, each with 1 if lines tell of its changes. A step is what is in effect from a shown line on, if that is not what
+ * was in effect on the one above: the number of a name, the value, and where it was set; null where no run gets.
+ */
+export interface Modes { names: [string, number][]; steps: [number, [number, string, Place[]][] | null][] }
 
 export interface Details {
   lineCount: number;
   /** Stretches of lines: the number of the first, and their texts. */
   source: [number, string[]][];
   findings: Finding[];
+  modes: Modes | null;
   blocks: Blocks | null;
   extents: Extents | null;
 }

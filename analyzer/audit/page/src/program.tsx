@@ -6,6 +6,7 @@ import { machine, readDetails, type Details } from "./data";
 import { ExtentsTable } from "./extents";
 import type { Model } from "./model";
 import { number, plural } from "./model";
+import { ModesPanel } from "./modes";
 import { useNarrow } from "./narrow";
 import { link, type Route } from "./route";
 import { RulePage } from "./rule";
@@ -83,6 +84,7 @@ function Known({ model, route, file }: { model: Model; route: Route; file: numbe
           {tab === "calls" && hasCalls && <CallsView model={model} file={file} />}
         </div>
         <aside aria-label="about this program">
+          {details?.modes && !narrow && tab === "lines" && <ModesPanel file={file} modes={details.modes} line={line} />}
           {details?.extents && <ExtentsTable extents={details.extents} />}
           <Files model={model} title="Called by" files={model.callers(file)} />
           <Files model={model} title="Calls" files={model.calls(file)} />

@@ -1,11 +1,13 @@
 // A program's lines with its findings in place.
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useMemo, useRef } from "preact/hooks";
 import { CodeLine, type Mark } from "./code";
 import type { Details, Finding } from "./data";
 import { Fixes } from "./fixes";
 import type { Language } from "./highlight";
 import { number, severities } from "./model";
+import { ModesPanel, notesOf } from "./modes";
+import { useNarrow } from "./narrow";
 import { link } from "./route";
 import { Badge, Message, visible, WholePath } from "./words";
 
@@ -30,14 +32,17 @@ function Report({ file, details, language, finding, open }: Omit<Props, "line"> 
       })}
       {finding.interpreter && <p class="more"><b>LinuxCNC says</b> <q>{visible(finding.interpreter)}</q></p>}
       {finding.help && <p class="more"><b>Fix</b> <Message text={finding.help} /></p>}
+      {finding.arc && <img class="arc" src={`data:image/svg+xml,${encodeURIComponent(finding.arc.drawing)}`} alt={finding.arc.words} />}
       <Fixes details={details} fixes={finding.fixes} language={language} />
     </div>
   );
 }
 
 export function SourceView(props: Props) {
-  const { details, language, line } = props;
+  const { file, details, language, line } = props;
   const list = useRef<HTMLOListElement>(null);
+  const narrow = useNarrow();
+  const notes = useMemo(() => (details.modes ? notesOf(details.modes) : new Map<number, string[]>()), [details]);
   const byLine = new Map<number, Finding[]>();
   for (const f of details.findings) byLine.get(f.start.line)?.push(f) ?? byLine.set(f.start.line, [f]);
   useEffect(() => {
@@ -58,13 +63,24 @@ export function SourceView(props: Props) {
       const found = byLine.get(n) ?? [];
       rows.push(
         <li key={n} data-line={n} tabIndex={-1} class={n === line ? "chosen" : undefined}>
-          <span class="number">{n}</span><code><CodeLine text={text} language={language} marks={marksOf(found, n, text)} /></code>
+          <a class="number" href={link("program", file, { line: String(n) })} tabIndex={-1} aria-label={`line ${n}`}>{n}</a><code><CodeLine text={text} language={language} marks={marksOf(found, n, text)} /></code>
+          {notes.has(n) && <span class="note" title="in effect from here on">{notes.get(n)!.join(", ")}</span>}
           {found.map((f, k) => <Report key={k} {...props} finding={f} />)}
+          {narrow && n === line && details.modes && <ModesPanel file={file} modes={details.modes} line={line} />}
         </li>,
       );
     });
     next = first + texts.length;
   }
   gap(next, details.lineCount + 1);
-  return <ol class="source" aria-label="program" ref={list}>{rows}</ol>;
+  // The arrow keys lead from line to line, and into the lines.
+  const step = (event: KeyboardEvent) => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key] ?? 0;
+    if (by === 0 || !(event.target as Element).matches(".source, [data-line]")) return;
+    const next = list.current?.querySelector<HTMLElement>(line === 0 ? "[data-line]" : `[data-line="${line + by}"]`);
+    if (!next) return;
+    event.preventDefault();
+    location.hash = link("program", file, { line: next.dataset.line });
+  };
+  return <ol class="source" aria-label="program" tabIndex={0} ref={list} onKeyDown={step}>{rows}</ol>;
 }
