@@ -1,14 +1,14 @@
 // Lathe contours: shapes that are cut, and those that are not.
 #include "analyzer/geometry/contour.h"
 
-#include <catch2/catch_test_macros.hpp>
+#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
 namespace owlint {
 namespace {
 
-struct Moves : ContourMoves {
+struct Recorded : ContourMoves {
   std::vector<ContourMove> all;
   bool feeds = true;
 
@@ -39,7 +39,7 @@ ContourWords words(ContourWords::Cut cut, double allowance = 0) {
 }
 
 std::string said(const std::vector<ContourElement>& elements, const ContourWords& words) {
-  Moves moves;
+  Recorded moves;
   const ContourOutcome outcome = cut_contour(elements, words, moves);
   return outcome.message == nullptr ? "" : outcome.message;
 }
@@ -49,7 +49,7 @@ constexpr auto kLayers = ContourWords::Cut::kPocketsAtOnce;
 }  // namespace
 
 TEST_CASE("a finishing cut follows the contour") {
-  Moves moves;
+  Recorded moves;
   const ContourOutcome outcome =
       cut_contour(lines({{1, 30}, {-5, 10}, {-20, 20}}), words(ContourWords::Cut::kFinish), moves);
   CHECK(outcome.end == ContourEnd::kDone);
@@ -61,14 +61,14 @@ TEST_CASE("a finishing cut follows the contour") {
 }
 
 TEST_CASE("layers end at the height of the start") {
-  Moves moves;
+  Recorded moves;
   const ContourOutcome outcome = cut_contour(lines({{1, 30}, {-5, 10}, {-20, 20}}), words(kLayers), moves);
   CHECK(outcome.end == ContourEnd::kDone);
   CHECK(moves.all.back().end == PlanePoint{-20, 30});
 }
 
 TEST_CASE("a move that is refused ends the cut") {
-  Moves moves;
+  Recorded moves;
   moves.feeds = false;
   const ContourOutcome outcome = cut_contour(lines({{1, 30}, {-5, 10}, {-20, 20}}), words(kLayers), moves);
   CHECK(outcome.end == ContourEnd::kRefused);
@@ -86,7 +86,7 @@ TEST_CASE("contours that are not cut") {
 }
 
 TEST_CASE("one line is no contour") {
-  Moves moves;
+  Recorded moves;
   CHECK(cut_contour(lines({{1, 30}, {-5, 10}}), words(kLayers), moves).end == ContourEnd::kDone);
   CHECK(moves.all.empty());
 }
@@ -99,7 +99,7 @@ TEST_CASE("a half circle at the end is looked for without end") {
   arc.end = {-5, 30};
   arc.center = {-2.5, 30};
   elements.push_back(arc);
-  Moves moves;
+  Recorded moves;
   CHECK(cut_contour(elements, words(kLayers), moves).end == ContourEnd::kNeverEnds);
 }
 
