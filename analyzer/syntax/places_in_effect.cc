@@ -12,6 +12,7 @@ namespace {
 constexpr uint32_t kAxesOfPlainLines = letter_set("xyzabc");
 constexpr MotionSet kPlainMoves = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
 constexpr MotionSet kStraightMoves = set_of(Motion::kG0) | set_of(Motion::kG1);
+constexpr MotionSet kArcMoves = set_of(Motion::kG2) | set_of(Motion::kG3);
 
 /// The only value of a mode.
 uint8_t only_value(const ModeSets& sets, Mode mode) { return static_cast<uint8_t>(std::countr_zero(sets[mode])); }
@@ -133,8 +134,15 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   if (!left_ && (stops || leaves || takes_tool || cuts)) leave(start);
   if (!left_) return false;
   note_limits(words);
+<<<<<<< ours
   const bool moves = words.has_axis_words() || words.has_polar_words();
   const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown && !chooses_tool;
+=======
+  // A whole circle comes back: only who asks how far it goes has to know of it.
+  const bool curves = contains(kArcMoves, motion);
+  const bool moves = words.has_axis_words() || words.has_polar_words() || (machine_.measures_extents && curves);
+  const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
+>>>>>>> theirs
   const bool needs_no_question =
       contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
   if (plain && needs_no_question && !asked) {
@@ -154,6 +162,7 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
     line.add(written);
     PlainReaches reaches;
     (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(written, line, statement.line);
+    reaches.curves = curves;
     note(line, &reaches, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
     return false;
   }
@@ -226,7 +235,6 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     if (left_) note(moves, nullptr, before, alone);
     return to;
   }
-  constexpr MotionSet kArcs = set_of(Motion::kG2) | set_of(Motion::kG3);
   auto motion = static_cast<Motion>(only_value(assumed_.now, Mode::kMotion));
   PlainWords words;
   PlainMoves passed;
@@ -235,7 +243,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     const size_t next = read_plain_words(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if (compensates && words.letters != 0) break;
-    if (contains(kArcs, motion) && words.letters != 0) {
+    if (contains(kArcMoves, motion) && words.letters != 0) {
       const bool asks = left_ ? questions_ < kMostQuestions : !arc_passes(words);
       if (asks) break;
     }
@@ -245,7 +253,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     if (left_) passed.add(words);
     if (left_ && visitor_ != nullptr) {
       (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(words, passed, line);
-      reaches.curves = reaches.curves || contains(kArcs, motion);
+      reaches.curves = reaches.curves || contains(kArcMoves, motion);
     }
     from = next;
   }
@@ -282,13 +290,14 @@ PlaceChange& PlacesInEffect::pending(const ModeSets& before, bool alone) {
 }
 
 void PlacesInEffect::note(const PlainMoves& moves, const PlainReaches* reaches, const ModeSets& before, bool alone) {
-  if (moves.letters == 0) return;
+  const bool curves = visitor_ != nullptr && reaches != nullptr && reaches->curves;
+  if (moves.letters == 0 && !curves) return;
   PlaceChange& change = pending(before, alone);
   if (visitor_ != nullptr && reaches != nullptr) {
     if (change.reaches == nullptr) change.reaches = std::make_shared<PlainReaches>();
     change.reaches->rapid.add(reaches->rapid, change.sum);
     change.reaches->feed.add(reaches->feed, change.sum);
-    change.reaches->curves = change.reaches->curves || reaches->curves;
+    change.reaches->curves = change.reaches->curves || curves;
   }
   for_letters(moves.letters, [&](size_t letter) {
     const size_t axis = axis_of_letter(letter);

@@ -38,6 +38,12 @@ TEST_CASE("extents of loops and subs are those of all their passes", "[extents]"
   CHECK(json["origins"][0]["axes"]["X"]["greatest_at"]["line"] == 4);
 }
 
+TEST_CASE("whole circles count in loops, too", "[extents]") {
+  const auto json = extents("G21 G90 G17 F100\nG0 X0 Y0\no1 repeat [2]\n  G2 I5\n  G3 J7\no1 endrepeat\nM2\n");
+  CHECK(along(json, "X") == "-7.0 to 10.0");
+  CHECK(along(json, "Y") == "-5.0 to 14.0");
+}
+
 TEST_CASE("extents of all ways through a program are taken together", "[extents]") {
   const auto json = extents("G21 G90\nG0 X0\no1 if [#<_metric_machine>]\n  G0 X10\no1 else\n  G0 X-10\no1 endif\nM2\n");
   CHECK(along(json, "X") == "-10.0 to 10.0");
