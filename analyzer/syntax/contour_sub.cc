@@ -28,15 +28,15 @@ int motion_code(std::span<const ContourWord> words) {
 
 }  // namespace
 
-bool ContourSub::repeats_steps(bool incremental) const {
-  const bool steps = incremental ||
-      std::ranges::any_of(words, [](const ContourWord& word) { return word.letter == 'u' || word.letter == 'w'; });
-  size_t begin = 0;
-  for (const size_t end : ends) {
-    if (steps && begin == end) return true;
-    begin = end;
+void ContourSub::add_blank_line() {
+  if (ends.empty()) {
+    begins_blank = true;
+    return;
   }
-  return false;
+  const size_t begin = ends.size() == 1 ? 0 : ends[ends.size() - 2];
+  const std::vector<ContourWord> again(words.begin() + static_cast<ptrdiff_t>(begin), words.end());
+  words.insert(words.end(), again.begin(), again.end());
+  ends.push_back(words.size());
 }
 
 const char* ContourReader::read(const ContourSub& sub) {

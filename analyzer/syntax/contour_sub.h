@@ -20,8 +20,10 @@ struct ContourSub {
   std::vector<ContourWord> words;
   std::vector<size_t> ends;  ///< by line: where its words end
 
-  /// Whether a line without words may repeat the steps of the line before it (measured).
-  bool repeats_steps(bool incremental) const;
+  bool begins_blank = false;  ///< the line before the sub would be read again: it has steps in G91
+
+  /// A line without anything: the interpreter reads the one before it again (measured). One with a comment does nothing.
+  void add_blank_line();
 };
 
 /// Modes of the line that cuts the contour.

@@ -109,7 +109,7 @@ bool cut_contour(ModeLine& line, Motion motion) {
   const auto modes = contour_modes(line);
   const auto words = contour_words(line, motion);
   const Coordinate along = start[kAlong], across = start[kAcross];
-  const bool readable = line.contour() != nullptr && modes && !line.contour()->repeats_steps(modes->incremental);
+  const bool readable = line.contour() != nullptr && modes && !(line.contour()->begins_blank && modes->incremental);
   if (!readable || !words || along.is_unknown() || across.is_unknown()) {
     lose_point(line);
     return false;

@@ -134,15 +134,10 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   if (!left_ && (stops || leaves || takes_tool || cuts)) leave(start);
   if (!left_) return false;
   note_limits(words);
-<<<<<<< ours
-  const bool moves = words.has_axis_words() || words.has_polar_words();
-  const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown && !chooses_tool;
-=======
   // A whole circle comes back: only who asks how far it goes has to know of it.
   const bool curves = contains(kArcMoves, motion);
   const bool moves = words.has_axis_words() || words.has_polar_words() || (machine_.measures_extents && curves);
-  const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown;
->>>>>>> theirs
+  const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown && !chooses_tool;
   const bool needs_no_question =
       contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
   if (plain && needs_no_question && !asked) {

@@ -57,7 +57,9 @@ class Claims:
 def _fits(outcome, line):
     """Whether the finding is on the line of the message. Where the message names its file, the finding may be at the
     cause, as the call from which one runs into a definition."""
-    return line == outcome.line or outcome.message.startswith("File:") or "levels" in outcome.message
+    # A contour is cut once its sub has been read: rs274 then shows the end of the sub, owlint the G70 to G72.
+    read = re.match(r"\s*o\S*\s*(?:endsub|return)", outcome.text, re.IGNORECASE) is not None
+    return line == outcome.line or outcome.message.startswith("File:") or "levels" in outcome.message or read and line > outcome.line
 
 
 def judge(outcome, claims):

@@ -10,6 +10,7 @@ namespace {
 
 /// More than people write by hand.
 constexpr uint64_t kMostBytes = 1'000'000;
+constexpr size_t kMostWords = 200'000;
 
 /// Whether a statement within the sub is nothing but words with known numbers. `passes`: for its error.
 template <typename Passes>
@@ -25,6 +26,10 @@ bool is_plain(const Syntax& syntax, const Statement& s, const Passes& passes) {
 
 /// Adds the words of a line. False if one is not known.
 bool add_line(std::string_view text, uint64_t offset, ContourSub* sub) {
+  if (text.find_first_not_of(" \t\r") == std::string_view::npos) {
+    sub->add_blank_line();
+    return sub->words.size() <= kMostWords;
+  }
   WordReader reader(text, offset);
   while (const std::optional<WrittenWord> word = reader.next()) {
     if (!word->value) return false;
