@@ -38,7 +38,10 @@ bool remap_gives(std::string_view name, std::string_view sub, const Profile& pro
     remapped = true;
     if (!remap_option(remap->value, "prolog=").empty()) return true;  // nobody knows what Python sets
     const std::string words = small_letters(remap_option(remap->value, "argspec="));
-    return is_letter(name) && words.find('@') == std::string::npos && words.find(name) != std::string::npos;
+    if (!is_letter(name) || words.find('@') != std::string::npos) return false;
+    // A feed and a speed that must be there are names, too.
+    const char sign = name == "f" ? '>' : name == "s" ? '^' : name[0];
+    return words.find(sign) != std::string::npos || words.find(name) != std::string::npos;
   });
   // A file for a remap that this INI does not have, such as one for changing tools by hand.
   return by_line || (!remapped && of_prolog(name));

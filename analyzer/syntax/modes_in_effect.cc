@@ -340,7 +340,8 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
 }
 
 /// Whether the flow leads into what the line's remapped codes run. Else they may do anything, as where it is not known which
-/// codes the line has. What M72 restores makes it lose the rest of its line; on a line that ends the program parameters are set first.
+/// codes the line has. What M72 restores makes it lose the rest of its line; on a line that ends the program parameters are set
+/// first.
 bool ModesInEffect::follows_remaps(const Statement& statement, const WordLine& words) {
   if (!words.has_remapped_code() || words.has_unknown_code()) return false;
   if (const MCode* const of_spindle = words.code(MGroup::kSpindle);

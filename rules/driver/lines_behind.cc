@@ -60,7 +60,9 @@ bool LinesBehind::passes_branch() {
 
 bool LinesBehind::ends(StatementId id) const {
   const Statement& s = program_.at(id);
-  if (s.calls() || s.kind == LineKind::kUserCode || s.opens_sub() || s.is(Keyword::kEndsub)) return true;
+  if (s.calls() || s.kind == LineKind::kRemap || s.kind == LineKind::kUserCode || s.opens_sub() ||
+      s.is(Keyword::kEndsub))
+    return true;
   const bool leaves = s.is(Keyword::kReturn) || s.has_m99() || s.kind == LineKind::kProgramEnd ||
       s.kind == LineKind::kPercent || s.kind == LineKind::kAbort;
   if (!leaves) return false;

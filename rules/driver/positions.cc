@@ -22,7 +22,7 @@ bool joins_other_lines(const Program& program, uint32_t line) {
   for (auto s = std::ranges::lower_bound(statements, line, {}, &Statement::line);
        s != statements.end() && s->line == line; ++s) {
     if (s->kind == LineKind::kOWord || s->calls() || s->has_m99() || s->kind == LineKind::kUserCode ||
-        s->kind == LineKind::kPercent || s->kind == LineKind::kProgramEnd)
+        s->kind == LineKind::kRemap || s->kind == LineKind::kPercent || s->kind == LineKind::kProgramEnd)
       return true;
   }
   return false;

@@ -186,7 +186,9 @@ bool goes_on(const Program& p, uint32_t line, const std::vector<WrittenWord>& wo
   if (find_word(words, kActs) != nullptr) return true;
   LinesBehind behind(p, line);
   while (behind.next()) {
-    const auto calls = [](const Statement& s) { return s.calls() || s.kind == LineKind::kUserCode; };
+    const auto calls = [](const Statement& s) {
+      return s.calls() || s.kind == LineKind::kUserCode || s.kind == LineKind::kRemap;
+    };
     if (find_word(behind.words(), kActs) != nullptr || std::ranges::any_of(behind.statements(), calls)) return true;
   }
   return false;

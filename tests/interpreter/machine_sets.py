@@ -147,7 +147,7 @@ def judged(folder):
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, env={**os.environ, "HOME": folder}, timeout=60,
                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (2, 3)), check=False)
     said = done.stderr.decode("latin-1").replace("executing", "", 1)
-    said = re.sub(r"invalid \[RS274NGC\]CENTER_ARC.*\n", "", said).strip()
+    said = re.sub(r"(invalid \[RS274NGC\]CENTER_ARC|warning: code ).*\n", "", said).strip()
     kind = "ok" if done.returncode == 0 else "crash" if done.returncode < 0 else "refuses" if REFUSED.search(said) else "stops"
     return kind, said
 

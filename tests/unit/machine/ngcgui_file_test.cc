@@ -13,7 +13,10 @@ std::string refused(std::string_view bytes) {
 }
 
 TEST_CASE("ngcgui takes one sub with its file's name, and comments around it") {
-  CHECK(refused("(info: a hole)\n\no<hole> sub\n #<x> = #1 (=5 where)\n #<y> = #2\n G0 X#<x>\no<hole> endsub\n; end\nM2\n") == "");
+  CHECK(
+      refused(
+          "(info: a hole)\n\no<hole> sub\n #<x> = #1 (=5 where)\n #<y> = #2\n G0 X#<x>\no<hole> endsub\n; end\nM2\n") ==
+      "");
   CHECK(refused("O < hole > SUB\nO<hole>ENDSUB") == "sub label: o< hole > does not match subroutine file name");
   CHECK(refused("o<hole>sub\r\no<hole>endsub\r\n") == "");
 }
