@@ -304,6 +304,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   }
   asks_ = asks(*words, after, alone);
   const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement, asks_);
+  if (ends(statement) && !statement.block_delete) places_.end();
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
   if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());

@@ -3,6 +3,7 @@
 // new word. Errors in `[ ]` and in settings are OW303's.
 #include <algorithm>
 
+#include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
 #include "rules/driver/words.h"
 
@@ -15,6 +16,40 @@ std::string rest_of(const Input& in, const FlowStop& stop, const WordStop& at) {
   return shown(*in.program.source, {at.span.begin, std::max(at.span.begin, s.end())});
 }
 
+char byte_at(const Program& p, uint64_t at) { return p.source->slice({at, at + 1})[0]; }
+bool is_letter_o(char c) { return c == 'o' || c == 'O'; }
+bool is_of_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+
+/// The whole word with an O at `o`: back to its letter, on over digits.
+Span word_around(const Program& p, const Statement& s, uint64_t o) {
+  Span word{o, o + 1};
+  while (word.begin > s.offset && is_of_number(byte_at(p, word.begin - 1))) --word.begin;
+  if (word.begin > s.offset) --word.begin;
+  while (word.end < s.end() && (is_of_number(byte_at(p, word.end)) || is_letter_o(byte_at(p, word.end)))) ++word.end;
+  return word;
+}
+
+Edit with_zeros(const Program& p, Span word) {
+  std::string right(p.source->slice(word));
+  std::ranges::replace(right, 'o', '0');
+  std::ranges::replace(right, 'O', '0');
+  return {word, right};
+}
+
+/// Words behind `from` with the same mistake, as `XO` in `GO XO`: fixed alone, one would only make the next one stop the line.
+void add_further_zeros(const Program& p, const Statement& s, uint64_t from, std::vector<Edit>& edits) {
+  for (uint64_t at = from; at < s.end(); ++at) {
+    const char c = byte_at(p, at);
+    if (c == '(' || c == ';') return;
+    if (!is_letter_o(c) || at == s.offset || (!is_letter(byte_at(p, at - 1)) && !is_of_number(byte_at(p, at - 1))))
+      continue;
+    const Span word = word_around(p, s, at);
+    at = word.end - 1;
+    if (word.end == s.end() || (byte_at(p, word.end) != '<' && byte_at(p, word.end) != '['))
+      edits.push_back(with_zeros(p, word));
+  }
+}
+
 /// `X1O`, `GO X1`.
 bool letter_for_zero(const Input& in, const FlowStop& stop, Finding& f) {
   const Program& p = in.program;
@@ -22,23 +57,15 @@ bool letter_for_zero(const Input& in, const FlowStop& stop, Finding& f) {
   const auto error = word_error(p, stop);
   uint64_t o = 0;
   if (!error || !writes_o_for_zero(p, s, *error, &o)) return false;
-  // The whole word: back to its letter, on over digits.
-  const auto byte = [&](uint64_t at) { return p.source->slice({at, at + 1})[0]; };
-  const auto of_number = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; };
-  Span word{o, o + 1};
-  while (word.begin > s.offset && of_number(byte(word.begin - 1))) --word.begin;
-  if (word.begin > s.offset) --word.begin;
-  while (word.end < s.end() && (of_number(byte(word.end)) || byte(word.end) == 'O' || byte(word.end) == 'o'))
-    ++word.end;
-  std::string right(p.source->slice(word));
-  std::ranges::replace(right, 'o', '0');
-  std::ranges::replace(right, 'O', '0');
+  const Span word = word_around(p, s, o);
+  Edit edit = with_zeros(p, word);
   f.span = word;
   f.message = "`" + std::string(p.source->slice(word)) + "` has the letter O in place of a zero";
-  f.help = "write `" + right + "`";
-  Edit edit{word, right};
+  f.help = "write `" + edit.text + "`";
   const bool good = runs_with(p, s, edit);
-  f.fixes = {{f.help, good, {std::move(edit)}, true}};
+  std::vector<Edit> edits{std::move(edit)};
+  add_further_zeros(p, s, word.end, edits);
+  f.fixes = {{f.help, good, std::move(edits), true}};
   return true;
 }
 

@@ -365,7 +365,7 @@ TEST_CASE("an INI that includes itself without end is read to a limit", "[machin
   folder.write("machine.ini", text);
   const Run run = check(folder, "--isolated machine.ini");
   CHECK(run.status == 0);
-  CHECK(contains(run.out, "owlint reads the first 100000 lines"));
+  CHECK(contains(run.out, "owlint checks only the first 100000 lines"));
 }
 
 }  // namespace machine_test

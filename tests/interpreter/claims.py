@@ -7,6 +7,7 @@ CRASHES = frozenset({"OW503", "OW505"})
 ENDLESS = frozenset({"OW504", "OW508", "OW510"})
 
 
+_CONTOUR = re.compile(r"(?i)g\s*0*7\s*[0-2](?!\d)")
 _DELETED = re.compile(r"^[ \t]*/", re.MULTILINE)
 
 
@@ -31,7 +32,8 @@ OF_LINUXCNC = frozenset(("OW412", "OW414", "OW415", "OW419", "OW421", "OW422", "
 class Claims:
     """What owlint's findings say about how a program ends, with that setting of block delete."""
 
-    def __init__(self, findings, block_delete=False):
+    def __init__(self, findings, block_delete=False, text=""):
+        self.contours = {number for number, line in enumerate(text.split("\n"), 1) if _CONTOUR.search(line)}
         met = [f for f in findings if f["reach"] != "never" and f["code"] not in OF_LINUXCNC and f.get("block_delete", "on" if block_delete else "off") == ("on" if block_delete else "off")]
         self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
         self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
@@ -49,17 +51,16 @@ class Claims:
         """The finding that claims this error, or None."""
         for f in self.stops:
             for claim in said_by(f):
-                if same_words(outcome.message, claim.get("interpreter", "")) and (not outcome.line or _fits(outcome, claim["start"]["line"])):
+                if same_words(outcome.message, claim.get("interpreter", "")) and (not outcome.line or self._fits(outcome, claim["start"]["line"])):
                     return f
         return None
 
-
-def _fits(outcome, line):
-    """Whether the finding is on the line of the message. Where the message names its file, the finding may be at the
-    cause, as the call from which one runs into a definition."""
-    # A contour is cut once its sub has been read: rs274 then shows the end of the sub, owlint the G70 to G72.
-    read = re.match(r"\s*o\S*\s*(?:endsub|return)", outcome.text, re.IGNORECASE) is not None
-    return line == outcome.line or outcome.message.startswith("File:") or "levels" in outcome.message or read and line > outcome.line
+    def _fits(self, outcome, line):
+        """Whether the finding is on the line of the message. Where the message names its file, the finding may be at the
+        cause, as the call from which one runs into a definition. A contour is cut once its sub has been read: the interpreter
+        then shows the end of the sub, owlint the line with G70 to G72."""
+        return (line == outcome.line or outcome.message.startswith("File:") or "levels" in outcome.message or "nesting of remapped" in outcome.message
+                or line in self.contours)
 
 
 def judge(outcome, claims):

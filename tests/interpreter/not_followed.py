@@ -16,6 +16,7 @@ _MESSAGES = {
         Straight (?:feed|traverse) in concave corner
         Tool radius not less than arc radius with comp
         Zero degree inside corner
+        G7[Xx] error
         BUG: cutter compensation has generated
         BUG: (?:Invalid|Unsupported) plane
         Bug in tool radius comp

@@ -68,7 +68,7 @@ def texts_of(folder, names):
 
 def problems_of(outcome, findings, text):
     """-> (what owlint says wrongly, whether it stops for what is not followed yet)"""
-    claims = Claims(findings)
+    claims = Claims(findings, text=text)
     lines = text.split("\n")
     at = lines[outcome.line - 1] if 0 < outcome.line <= len(lines) else ""
     # What a program asks for itself is no mistake in it; what Python, pins or the parameters of the machine do is not known.

@@ -59,7 +59,7 @@ def judge(outcome, checked, program, block_delete, axes_known=False):
     """The verdict of one run.  `axes_known`: owlint was given the machine's axes."""
     if checked.failure:
         return Disagreement(FAILS, checked.failure)
-    claims = Claims(checked.findings, block_delete)
+    claims = Claims(checked.findings, block_delete, checked.texts.get(bundle.MAIN, ""))
     # A remap's file is checked for itself: what is said of it holds when its code is used.
     # rs274 has the axes X Y Z A B C, whatever an INI says.
     of_ini = lambda f: program.mode == "machine" and re.match(r"Bad character '[abc]'", f.get("interpreter", ""))

@@ -62,8 +62,8 @@ TEST_CASE("arcs by their radius are drawn with the least arc that fits", "[repor
   REQUIRE(f.arc != nullptr);
   CHECK_FALSE(f.arc->clockwise);
   CHECK(arc_sentence(*f.arc) ==
-        "start: X0 Y0; end: X20 Y10; radius, as written: 11.1 mm; the least arc that fits: center X10 Y5, radius "
-        "11.1803 mm");
+        "start: X0 Y0; end: X20 Y10; radius, as written: 11.1 mm; center that fits: X10 Y5; least radius that "
+        "fits: 11.1803 mm");
   check_drawing(*f.arc);
 }
 

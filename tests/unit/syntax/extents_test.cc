@@ -74,8 +74,8 @@ TEST_CASE("arcs count with what is between their ends", "[extents]") {
 }
 
 TEST_CASE("of an arc from somewhere only the end is known", "[extents]") {
-  const auto extents = extents_of("G21 G90 G17 F100\nG28\nG2 X20 Y5 I10\nM2\n");
-  CHECK(extents->unknown().at({UnknownExtent::kArc, kX}).line == 3);
+  const auto extents = extents_of("G21 G90 G17 F100\nG28\nG2 X20 Y0 I10\nM2\n");
+  check_extent(reach(*extents, kX), 20, 3, 20, 3);
   CHECK(extents->unknown().at({UnknownExtent::kPlace, kX}).line == 2);
 }
 

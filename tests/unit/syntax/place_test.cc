@@ -89,7 +89,7 @@ TEST_CASE("from an unknown place only what needs none stops", "[place]") {
           {"F1 G91 / G81 Z1 R1", kBelow},
           {"G0 X0 / G0 @1", "perhaps: Must specify angle in polar coordinate if at the origin"},
           {"G0 X1 / G0 @1", ""},
-          {"F1 G0 X0 Y0 / G38.3 Z1 / G2 Y3 R1", "perhaps: Arc radius too small to reach end point"},
+          {"F1 G0 X0 Y0 / G38.3 Z1 / G2 Y3 R1", "Arc radius too small to reach end point"},
       },
       Place::unknown());
 }
