@@ -146,12 +146,8 @@ class Page {
     const ProgramRow& row = programs_[number];
     static const std::vector<Finding> kNone;
     const std::vector<Finding>& findings = report == nullptr ? kNone : report->findings;
-    Json json{{"lineCount", row.lines},
-              {"source", Json::array()},
-              {"findings", Json::array()},
-              {"modes", nullptr},
-              {"blocks", nullptr},
-              {"extents", nullptr}};
+    Json json{{"lineCount", row.lines}, {"source", Json::array()}, {"findings", Json::array()},
+              {"modes", nullptr},       {"blocks", nullptr},       {"extents", nullptr}};
     for (const Finding& f : findings) json["findings"].push_back(shown(*report->source, f));
     std::string error;
     const auto source = disk().read(row.path, &error);

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/remaps.h"
 
 namespace owlint {
 namespace {
@@ -304,7 +305,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   }
   asks_ = asks(*words, after, alone);
   const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement, asks_);
-  if (ends(statement) && !statement.block_delete) places_.end();
+  if (ends_program(statement) && !statement.block_delete) places_.end();
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
   if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());
@@ -338,21 +339,6 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     forget();
   }
   return true;
-}
-
-/// Whether the flow leads into what the line's remapped codes run. Else they may do anything, as where it is not known which
-/// codes the line has. What M72 restores makes it lose the rest of its line; on a line that ends the program parameters are set
-/// first.
-bool ModesInEffect::follows_remaps(const Statement& statement, const WordLine& words) {
-  if (!words.has_remapped_code() || words.has_unknown_code()) return false;
-  if (const MCode* const of_spindle = words.code(MGroup::kSpindle);
-      of_spindle != nullptr && of_spindle->number == code::kM72)
-    return false;
-  return statement.kind == LineKind::kWords || (ends(statement) && statement.item_count == 0);
-}
-
-bool ModesInEffect::ends(const Statement& statement) {
-  return statement.kind == LineKind::kProgramEnd || statement.kind == LineKind::kM99Behind;
 }
 
 Statement ModesInEffect::question_of(const Statement& statement) {
@@ -400,9 +386,9 @@ void ModesInEffect::push(const Statement& statement) {
   const bool remaps = asks && !remaps_.empty();
   const Statement question = asks ? question_of(statement) : Statement{};
   if (asks) out_.statements.push_back(question);
-  if (remaps && ends(statement)) push_remaps(statement, question);
+  if (remaps && ends_program(statement)) push_remaps(statement, question);
   if (has_own(statement) || !asks_) out_.statements.push_back(statement);
-  if (remaps && !ends(statement)) push_remaps(statement, question);
+  if (remaps && !ends_program(statement)) push_remaps(statement, question);
 }
 
 }  // namespace owlint

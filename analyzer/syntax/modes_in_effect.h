@@ -57,8 +57,6 @@ class ModesInEffect {
   void flush();
   Statement question_of(const Statement& statement);
   void push_remaps(const Statement& statement, const Statement& asks);
-  static bool follows_remaps(const Statement& statement, const WordLine& words);
-  static bool ends(const Statement& statement);
   static bool has_own(const Statement& statement);
 
   Syntax& out_;

@@ -29,4 +29,16 @@ const RemappedCode* code_of_remap(const Syntax& syntax, const Statement& remap, 
   return nullptr;
 }
 
+bool ends_program(const Statement& statement) {
+  return statement.kind == LineKind::kProgramEnd || statement.kind == LineKind::kM99Behind;
+}
+
+bool follows_remaps(const Statement& statement, const WordLine& words) {
+  if (!words.has_remapped_code() || words.has_unknown_code()) return false;
+  if (const MCode* const of_spindle = words.code(MGroup::kSpindle);
+      of_spindle != nullptr && of_spindle->number == code::kM72)
+    return false;
+  return statement.kind == LineKind::kWords || (ends_program(statement) && statement.item_count == 0);
+}
+
 }  // namespace owlint

@@ -2,8 +2,8 @@
 // Depends on: a number is a sign, digits and one point at most, with a digit; blanks do not count. What follows it begins a
 // new word. Errors in `[ ]` and in settings are OW303's.
 #include <algorithm>
+#include <cctype>
 
-#include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
 #include "rules/driver/words.h"
 
@@ -18,7 +18,7 @@ std::string rest_of(const Input& in, const FlowStop& stop, const WordStop& at) {
 
 char byte_at(const Program& p, uint64_t at) { return p.source->slice({at, at + 1})[0]; }
 bool is_letter_o(char c) { return c == 'o' || c == 'O'; }
-bool is_of_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+bool is_of_number(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; }
 
 /// The whole word with an O at `o`: back to its letter, on over digits.
 Span word_around(const Program& p, const Statement& s, uint64_t o) {
@@ -41,7 +41,8 @@ void add_further_zeros(const Program& p, const Statement& s, uint64_t from, std:
   for (uint64_t at = from; at < s.end(); ++at) {
     const char c = byte_at(p, at);
     if (c == '(' || c == ';') return;
-    if (!is_letter_o(c) || at == s.offset || (!is_letter(byte_at(p, at - 1)) && !is_of_number(byte_at(p, at - 1))))
+    if (!is_letter_o(c) || at == s.offset ||
+        (std::isalpha(static_cast<unsigned char>(byte_at(p, at - 1))) == 0 && !is_of_number(byte_at(p, at - 1))))
       continue;
     const Span word = word_around(p, s, at);
     at = word.end - 1;
