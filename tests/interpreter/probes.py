@@ -35,7 +35,7 @@ OPEN = {
               "ini-spindles2-g95-without-dollar-is-spindle-0.ngc", "ini-spindles2-other-spindle-stopped.ngc"},
     # Contours, what never ends, and where a probe has stopped.
     "geometry": {"cycle-g83-q-tiny-never-ends.ngc", "g76-large-r-takes-k-over-j-to-the-r-passes.ngc",
-                 "g7x-arc-centered-on-its-start-crashes.ngc", "g7x-contour-bad-word.ngc", "g7x-x-too-large-in-dive.ngc",
+                 "g7x-arc-centered-on-its-start-crashes.ngc", "g7x-contour-bad-word.ngc",
                  "position-after-g38-is-not-the-end-point.ngc", "units-switch-with-comp-on-forgets-queued-feed.ngc",
                  "spline-g5-order-p-q-after-polar.ngc", "g7x-g71-half-circle-never-ends.ngc", "g7x-g72-of-an-arc-in-x-never-ends.ngc",
                  "g7x-never-ends.ngc", "g7x-one-move-with-chamfer-crashes.ngc"},
