@@ -45,7 +45,8 @@ export function shopPage(change = () => {}) {
   writeFileSync(join(shop, "modes.ngc"), "G21 G90 G17\nG0 X0 Y0\no<leaves> call\nG0 X10\no100 if [#5070 EQ 0]\n  G90 G18\no100 endif\nG0 X20\nM2\nG0 X30\n");
   writeFileSync(join(shop, "leaves.ngc"), "o<leaves> sub\n  G91 G0 Z5\no<leaves> endsub\nM2\n");
   writeFileSync(join(shop, "arc.ngc"), "G21 G90 G17 F200\nG0 X0 Y0\nG2 X20 Y0 I10.1 J0\nG3 X40 Y0 R9\nM2\n");
-  writeFileSync(join(shop, "unused.ini"), "[EMC]\nVERSION = 1.1\n[RS274NGC]\nOWORD_NARGS = YES\n");
+  mkdirSync(join(shop, "machines"));  // beside the programs, they would use it
+  writeFileSync(join(shop, "machines", "unused.ini"), "[EMC]\nVERSION = 1.1\n[RS274NGC]\nOWORD_NARGS = YES\n");
   change(shop);
   audit(folder, "--report", "audit.html");
   return join(folder, "audit.html");
