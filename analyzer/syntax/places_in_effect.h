@@ -17,14 +17,15 @@ namespace owlint {
 
 class PlacesInEffect {
  public:
-  PlacesInEffect(Syntax& out, const MachineWords& machine)
-      : out_(out), machine_(machine), place_(Place::started(machine.units_per_mm)) {
+  PlacesInEffect(Syntax& out, const MachineWords& machine, Sums sums)
+      : out_(out), machine_(machine), sums_(sums), place_(Place::started(machine.units_per_mm)) {
     if (machine.start != nullptr) assumed_ = *machine.start;
   }
 
   /// Takes in the plain lines in [from, to), which have this effect. Where there are arcs it ends at the first that has to
   /// be looked at by itself, and returns its offset; else `to`.
-  size_t pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect, const ModeSets& before);
+  size_t pass(std::string_view bytes, size_t from, size_t to, const PlainEffect& effect, const LastLines& last,
+              const ModeSets& before);
   /// Carries out another line; `before`: what is known of the modes, `asked`: the flow carries it out in any case. Whether
   /// it is a
   /// question for the flow, for its numbers.
@@ -39,6 +40,7 @@ class PlacesInEffect {
   /// Modes that a line's numbers are read in, as far as lines have said; else as an interpreter starts.
   void assume(const ModeSets& before);
   void leave(const Place& place);
+  bool needs_sums(const ModeSets& before);
   bool is_plain_move(const WordLine& words, Motion motion) const;
   bool arc_passes(const PlainWords& words) const;
   void go(size_t letter, double last, double sum);
@@ -51,6 +53,7 @@ class PlacesInEffect {
 
   Syntax& out_;
   const MachineWords& machine_;
+  Sums sums_;
   ModeState assumed_ = ModeState::started();
   Place place_;
   bool left_ = false;

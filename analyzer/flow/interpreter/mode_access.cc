@@ -113,7 +113,7 @@ void ModeAccess::go(Parameters& p, std::span<const PlaceChange> changes) {
   const ModeSets modes = state(p).now;
   const auto mode = [&](Mode of, uint8_t said) {
     if (said != ModeChange::kAny) return said;
-    return std::has_single_bit(modes[of]) ? static_cast<uint8_t>(std::countr_zero(modes[of])) : ModeChange::kAny;
+    return is_single(modes[of]) ? static_cast<uint8_t>(std::countr_zero(modes[of])) : ModeChange::kAny;
   };
   for (const PlaceChange& change : changes) {
     constexpr MotionSet kPlain = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
