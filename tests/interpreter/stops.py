@@ -143,6 +143,9 @@ def is_there(finding, claim, outcome, texts, mode):
     said = lines[line - 1].strip().split("\0")[0].strip() if line <= len(lines) else ""
     if re.match(r"O[\d.]+ CALL$", outcome.text):      # what G71 makes of its Q
         return same_words(outcome.message, claim.get("interpreter", ""))
+    remapped = re.match(r"user-defined ([\w.]+):", outcome.message)
+    if remapped:                                      # the call that the interpreter makes of a remapped code is all that it shows
+        return remapped[1].lower() in re.sub(r"\s", "", said).lower()
     fits = said.startswith(outcome.text) if outcome.message == "Command too long" else said == outcome.text
     return fits and (not numbered or line == outcome.line)
 
