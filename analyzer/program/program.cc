@@ -132,14 +132,33 @@ void build_structure(Program& program) {
   if (!runs_by_itself(program)) treat_as_sub_file(program);
 }
 
-}  // namespace
+/// Whether G91 may be in effect where the lines between two statements do not say it.
+bool may_be_in_g91(const Program& program, const MachineWords& machine) {
+  const Syntax& syntax = program.syntax;
+  const bool starts = machine.start != nullptr && machine.start->now[Mode::kDistance] != value_bit(modes::kG90);
+  const bool calls_files =
+      std::ranges::any_of(program.calls, [](const Call& call) { return call.target == kNoRegion; });
+  return syntax.may_set_g91 || syntax.runs_python || starts || !machine.remapped.empty() || program.sub_file ||
+      calls_files;
+}
 
-std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source, const MachineWords& machine) {
+std::unique_ptr<Program> read_program(std::shared_ptr<const Source> source, const MachineWords& machine, Sums sums) {
   auto program = std::make_unique<Program>();
-  program->syntax = scan(*source, machine);
+  program->syntax = scan(*source, machine, sums);
   program->source = std::move(source);
   build_structure(*program);
   return program;
+}
+
+}  // namespace
+
+std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source, const MachineWords& machine) {
+  constexpr size_t kLarge = 1 << 20;  // bytes: that many numbers are worth leaving out
+  const Sums sums = source->bytes().size() < kLarge ? Sums::kAll : Sums::kLinesSayIt;
+  auto program = read_program(source, machine, sums);
+  if (!program->syntax.lacks_sums || !may_be_in_g91(*program, machine)) return program;
+  program.reset();
+  return read_program(std::move(source), machine, Sums::kAll);
 }
 
 std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Program> program) {

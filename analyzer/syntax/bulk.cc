@@ -1,7 +1,8 @@
 #include "analyzer/syntax/bulk.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <cstring>
 
 #include "analyzer/syntax/line_text.h"
 #include "analyzer/text/characters.h"
@@ -9,208 +10,283 @@
 namespace owlint {
 namespace {
 
-constexpr uint32_t kXyzWords = letter_set("xyz");
-constexpr uint32_t kRotaryWords = letter_set("abc");
-constexpr uint32_t kAxisWords = kXyzWords | kRotaryWords;
-constexpr uint32_t kCenterWords = letter_set("ijk");
-constexpr uint32_t kRadius = letter_set("r");
-constexpr uint32_t kArcWords = kCenterWords | kRadius;
-constexpr uint32_t kXY = letter_set("xy");
-constexpr uint32_t kFeed = letter_set("f");
-constexpr uint32_t kSpeed = letter_set("s");
-constexpr uint32_t kG = letter_set("g");
-constexpr uint32_t kMoves = kAxisWords | kArcWords | kG;
-constexpr uint32_t kPlainWords = kMoves | kFeed | kSpeed;
+static_assert(std::endian::native == std::endian::little, "windows of bits are read from any byte");
 
-/// By byte: the bit of a letter that a plain line may have, in capitals or not; 0 for all else.
-constexpr std::array<uint32_t, 256> make_letters() {
-  std::array<uint32_t, 256> bits{};
-  for (char c = 'a'; c <= 'z'; ++c) {
-    const uint32_t bit = letter_set({&c, 1}) & kPlainWords;
-    bits[static_cast<unsigned char>(c)] = bits[static_cast<unsigned char>(c - 'a' + 'A')] = bit;
-  }
-  return bits;
+constexpr size_t kWindow = 56;  // bits from any place on that eight bytes have
+
+/// The bits from `at` on; those above kWindow are anything.
+uint64_t window(const ByteClasses::Bits& bits, size_t at) {
+  uint64_t out;
+  std::memcpy(&out, reinterpret_cast<const char*>(bits.data()) + at / 8, sizeof(out));
+  return out >> at % 8;
 }
-constexpr auto kLetterBits = make_letters();
 
-/// One line: its words as letters, and its motion. The bytes end in a line feed, so that no end has to be asked for.
-class PlainLine {
+/// The lowest so many bits.
+constexpr uint64_t low_bits(size_t count) { return (uint64_t{1} << count) - 1; }
+
+constexpr uint32_t kNumbered = letter_set("n");
+constexpr uint32_t kGWord = letter_set("g");
+constexpr uint32_t kNoPlainLetter = 1U << 31;
+constexpr uint32_t kNeverZero = letter_set("fs");  // words that must not be small
+constexpr uint32_t kLookedAt = kNumbered | kGWord | kNeverZero | kNoPlainLetter;
+
+constexpr std::array<uint32_t, 256> make_line_words() {
+  std::array<uint32_t, 256> words{};
+  for (char c = 'a'; c <= 'z'; ++c) {
+    const uint32_t bit = letter_set({&c, 1}) & (PlainLine::kLetters | kNumbered);
+    words[static_cast<unsigned char>(c)] = words[static_cast<unsigned char>(c - 'a' + 'A')] =
+        bit == 0 ? kNoPlainLetter : bit;
+  }
+  return words;
+}
+constexpr auto kLineWords = make_line_words();
+uint32_t word_of(char c) { return kLineWords[static_cast<unsigned char>(c)]; }
+
+/// What a line does is decided by this: its words, its code, and the motion in effect. Never 0.
+uint32_t key_of(uint32_t words, uint8_t code, int8_t motion) {
+  constexpr int kCodeShift = 26, kMotionShift = 29;
+  const uint32_t by_code = (words & kGWord) != 0 ? code + 1U : 0U;
+  return words | by_code << kCodeShift | static_cast<uint32_t>(motion + 2) << kMotionShift;
+}
+size_t place_of(uint32_t key) {
+  constexpr uint32_t kSpread = 0x9E3779B1;
+  return key * kSpread >> 28;
+}
+
+/// Bits of one kind, and those of the bytes behind such bytes.
+class Follower {
  public:
-  explicit PlainLine(const char* at, uint32_t refused = 0) : at_(at), refused_(refused) {}
-
-  /// Reads to the line feed; false for a line that is not plain.
-  bool read() {
-    skip_blanks();
-    if (*at_ == 'N' || *at_ == 'n') {
-      ++at_;
-      skip_blanks();
-      if (!is_digit(*at_)) return false;
-      skip_digits();
-      if (*at_ == '.') return false;
-      if (!word_ends()) return false;
-      numbered_ = true;
-    }
-    while (*at_ != '\n') {
-      const uint32_t bit = kLetterBits[static_cast<unsigned char>(*at_)];
-      if (bit == 0) {
-        if (*at_ != '\r') return false;
-        ++at_;
-        return *at_ == '\n';
-      }
-      if (((words_ | refused_) & bit) != 0) return false;
-      words_ |= bit;
-      ++at_;
-      skip_blanks();
-      if (bit == kG ? !code() : !number(bit)) return false;
-      if (!word_ends()) return false;
-    }
-    return true;
+  uint64_t operator()(uint64_t bits) {
+    const uint64_t behind = bits << 1 | last_;
+    last_ = bits >> 63;
+    return behind;
   }
-
-  /// Whether the line surely runs. Then what it does is added to `proven` and `effect`; `number`: of the line.
-  bool runs(uint32_t number, Proven* proven, PlainEffect* effect) const {
-    if ((words_ & kMoves) == 0) {  // nothing moves, and nothing uses S up; F has an effect of its own
-      if ((words_ & kFeed) != 0) return false;
-      effect->speed |= (words_ & kSpeed) != 0;
-      return true;
-    }
-    const uint8_t* const table = table_of(*proven);
-    if (table == nullptr || (words_ & kRotaryWords & ~proven->rotary) != 0 ||
-        (runs_with(*proven, table) >> key(*proven) & 1) == 0)
-      return false;
-    take(number, proven, effect);
-    return true;
-  }
-
-  /// The line has run, for all that is known: so will others like it.
-  void learn(Proven* proven) const {
-    if ((words_ & kMoves) == 0) return;
-    if (uint8_t* const table = table_of(*proven)) table[has_feed() ? 1 : 0] |= static_cast<uint8_t>(1U << key(*proven));
-    if (has_code()) proven->code = static_cast<int8_t>(code_);
-    proven->rotary |= words_ & kRotaryWords;
-  }
-
-  bool has_code() const { return (words_ & kG) != 0; }
-  bool blank() const { return words_ == 0 && !numbered_; }
-  const char* end() const { return at_; }
+  explicit Follower(uint64_t last = 0) : last_(last) {}
 
  private:
-  /// The keys that run: with F also those that run without it, unless the motion may be one that takes no F.
-  uint32_t runs_with(const Proven& proven, const uint8_t* table) const {
-    return table[has_feed() ? 1 : 0] | (code(proven) == Proven::kNoCode ? 0U : table[0]);
-  }
-  bool has_feed() const { return (words_ & kFeed) != 0; }
-  int code(const Proven& proven) const { return has_code() ? code_ : proven.code; }
-
-  /// The table of `Proven` that says whether the line runs, or null if none does.
-  uint8_t* table_of(Proven& proven) const {
-    const int code = this->code(proven);
-    if (code == Proven::kNoCode) return (words_ & (kRotaryWords | kArcWords)) == 0 ? proven.alone : nullptr;
-    if (code < 2) return (words_ & kArcWords) == 0 ? proven.straight : nullptr;
-    // By its radius an arc needs an end in the plane: with both of these it has one in any.
-    const bool radius = (words_ & kRadius) != 0;
-    if (!radius && (words_ & kCenterWords) == 0) return nullptr;
-    return radius && ((words_ & kCenterWords) != 0 || (words_ & kXY) != kXY) ? nullptr : proven.arcs;
-  }
-  /// The line's bit in that table.
-  uint32_t key(const Proven& proven) const {
-    const int code = this->code(proven);
-    if (code == Proven::kNoCode) return three(words_, kXyzWords);
-    return code < 2 ? static_cast<uint32_t>(code) : three(words_, kCenterWords);
-  }
-  /// Three letters that follow each other, as a number.
-  static uint32_t three(uint32_t words, uint32_t letters) { return (words & letters) / (letters & ~(letters - 1)); }
-
-  void take(uint32_t number, Proven* proven, PlainEffect* effect) const {
-    if (has_code()) {
-      proven->code = static_cast<int8_t>(code_);
-      effect->motion = static_cast<Motion>(code_);
-    }
-    effect->axes |= words_ & kAxisWords;
-    effect->feed |= has_feed();
-    effect->speed |= (words_ & kSpeed) != 0;
-    if ((words_ & kAxisWords) != 0) {
-      effect->moves = true;
-      effect->alone |= proven->code == Proven::kNoCode;
-      if (effect->first_move == 0) effect->first_move = number;
-    }
-    // A full circle has no axis word.
-    const bool arc = proven->code > 1 && (words_ & (kAxisWords | kArcWords)) != 0;
-    if (arc && effect->first_arc == 0) effect->first_arc = number;
-    effect->straight |= proven->code == 0 || proven->code == 1;
-    effect->feeds |= proven->code > 0;
-  }
-
-  void skip_blanks() {
-    while (is_space_or_tab(*at_)) ++at_;
-  }
-  void skip_digits() {
-    while (is_digit(*at_)) ++at_;
-  }
-
-  /// G0 to G3, also as G00.
-  bool code() {
-    if (*at_ == '0' && is_digit(at_[1])) ++at_;
-    code_ = static_cast<uint8_t>(*at_ - '0');
-    ++at_;
-    return code_ <= 3 && !is_digit(*at_) && *at_ != '.';
-  }
-
-  bool number(uint32_t letter) {
-    if (*at_ == '-' || *at_ == '+') {
-      if (*at_ == '-' && (letter & (kFeed | kSpeed)) != 0) return false;
-      ++at_;
-    }
-    const char* const from = at_;
-    skip_digits();
-    size_t digits = static_cast<size_t>(at_ - from);
-    if (*at_ == '.') {
-      const char* const point = at_++;
-      skip_digits();
-      digits += static_cast<size_t>(at_ - point - 1);
-    }
-    return digits > 0 && ((letter & (kFeed | kSpeed)) == 0 || !is_small({from, static_cast<size_t>(at_ - from)}));
-  }
-
-  /// Perhaps 0, or rounded to 0 where it is restored.
-  static bool is_small(std::string_view number) {
-    const size_t first = number.find_first_not_of('0');
-    return first == std::string_view::npos || number[first] == '.';
-  }
-
-  /// Blanks behind a word; not inside it, where they would vanish.
-  bool word_ends() {
-    if (!is_space_or_tab(*at_)) return true;
-    skip_blanks();
-    return !is_digit(*at_) && *at_ != '.';
-  }
-
-  const char* at_;
-  uint32_t refused_;
-  uint32_t words_ = 0;
-  uint8_t code_ = 0;
-  bool numbered_ = false;
+  uint64_t last_;
 };
+
+/// Finds where a line is not as plain lines are: a letter, a sign perhaps, and digits with at most one point. The first byte is
+/// the first of a line.
+void find_bad(const ByteClasses& in, size_t blocks, ByteClasses::Bits& bad) {
+  Follower letter, sign, digit, point, bare_point, carriage;
+  Follower gap(1);
+  uint64_t carry = 0;
+  for (size_t i = 0; i < blocks; ++i) {
+    const uint64_t digits = in.digits[i], points = in.points[i], signs = in.signs[i], letters = in.letters[i];
+    const uint64_t gaps = in.blanks[i] | in.returns[i] | in.feeds[i];
+    const uint64_t after_letter = letter(letters), after_point = point(points);
+    const uint64_t bare = points & ~digit(digits);
+    uint64_t out = ~(digits | points | signs | letters | gaps);
+    out |= after_letter & ~(digits | points | signs);
+    out |= (sign(signs) | bare_point(bare)) & ~(digits | points);
+    out |= signs & ~after_letter;
+    out |= (digits | points) & gap(gaps);
+    out |= carriage(in.returns[i]) & ~in.feeds[i];  // it is the last of its line
+    // A carry runs through the digits behind a point, to the byte behind them: that is no second point.
+    uint64_t behind = digits + after_point;
+    const uint64_t over = behind < digits ? 1 : 0;
+    behind += carry;
+    carry = over | (behind < carry ? 1 : 0);
+    bad[i] = out | (behind & ~digits & points);
+  }
+}
 
 }  // namespace
 
-Passed pass_plain_lines(std::string_view bytes, size_t from, const Proven& proven, uint32_t refused) {
+void LastLines::add(uint32_t axes, size_t line) {
+  for (; axes != 0; axes &= axes - 1) {
+    size_t& at = at_[place_of(static_cast<size_t>(std::countr_zero(axes)))];
+    if (at == kNowhere || line > at) at = line;
+  }
+}
+
+/// Sorts the bytes from a line start on.
+void PlainLines::look(size_t from) {
+  constexpr size_t kBlock = ByteClasses::kBlock;
+  begin_ = from;
+  end_ = std::min(from + kBlock * ByteClasses::kBlocks, bytes_.size());
+  const size_t whole = (end_ - begin_) / kBlock, rest = (end_ - begin_) % kBlock;
+  const char* const text = bytes_.data() + begin_;
+  by_->classify(text, whole, 0, &classes_);
+  if (rest != 0) {
+    std::array<char, kBlock> last{};
+    std::copy_n(text + whole * kBlock, rest, last.begin());
+    by_->classify(last.data(), 1, whole, &classes_);
+  }
+  find_bad(classes_, whole + (rest != 0 ? 1 : 0), bad_);
+}
+
+/// The line feed at `from` or behind it, as far as the bytes are sorted; else `end_`.
+size_t PlainLines::feed_behind(size_t from) const {
+  for (size_t at = from; at < end_; at += kWindow) {
+    const uint64_t feeds = window(classes_.feeds, at - begin_) & low_bits(kWindow);
+    if (feeds != 0) return std::min(at + static_cast<size_t>(std::countr_zero(feeds)), end_);
+  }
+  return end_;
+}
+
+template <typename Do>
+void PlainLines::for_letters(size_t from, size_t to, const Do& apply) const {
+  for (; from < to; from += kWindow) {
+    uint64_t letters = window(classes_.letters, from - begin_) & low_bits(std::min(to - from, kWindow));
+    for (; letters != 0; letters &= letters - 1) apply(from + static_cast<size_t>(std::countr_zero(letters)));
+  }
+}
+
+/// Whether F and S surely are not 0.
+bool PlainLines::never_zero(size_t from, size_t feed) const {
+  const char* const text = bytes_.data();
+  bool never = true;
+  for_letters(from, feed, [&](size_t at) {
+    const bool asked = (word_of(text[at]) & kNeverZero) != 0;
+    never = never && (!asked || (text[at + 1] >= '1' && text[at + 1] <= '9'));
+  });
+  return never;
+}
+
+/// Reads the line number, and the code of G that stands first or behind it, where `words` has them; and looks at F and S. False
+/// if a closer look is needed.
+bool PlainLines::read_codes(size_t from, size_t feed, uint32_t words, uint8_t* code) const {
+  const char* at = bytes_.data() + from;
+  if ((words & kNumbered) != 0) {
+    if (word_of(*at) != kNumbered || !is_digit(at[1])) return false;
+    do ++at;
+    while (is_digit(*at));
+    if (*at == '.') return false;
+  }
+  if ((words & kGWord) != 0) {
+    while (is_space_or_tab(*at)) ++at;
+    if (word_of(*at) != kGWord) return false;
+    ++at;
+    if (*at == '0' && is_digit(at[1])) ++at;
+    *code = static_cast<uint8_t>(*at - '0');
+    if (*code > 3 || is_digit(at[1]) || at[1] == '.') return false;
+  }
+  return (words & kNeverZero) == 0 || never_zero(from, feed);
+}
+
+/// Reads the line from `from` to the line feed. False if a closer look is needed.
+bool PlainLines::read_by_bits(size_t from, size_t feed, PlainLine* line) const {
+  const char* const text = bytes_.data();
+  uint64_t bad = 0;
+  for (size_t at = from; at <= feed; at += kWindow)
+    bad |= window(bad_, at - begin_) & low_bits(std::min(feed + 1 - at, kWindow));
+  if (bad != 0) return false;
+  uint32_t words = 0, twice = 0;
+  for_letters(from, feed, [&](size_t at) {
+    const uint32_t word = word_of(text[at]);
+    twice |= words & word;
+    words |= word;
+  });
+  if (twice != 0 || (words & kNoPlainLetter) != 0) return false;
+  uint8_t code = 0;
+  if ((words & kLookedAt) != 0 && !read_codes(from, feed, words, &code)) return false;
+  *line = {words & PlainLine::kLetters, code, words != 0 ? PlainLine::kCode : PlainLine::kNothing};
+  return true;
+}
+
+/// Passes lines that are short and like others that were accepted: nearly all of a large program. The first line that is not
+/// is left to pass().
+void PlainLines::pass_alike(size_t to, Passed* out) {
+  const size_t end = std::min(end_, to);
+  size_t at = out->next;
+  uint32_t lines = 0;
+  int8_t motion = out->proven.code;
+  while (at < end) {
+    const size_t place = at - begin_;
+    const uint64_t feeds = window(classes_.feeds, place) & low_bits(kWindow);
+    const uint64_t line = feeds ^ (feeds - 1);  // all bits up to the line feed
+    const size_t feed = at + static_cast<size_t>(std::countr_zero(feeds));
+    if (feeds == 0 || feed >= end || (window(bad_, place) & line) != 0) break;
+    const char* const text = bytes_.data() + at;
+    uint32_t words = 0, twice = 0;
+    for (uint64_t letters = window(classes_.letters, place) & line; letters != 0; letters &= letters - 1) {
+      const uint32_t word = word_of(text[std::countr_zero(letters)]);
+      twice |= words & word;
+      words |= word;
+    }
+    uint8_t code = 0;
+    if (((words & kLookedAt) | twice) != 0) {
+      if (twice != 0 || (words & kNoPlainLetter) != 0 || !read_codes(at, feed, words, &code)) break;
+    }
+    const uint32_t key = key_of(words & PlainLine::kLetters, code, motion);
+    Like& like = likes_[place_of(key)];
+    if (like.key != key || words == 0) break;
+    like.last = at;
+    if ((words & kGWord) != 0) out->effect.motion = static_cast<Motion>(motion = static_cast<int8_t>(code));
+    ++lines;
+    at = feed + 1;
+  }
+  if (lines == 0) return;
+  out->next = at;
+  out->proven.code = motion;
+  if (out->first_code == 0) out->first_code = out->lines + 1;
+  out->lines += lines;
+  out->last_code = out->lines;
+  out->text = true;
+}
+
+void PlainLines::forget(Like& like, Passed* out) {
+  if (like.key != 0) out->last.add(like.key & kAxisLetters & PlainLine::kLetters, like.last);
+  like.key = 0;
+}
+
+/// Whether the line surely runs.
+bool PlainLines::accept(const PlainLine& line, size_t at, Passed* out) {
+  const uint32_t key = key_of(line.words(), line.code(), out->proven.code);
+  Like& like = likes_[place_of(key)];
+  if (like.key == key) {
+    if (line.has_g()) {
+      out->proven.code = static_cast<int8_t>(line.code());
+      out->effect.motion = static_cast<Motion>(line.code());
+    }
+  } else {
+    if ((line.words() & refused_) != 0 || !line.runs(out->lines + 1, &out->proven, &out->effect)) return false;
+    forget(like, out);
+    like.key = key;
+    used_ |= 1U << place_of(key);
+  }
+  like.last = at;
+  return true;
+}
+
+Passed PlainLines::pass(size_t from, size_t to, const Proven& proven) {
   Passed out;
   out.proven = proven;
   out.next = from;
-  const char* const begin = bytes.data();
-  while (out.next < bytes.size()) {
-    PlainLine line(begin + out.next, refused);
-    if (!line.read() || !line.runs(out.lines + 1, &out.proven, &out.effect)) break;
-    const auto length = static_cast<size_t>(line.end() - begin) - out.next;
-    if (length > kLineLimit) break;
+  while (out.next < to) {
+    PlainLine line;
+    size_t at = out.next, feed = 0;
+    bool read = false;
+    if (by_ != nullptr) {
+      if (at < begin_ || at >= end_) look(at);
+      pass_alike(to, &out);
+      at = out.next;
+      if (at >= to) break;
+      feed = at < end_ ? feed_behind(at) : end_;
+      if (feed == end_ && at != begin_) {
+        look(at);
+        continue;
+      }
+      read = feed != end_ && read_by_bits(at, feed, &line);
+    }
+    if (!read) {
+      const char* const end = read_plain_line(bytes_.data() + at, &line);
+      if (end == nullptr) break;
+      feed = static_cast<size_t>(end - bytes_.data());
+    }
+    if (feed - at > kLineLimit || !accept(line, at, &out)) break;
     ++out.lines;
-    if (!line.blank()) {
+    out.text = out.text || line.text() != PlainLine::kNothing;
+    if (line.text() == PlainLine::kCode) {
       if (out.first_code == 0) out.first_code = out.lines;
       out.last_code = out.lines;
     }
-    out.next += length + 1;
+    out.next = feed + 1;
   }
+  for (; used_ != 0; used_ &= used_ - 1) forget(likes_[static_cast<size_t>(std::countr_zero(used_))], &out);
   return out;
 }
 
@@ -228,8 +304,8 @@ Proven proven_after(std::string_view line, const Proven& before) {
     code[length++] = line[i];
   }
   code[length] = '\n';
-  PlainLine plain(code.data());
-  if (!plain.read()) return {};
+  PlainLine plain;
+  if (read_plain_line(code.data(), &plain) == nullptr) return {};
   Proven out = before;
   plain.learn(&out);
   return out;

@@ -15,7 +15,7 @@ ModeMask masks_of(BadModes modes) {
 
 std::optional<uint8_t> ModeFaults::only(Mode mode) const {
   const ValueSet values = now()[mode];
-  if (!std::has_single_bit(values)) return std::nullopt;
+  if (!is_single(values)) return std::nullopt;
   return static_cast<uint8_t>(std::countr_zero(values));
 }
 
@@ -34,7 +34,7 @@ Answer ModeFaults::holds(BadModes modes) const {
 bool ModeFaults::believes(BadModes modes) const {
   int several = 0;
   for (const BadMode& bad : modes) {
-    if (std::has_single_bit(now()[bad.mode])) continue;
+    if (is_single(now()[bad.mode])) continue;
     if (now().is_open(bad.mode)) return false;
     ++several;
   }

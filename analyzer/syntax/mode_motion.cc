@@ -146,7 +146,7 @@ void leave(ModeLine& line) {
   const MotionSet after = line.words().after(before) & all_modes();
   const GCode* const own = line.words().code(GGroup::kMotion);
   if (after == before && (own == nullptr || own->leaves != GCode::kItself)) return;
-  if (std::has_single_bit(after)) return line.set_known(Mode::kMotion, after);
+  if (is_single(after)) return line.set_known(Mode::kMotion, after);
   line.set_open(Mode::kMotion, after);
 }
 
@@ -204,7 +204,7 @@ bool stops_before_it_acts(const MachineWords& machine, const WordLine& words, Mo
 bool stops_moving(ModeLine& line) {
   const WordLine& words = line.words();
   const MotionSet motions = line.now()[Mode::kMotion];
-  if (!words.depends_on_motion() || std::has_single_bit(motions)) {
+  if (!words.depends_on_motion() || is_single(motions)) {
     const auto mode = static_cast<Motion>(std::countr_zero(motions));
     return stops_moving_by(line, mode);
   }

@@ -272,7 +272,7 @@ void Restoration::take_back_feed() {
   const bool waits = line_.holds({kCompensationMoves, {Mode::kEntry, value_bit(modes::kMade)}}) != Answer::kNo;
   if (waits && writes(Mode::kUnits) != Answer::kNo) {
     line_.set_open(Mode::kFeed);
-  } else if (std::has_single_bit(after)) {
+  } else if (is_single(after)) {
     line_.set_known(Mode::kFeed, after);
     if (after == value_bit(modes::kFeedSet) && writes(Mode::kFeed) == Answer::kNo)
       line_.now().feed_number = before_.feed_number;

@@ -1,7 +1,6 @@
 #include "analyzer/syntax/mode_run.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "analyzer/syntax/mode_place.h"
 #include "analyzer/syntax/mode_restore.h"
@@ -77,7 +76,7 @@ void restore_place(const ModeState& before, Place* place) {
   constexpr Mode kSide = Mode::kCompensation;
   if ((before.now[kSide] | before.saved[kSide]) != value_bit(modes::kG40)) place->lose_path();
   for (const Mode mode : {Mode::kUnits, Mode::kSystem, Mode::kToolOffset, Mode::kAxisOffsets}) {
-    if (!std::has_single_bit(before.now[mode] | before.saved[mode])) return place->lose_offsets();
+    if (!is_single(before.now[mode] | before.saved[mode])) return place->lose_offsets();
   }
 }
 

@@ -79,7 +79,7 @@ ModeSets ModeSets::unknown() {
 
 void ModeSets::lose_runs() {
   for (const ModeRow& row : kModeRows) {
-    if (!std::has_single_bit((*this)[row.mode])) open |= mask_of(row.mode);
+    if (!is_single((*this)[row.mode])) open |= mask_of(row.mode);
   }
 }
 

@@ -88,6 +88,9 @@ constexpr ValueSet value_bit(uint8_t value) { return ValueSet{1} << value; }
 constexpr ModeMask mask_of(Mode mode) { return ModeMask{1} << static_cast<int>(mode); }
 inline constexpr ModeMask kAllModes = (mask_of(Mode::kSaved) << 1) - 1;
 
+/// Whether it is one value. std::has_single_bit() counts the bits, which older processors need a function for.
+constexpr bool is_single(ValueSet values) { return values != 0 && (values & (values - 1)) == 0; }
+
 template <typename Do>
 void for_values(ValueSet values, Do apply) {
   for (; values != 0; values &= values - 1) apply(static_cast<uint8_t>(std::countr_zero(values)));

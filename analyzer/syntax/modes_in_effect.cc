@@ -13,7 +13,7 @@ Mode mode_at(size_t index) { return static_cast<Mode>(index); }
 
 /// The only value of a mode, or kAny.
 uint8_t value_of(const ModeSets& sets, Mode mode) {
-  return std::has_single_bit(sets[mode]) ? static_cast<uint8_t>(std::countr_zero(sets[mode])) : ModeChange::kAny;
+  return is_single(sets[mode]) ? static_cast<uint8_t>(std::countr_zero(sets[mode])) : ModeChange::kAny;
 }
 
 /// Whether a line probes or reads an input.
@@ -22,6 +22,12 @@ bool asks_inputs(const WordLine& words) {
   const MCode* const input = words.code(MGroup::kInputsOutputs);
   return (motion != nullptr && motion->tenths >= code::kG38_2 && motion->tenths <= code::kG38_5) ||
       (input != nullptr && input->number == code::kM66);
+}
+
+bool may_set_g91(const WordLine& words) {
+  const GCode* const distance = words.code(GGroup::kDistance);
+  return (distance != nullptr && distance->tenths != code::kG90) || words.has_unknown_code() ||
+      words.has_remapped_code();
 }
 
 /// See moved().
@@ -144,7 +150,7 @@ void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t la
     if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
     if (effect.first_arc != 0) need(Mode::kPlane, before + effect.first_arc);
   }
-  if (effect.moves) moved(effect.alone && !std::has_single_bit(state_.now[Mode::kMotion]), last);
+  if (effect.moves) moved(effect.alone && !is_single(state_.now[Mode::kMotion]), last);
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
   if (effect.speed) set(Mode::kSpeed, modes::kSpeedSet, last);
@@ -285,9 +291,10 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     }
     return keep;
   }
+  if (may_set_g91(*words)) out_.may_set_g91 = true;
   if (asks_inputs(*words)) out_.input_lines.push_back(statement.line);
   if (stopped_) return keep;
-  const bool alone = words->depends_on_motion() && !std::has_single_bit(state_.now[Mode::kMotion]);
+  const bool alone = words->depends_on_motion() && !is_single(state_.now[Mode::kMotion]);
   ModeState after = state_;
   stopped_ = !ModeRun(machine_, *words).run(&after, &faults_);
   set_feed(*words, &after.now);

@@ -19,14 +19,15 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first);
 
 class ModesInEffect {
  public:
-  ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine)
-      : out_(out), parser_(parser), machine_(machine), places_(out, machine_) {}
+  ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine, Sums sums = Sums::kAll)
+      : out_(out), parser_(parser), machine_(machine), places_(out, machine_, sums) {}
 
   /// Takes in plain lines, whose numbers count from `before` on; `last`: the number of the last of them.
   void pass(const PlainEffect& effect, uint32_t before, uint32_t last);
   /// Follows where plain lines go, the first of which has this number; see PlacesInEffect::pass. To be called before pass().
-  size_t follow(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect) {
-    return stopped_ ? to : places_.pass(bytes, from, to, line, effect, state_.now);
+  size_t follow(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect,
+                const LastLines& last) {
+    return stopped_ ? to : places_.pass(bytes, from, to, line, effect, last, state_.now);
   }
   /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
   /// Returns whether the line is to be kept: `keep`, or because of its words.

@@ -17,7 +17,7 @@ constexpr MotionSet kArcMoves = set_of(Motion::kG2) | set_of(Motion::kG3);
 /// The only value of a mode.
 uint8_t only_value(const ModeSets& sets, Mode mode) { return static_cast<uint8_t>(std::countr_zero(sets[mode])); }
 
-bool is_known(const ModeSets& sets, Mode mode) { return std::has_single_bit(sets[mode]) && !sets.is_open(mode); }
+bool is_known(const ModeSets& sets, Mode mode) { return is_single(sets[mode]) && !sets.is_open(mode); }
 
 /// Groups of codes that may change where the machine stands, or what its numbers mean.
 constexpr GGroup kGroups[] = {GGroup::kMotion,      GGroup::kNonModal,
@@ -65,7 +65,7 @@ void PlacesInEffect::assume(const ModeSets& before) {
   for (size_t i = 0; i < kModes; ++i) {
     const auto mode = static_cast<Mode>(i);
     if (is_known(before, mode)) now[mode] = before[mode];
-    if (!std::has_single_bit(now[mode])) now[mode] = now[mode] & (~now[mode] + 1);
+    if (!is_single(now[mode])) now[mode] = now[mode] & (~now[mode] + 1);
   }
   now.open = 0;
   // What refuses a move is not for its numbers.
@@ -101,6 +101,15 @@ void PlacesInEffect::note_limits(const WordLine& words) {
   const GCode* const code = words.code(GGroup::kNonModal);
   if (machine_.has_limits && code != nullptr && (code->tenths == code::kG53 || code->tenths == code::kG10))
     out_.asks_place = true;
+}
+
+/// Whether it has to be known how far plain lines go in G91.
+bool PlacesInEffect::needs_sums(const ModeSets& before) {
+  if (assumed_.now[Mode::kDistance] != value_bit(modes::kG90)) return true;
+  if (is_known(before, Mode::kDistance)) return false;
+  if (sums_ == Sums::kAll) return true;
+  out_.lacks_sums = true;
+  return false;
 }
 
 bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
@@ -141,24 +150,20 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   const bool needs_no_question =
       contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
   if (plain && needs_no_question && !asked) {
-    PlainWords written;
+    PlainMoves line;
     for (size_t i = 0; i < words.size(); ++i) {
-      const uint32_t bit = letter_set({&words[i].letter, 1});
-      if ((bit & kAxisLetters) == 0) continue;
-      written.letters |= bit;
-      written.values[static_cast<size_t>(letter_index(words[i].letter))] = words[i].value;
+      if ((letter_set({&words[i].letter, 1}) & kAxisLetters) != 0)
+        line.add(static_cast<size_t>(letter_index(words[i].letter)), words[i].value);
     }
     ModeSets in = before;
     if (words.code(GGroup::kDistance) != nullptr) {
       in[Mode::kDistance] = assumed_.now[Mode::kDistance];
       in.open &= ~mask_of(Mode::kDistance);
     }
-    PlainMoves line;
-    line.add(written);
     PlainReaches reaches;
     (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(written, line, statement.line);
     reaches.curves = curves;
-    note(line, &reaches, in, words.depends_on_motion() && !std::has_single_bit(before[Mode::kMotion]));
+    note(line, &reaches, in, words.depends_on_motion() && !is_single(before[Mode::kMotion]));
     return false;
   }
   if (!moves && !has_code_for_the_flow(words) && !pauses && !unknown && !block_delete && !stops && !chooses_tool &&
@@ -208,9 +213,9 @@ bool PlacesInEffect::arc_passes(const PlainWords& words) const {
 }
 
 size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect,
-                            const ModeSets& before) {
+                            const LastLines& last, const ModeSets& before) {
   if (effect.axes == 0 && effect.first_arc == 0) return to;
-  const bool alone = effect.alone && !std::has_single_bit(before[Mode::kMotion]);
+  const bool alone = effect.alone && !is_single(before[Mode::kMotion]);
   assume(before);
   // Each move on a compensated path is looked at.
   const bool compensates = assumed_.now[Mode::kCompensation] != value_bit(modes::kG40);
@@ -218,40 +223,61 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     note_lost();
     return to;
   }
-  const bool sums = !is_known(before, Mode::kDistance) || before[Mode::kDistance] != value_bit(modes::kG90);
   if (effect.first_arc == 0 && !compensates) {
     place_.keeps_height = false;
     if (visitor_ != nullptr) {
       walk(bytes, from, to, line, before, alone);
       return to;
     }
-    const PlainMoves moves = plain_moves(bytes, from, to, effect.axes, sums);
+    const PlainMoves moves =
+        needs_sums(before) ? plain_moves(bytes, from, to) : last_plain_moves(bytes, effect.axes, last);
     for_letters(moves.letters, [&](size_t letter) { go(letter, moves.last[letter], moves.sum[letter]); });
     if (left_) note(moves, nullptr, before, alone);
     return to;
   }
+  const bool each = visitor_ != nullptr || needs_sums(before);
   auto motion = static_cast<Motion>(only_value(assumed_.now, Mode::kMotion));
   PlainWords words;
   PlainMoves passed;
   PlainReaches reaches;
+  // Words that were not made numbers yet: in G90 the next one of the axis may come before a place is asked for.
+  std::array<const char*, kLetters> texts{};
+  uint32_t waiting = 0;
+  const auto go_to = [&](size_t letter, double value) {
+    go(letter, value, value);
+    if (left_) passed.add(letter, value);
+  };
+  const auto settle = [&](uint32_t letters) {
+    for_letters(waiting & letters, [&](size_t letter) { go_to(letter, plain_number(texts[letter])); });
+    waiting &= ~letters;
+  };
   for (; from < to; ++line) {
     const size_t next = read_plain_words(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if (compensates && words.letters != 0) break;
-    if (contains(kArcMoves, motion) && words.letters != 0) {
+    const uint32_t axes = words.letters & kAxesOfPlainLines;
+    const bool arc = contains(kArcMoves, motion) && words.letters != 0;
+    if (arc) {
+      words.convert(kAxesOfPlainLines | letter_set("ijkr"));
+      settle(kAxesOfPlainLines);
       const bool asks = left_ ? questions_ < kMostQuestions : !arc_passes(words);
       if (asks) break;
     }
-    if (visitor_ != nullptr && !left_) tell_line(words, motion, line);
-    for_letters(words.letters & kAxesOfPlainLines,
-                [&](size_t letter) { go(letter, words.values[letter], words.values[letter]); });
-    if (left_) passed.add(words);
-    if (left_ && visitor_ != nullptr) {
-      (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(words, passed, line);
-      reaches.curves = reaches.curves || contains(kArcMoves, motion);
+    if (arc || each) {
+      if (!arc) words.convert(axes);
+      if (visitor_ != nullptr && !left_) tell_line(words, motion, line);
+      for_letters(axes, [&](size_t letter) { go_to(letter, words.values[letter]); });
+      if (visitor_ != nullptr && left_) {
+        (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(words, passed, line);
+        reaches.curves = reaches.curves || arc;
+      }
+    } else {
+      for_letters(axes, [&](size_t letter) { texts[letter] = words.texts[letter]; });
+      waiting |= axes;
     }
     from = next;
   }
+  settle(kAxesOfPlainLines);
   place_.keeps_height = false;
   if (left_) note(passed, &reaches, before, alone);
   return from;

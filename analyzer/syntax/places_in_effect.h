@@ -17,8 +17,8 @@ namespace owlint {
 
 class PlacesInEffect {
  public:
-  PlacesInEffect(Syntax& out, const MachineWords& machine)
-      : out_(out), machine_(machine), limits_(machine), place_(Place::started(machine.units_per_mm)) {
+  PlacesInEffect(Syntax& out, const MachineWords& machine, Sums sums)
+      : out_(out), machine_(machine), sums_(sums), limits_(machine), place_(Place::started(machine.units_per_mm)) {
     if (machine.start != nullptr) assumed_ = *machine.start;
     if (machine.has_limits) visitor_ = &limits_;
     if (machine.measures_extents) visitor_ = extents_.get();
@@ -27,7 +27,7 @@ class PlacesInEffect {
   /// Takes in the plain lines in [from, to), which have this effect; `line`: the number of the first. Where there are arcs it
   /// ends at the first that has to be looked at by itself, and returns its offset; else `to`.
   size_t pass(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect,
-              const ModeSets& before);
+              const LastLines& last, const ModeSets& before);
   /// Carries out another line; `before`: what is known of the modes, `asked`: the flow carries it out in any case. Whether
   /// it is a
   /// question for the flow, for its numbers.
@@ -53,6 +53,7 @@ class PlacesInEffect {
   /// Modes that a line's numbers are read in, as far as lines have said; else as an interpreter starts.
   void assume(const ModeSets& before);
   void leave(const Place& place);
+  bool needs_sums(const ModeSets& before);
   bool is_plain_move(const WordLine& words, Motion motion) const;
   bool arc_passes(const PlainWords& words) const;
   void go(size_t letter, double last, double sum);
@@ -74,6 +75,7 @@ class PlacesInEffect {
 
   Syntax& out_;
   const MachineWords& machine_;
+  Sums sums_;
   LimitChecks limits_;
   std::shared_ptr<Extents> extents_ = std::make_shared<Extents>();
   MoveVisitor* visitor_ = nullptr;  // of the lines up to the first from where runs may go elsewhere; null: nobody asks

@@ -97,6 +97,7 @@ void PlacesInEffect::tell_each(std::string_view bytes, size_t from, size_t to, u
   for (; from < to; ++line) {
     from = read_plain_words(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
+    words.convert(kAxisLetters);
     tell_line(words, motion, line);
     for_axes(words.letters, [&](size_t letter, size_t) { go(letter, words.values[letter], words.values[letter]); });
   }
@@ -115,7 +116,8 @@ void PlacesInEffect::walk(std::string_view bytes, size_t from, size_t to, uint32
     at = read_plain_words(bytes, at, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if ((words.letters & kAxisLetters) == 0) continue;
-    moves.add(words);
+    words.convert(kAxisLetters);
+    for_axes(words.letters, [&](size_t letter, size_t) { moves.add(letter, words.values[letter]); });
     (motion == Motion::kG0 ? reaches.rapid : reaches.feed).add(words, moves, number);
   }
   if (!left_ && (tell(reaches.rapid, MoveKind::kRapid) || tell(reaches.feed, MoveKind::kFeed)))

@@ -8,41 +8,93 @@
 namespace owlint {
 namespace {
 
-char small_letter(char c) { return static_cast<char>(c | 0x20); }
+constexpr uint32_t kAxes = letter_set("xyzabc");
 
-bool is_in_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
+/// Bytes that are looked at: letters have their index and 1, line feeds and comments are kOther, what is in a word is 0.
+constexpr uint8_t kOther = UINT8_MAX;
+constexpr std::array<uint8_t, 256> make_looks() {
+  std::array<uint8_t, 256> looks{};
+  for (char c = 'a'; c <= 'z'; ++c) {
+    looks[static_cast<unsigned char>(c)] = looks[static_cast<unsigned char>(c - 'a' + 'A')] =
+        static_cast<uint8_t>(letter_index(c) + 1);
+  }
+  for (const unsigned char c : {'\n', '(', ';'}) looks[c] = kOther;
+  return looks;
+}
+constexpr auto kLooks = make_looks();
+
+/// Behind the comment that begins at `at`, or at the line feed. A plain line has no `)` in a comment, and closes each.
+const char* behind_comment(const char* at) {
+  const char end = *at == '(' ? ')' : '\n';
+  while (*at != end) ++at;
+  return end == ')' ? at + 1 : at;
+}
+
+template <typename Do>
+void for_bits(uint32_t bits, const Do& apply) {
+  for (; bits != 0; bits &= bits - 1) apply(static_cast<size_t>(std::countr_zero(bits)));
+}
 
 }  // namespace
 
-size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words) {
-  words->letters = 0;
-  words->code = -1;
-  const char* at = bytes.data() + from;
-  const char* const end = bytes.data() + bytes.size();
-  for (; *at != '\n'; ++at) {
-    const char letter = small_letter(*at);
-    if (!is_small_letter(letter)) continue;
-    ++at;
-    while (is_space_or_tab(*at)) ++at;
-    double value = 0;
-    at = std::from_chars(*at == '+' ? at + 1 : at, end, value, std::chars_format::fixed).ptr - 1;
-    if (letter == 'g') {
-      words->code = static_cast<int8_t>(value);
-    } else if (letter != 'n') {
-      words->letters |= letter_set({&letter, 1});
-      words->values[letter_index(letter)] = value;
-    }
+double plain_number(const char* at) {
+  const bool negative = *at == '-';
+  if (negative || *at == '+') ++at;
+  const char* const from = at;
+  uint64_t digits = 0;
+  while (is_digit(*at)) digits = digits * 10 + static_cast<uint64_t>(*at++ - '0');
+  const char* const point = at;
+  size_t decimals = 0;
+  if (*at == '.') {
+    while (is_digit(*++at)) digits = digits * 10 + static_cast<uint64_t>(*at - '0');
+    decimals = static_cast<size_t>(at - point - 1);
   }
-  return static_cast<size_t>(at - bytes.data()) + 1;
+  // Both numbers are exact, so their quotient is rounded once.
+  constexpr std::array kPowers = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  double value = 0;
+  if (static_cast<size_t>(at - from) <= kPowers.size()) {
+    value = static_cast<double>(digits) / kPowers[decimals];
+  } else {
+    std::from_chars(from, at, value, std::chars_format::fixed);
+  }
+  return negative ? -value : value;
 }
 
-void PlainMoves::add(const PlainWords& words) {
-  for (uint32_t axes = words.letters & kAxisLetters; axes != 0; axes &= axes - 1) {
-    const auto i = static_cast<size_t>(std::countr_zero(axes));
-    letters |= 1U << i;
-    last[i] = words.values[i];
-    sum[i] += words.values[i];
+void PlainWords::convert(uint32_t which) {
+  for_bits(letters & which, [this](size_t letter) { values[letter] = plain_number(texts[letter]); });
+}
+
+size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words) {
+  constexpr size_t kG = letter_index('g'), kN = letter_index('n');
+  words->letters = 0;
+  words->code = -1;
+  for (const char* at = bytes.data() + from;;) {
+    const uint8_t look = kLooks[static_cast<unsigned char>(*at)];
+    if (look == 0) {
+      ++at;
+    } else if (look == kOther) {
+      if (*at == '\n') return static_cast<size_t>(at - bytes.data()) + 1;
+      at = behind_comment(at);
+    } else {
+      const size_t letter = look - 1U;
+      do ++at;
+      while (is_space_or_tab(*at));
+      if (letter == kG) words->code = static_cast<int8_t>(plain_number(at));
+      if (letter == kG || letter == kN) continue;
+      words->letters |= 1U << letter;
+      words->texts[letter] = at;
+    }
   }
+}
+
+PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to) {
+  PlainMoves moves;
+  PlainWords words;
+  while (from < to) {
+    from = read_plain_words(bytes, from, &words);
+    for_bits(words.letters & kAxes, [&](size_t letter) { moves.add(letter, plain_number(words.texts[letter])); });
+  }
+  return moves;
 }
 
 void PlainReach::add(const PlainWords& line, const PlainMoves& moves, uint32_t number) {
@@ -62,29 +114,13 @@ void PlainReach::add(const PlainReach& other, const std::array<double, kAxes>& b
   letters |= other.letters;
 }
 
-PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to, uint32_t axes, bool sums) {
+PlainMoves last_plain_moves(std::string_view bytes, uint32_t axes, const LastLines& last) {
   PlainMoves moves;
-  if (sums) {
-    PlainWords words;
-    while (from < to) {
-      from = read_plain_words(bytes, from, &words);
-      moves.add(words);
-    }
-    return moves;
-  }
-  // Letters stand before their numbers, and no number has one.
-  for (size_t at = to; at-- > from && moves.letters != axes;) {
-    const char letter = small_letter(bytes[at]);
-    if (!is_small_letter(letter)) continue;
-    const uint32_t bit = letter_set({&letter, 1});
-    if ((bit & axes & ~moves.letters) == 0) continue;
-    size_t number = at + 1;
-    while (!is_in_number(bytes[number])) ++number;
-    if (bytes[number] == '+') ++number;
-    std::from_chars(bytes.data() + number, bytes.data() + bytes.size(), moves.last[letter_index(letter)],
-                    std::chars_format::fixed);
-    moves.letters |= bit;
-  }
+  PlainWords words;
+  for_bits(axes, [&](size_t letter) {
+    read_plain_words(bytes, last[letter], &words);
+    moves.add(letter, plain_number(words.texts[letter]));
+  });
   return moves;
 }
 

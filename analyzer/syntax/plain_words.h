@@ -1,4 +1,5 @@
-// The words of plain lines (see bulk.h) as numbers, for those that need them: where lines move to, and whether arcs fit.
+// The words of plain lines (see bulk.h) as numbers, for those that need them: where lines move to, and whether arcs fit. A word
+// is only made a number where it counts.
 #pragma once
 
 #include <array>
@@ -6,20 +7,26 @@
 #include <limits>
 #include <string_view>
 
+#include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/codes.h"
 
 namespace owlint {
 
-struct PlainWords {
-  uint32_t letters = 0;                   ///< but for G
-  int8_t code = -1;                       ///< of G; -1 without one
-  std::array<double, kLetters> values{};  ///< by letter, where `letters` has it
+/// The number that begins there, a sign before it perhaps: the double next to what is written.
+double plain_number(const char* at);
 
+struct PlainWords {
+  uint32_t letters = 0;                       ///< but for G and N
+  int8_t code = -1;                           ///< of G; -1 without one
+  std::array<const char*, kLetters> texts{};  ///< where the number begins, by letter, where `letters` has it
+  std::array<double, kLetters> values{};      ///< after convert()
+
+  void convert(uint32_t which);
   bool has(char letter) const { return (letters & letter_set({&letter, 1})) != 0; }
   double operator[](char letter) const { return values[letter_index(letter)]; }
 };
 
-/// Reads the plain line at `from`. Returns the offset of the next line.
+/// Finds the words of the plain line at `from`. Returns the offset of the next line.
 size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words);
 
 /// Of an axis, by Axis, from its letter's index.
@@ -35,8 +42,13 @@ struct PlainMoves {
   std::array<double, kLetters> last{};  ///< the last word: where the axis is in G90
   std::array<double, kLetters> sum{};   ///< of all words, in their order: how far it has gone in G91
 
-  void add(const PlainWords& words);
+  void add(size_t letter, double value) {
+    letters |= 1U << letter;
+    last[letter] = value;
+    sum[letter] += value;
+  }
 };
+
 /// The least and the greatest of some numbers, with their lines.
 struct Extremes {
   double least = std::numeric_limits<double>::infinity();
@@ -80,7 +92,9 @@ struct PlainReaches {
   bool curves = false;  ///< some are arcs, which go further between their ends
 };
 
-/// Of the plain lines in [from, to), which move these axes. Without `sums` only the last words are looked for, from the end on.
-PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to, uint32_t axes, bool sums);
+/// Of the plain lines in [from, to).
+PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to);
+/// The last words of these axes alone; `last`: the lines that have them.
+PlainMoves last_plain_moves(std::string_view bytes, uint32_t axes, const LastLines& last);
 
 }  // namespace owlint

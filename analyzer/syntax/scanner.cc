@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "analyzer/syntax/bulk.h"
+#include "analyzer/syntax/comment_command.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/modes_in_effect.h"
 #include "analyzer/syntax/statement.h"
@@ -112,6 +113,9 @@ bool runs_python(std::string_view line, std::string_view comment) {
   return line.starts_with(";py,") || begins(comment, "py,") || begins(comment, "pyrun,");
 }
 
+/// The bytes up to the last line feed: what comes after it is not plain.
+std::string_view whole_lines(std::string_view bytes) { return bytes.substr(0, bytes.rfind('\n') + 1); }
+
 /// A stretch of lines that one core looks through.
 struct Stretch {
   uint64_t begin = 0;
@@ -135,7 +139,9 @@ std::vector<Stretch> cut(const Source& source) {
 struct Found {
   uint32_t plain_first = 0;  ///< the first plain line with code on it; 0 if there is none
   uint32_t plain_last = 0;
+  bool plain_text = false;  ///< not all plain lines are blank
   PlainEffect plain_effect;
+  LastLines plain_last_lines;
   size_t plain_begin = 0;     ///< their bytes go on to `begin`
   uint32_t plain_before = 0;  ///< the line before them
   Proven proven;              ///< at their beginning
@@ -156,14 +162,16 @@ PlainEffect behind(PlainEffect effect, uint32_t lines) {
 /// Reads a stretch and passes what it finds to `take`; plain lines, which have none of the `refused` letters, are not stored.
 template <typename Take>
 void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refused, const Take& take) {
-  // What comes after the last line feed of the file is not plain.
-  const std::string_view until_end = bytes.substr(0, bytes.substr(0, stretch.end).rfind('\n') + 1);
+  const std::string_view until_end = no_line_is_plain ? "" : whole_lines(bytes.substr(0, stretch.end));
+  PlainLines plain(until_end, &byte_classifiers().front(), refused);
   uint32_t line = 0;
   Proven proven;
   for (size_t at = stretch.begin;;) {
-    const Passed passed = pass_plain_lines(until_end, at, proven, refused);
+    const Passed passed = plain.pass(at, until_end.size(), proven);
     Found found;
     found.plain_effect = behind(passed.effect, line);
+    found.plain_last_lines = passed.last;
+    found.plain_text = passed.text;
     found.plain_begin = at;
     found.plain_before = line;
     found.proven = proven;
@@ -197,12 +205,16 @@ void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refus
 /// Puts together what the stretches have, in their order, and parses the lines that matter.
 class Reader {
  public:
-  Reader(Syntax& out, std::string_view bytes, const MachineWords& machine)
-      : out_(out), bytes_(bytes), parser_(out, machine), modes_(out, parser_, machine) {}
+  Reader(Syntax& out, std::string_view bytes, const MachineWords& machine, Sums sums)
+      : out_(out),
+        bytes_(bytes),
+        plain_(whole_lines(bytes)),
+        parser_(out, machine),
+        modes_(out, parser_, machine, sums) {}
 
   void take(const Found& found) {
+    seen_first_ = seen_first_ || found.plain_text;
     if (found.plain_first != 0) {
-      seen_first_ = true;
       note_plain(before_ + found.plain_first);
       out_.last_code = before_ + found.plain_last;
       pass(found);
@@ -225,25 +237,25 @@ class Reader {
   void pass(const Found& found) {
     size_t from = found.plain_begin;
     uint32_t line = before_ + found.plain_before;
-    size_t next = modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect);
+    size_t next =
+        modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect, found.plain_last_lines);
     if (next == found.begin) return modes_.pass(found.plain_effect, before_, out_.last_code);
-    const std::string_view plain = bytes_.substr(0, found.begin);
     Proven proven = found.proven;
     const auto pass_until = [&](size_t end) {
-      const Passed passed = pass_plain_lines(plain.substr(0, end), from, proven);
+      const Passed passed = plain_.pass(from, end, proven);
       modes_.pass(behind(passed.effect, line), 0, line + passed.lines);
       line += passed.lines;
       proven = passed.proven;
     };
     while (next < found.begin) {
       pass_until(next);
-      const size_t end = plain.find('\n', next);
-      take_line(next, end, ++line, look(plain.substr(next, end - next)));
+      const size_t end = bytes_.find('\n', next);
+      take_line(next, end, ++line, look(bytes_.substr(next, end - next)));
       // The line's own codes count for those behind it.
       from = next;
-      proven = pass_plain_lines(plain.substr(0, end + 1), from, proven).proven;
+      proven = plain_.pass(from, end + 1, proven).proven;
       from = end + 1;
-      next = modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect);
+      next = modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect, found.plain_last_lines);
     }
     pass_until(found.begin);
   }
@@ -264,6 +276,7 @@ class Reader {
       out_.errors.push_back(
           {StopKind::kLineTooLong, {begin + kLineLimit, end}, "Command too long", {}, kNoExpr, 0, 0, 0});
       out_.last_code = number;
+      if (has_command(line)) out_.command_lines.push_back(begin);
     } else {
       const bool code =
           view.code && line.find_first_not_of(std::string_view("\0 \t\r\v\f", 6)) != std::string_view::npos;
@@ -276,6 +289,7 @@ class Reader {
       }
       if (view.speaks || (view.matters && parser_.has_comment())) {
         note_directive(line, begin, number, view.code, keep && statement.kind == LineKind::kOWord, out_);
+        if (has_command(line)) out_.command_lines.push_back(begin);
         const bool plain = !keep || (!statement.has_error() && statement.has_items());
         const std::string_view comment = plain ? acting_comment(line) : "";
         out_.runs_python = out_.runs_python || (plain && runs_python(line, comment));
@@ -340,6 +354,7 @@ class Reader {
 
   Syntax& out_;
   std::string_view bytes_;
+  PlainLines plain_;  // for plain lines that are passed again
   LineParser parser_;
   ModesInEffect modes_;
   uint32_t before_ = 0;      // lines in the stretches before
@@ -348,10 +363,10 @@ class Reader {
 
 }  // namespace
 
-Syntax scan(const Source& source, const MachineWords& machine) {
+Syntax scan(const Source& source, const MachineWords& machine, Sums sums) {
   Syntax out;
   const std::string_view bytes = source.bytes();
-  Reader reader(out, bytes, machine);
+  Reader reader(out, bytes, machine, sums);
   const std::vector<Stretch> stretches = cut(source);
   uint32_t refused = machine.wrapped | machine.indexing;
   for (const RemappedCode& code : machine.remapped) {

@@ -215,6 +215,7 @@ struct Syntax {
   std::vector<ModeChange> first_changes;   ///< by plain lines before the first statement
   std::vector<uint32_t> input_lines;       ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
   std::vector<Directive> directives;
+  std::vector<uint64_t> command_lines;  ///< offsets of lines with a comment that begins like a command (comment_command.h)
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;
   Names names;
@@ -225,6 +226,8 @@ struct Syntax {
   bool deletes_lines = false;     ///< a statement has block delete, `/` first on its line
   bool runs_python = false;       ///< a comment is Python code (`;py,` or `(py,`), which may set any global parameter
   bool blank = false;             ///< nothing but blank lines: LinuxCNC refuses to open it
+  bool lacks_sums = false;        ///< some PlaceChange has no `sum`, although the lines do not say the distance mode
+  bool may_set_g91 = false;       ///< a line does, or has a code that is not known
 
   const LineError* error(const Statement& s) const { return s.has_error() ? &errors[s.error] : nullptr; }
   std::span<const ExprId> values_of(const Statement& s) const {
@@ -244,7 +247,13 @@ struct Syntax {
   std::span<const PlaceChange> places_after(StatementId id) const;
 };
 
+/// How far lines go in G91 costs a conversion of each number.
+enum class Sums : uint8_t {
+  kAll,        ///< PlaceChange::sum is there where it may be needed
+  kLinesSayIt  ///< only where the lines themselves say that G91 is in effect
+};
+
 /// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.
-Syntax scan(const Source& source, const MachineWords& machine = {});
+Syntax scan(const Source& source, const MachineWords& machine = {}, Sums sums = Sums::kAll);
 
 }  // namespace owlint

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/syntax/comment_command.h"
 #include "analyzer/syntax/last_statement.h"
-#include "analyzer/syntax/next_comment.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules::ow710 {
@@ -18,32 +18,9 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-struct Command {
-  enum Form : uint8_t { kText, kShows, kFile, kBare, kCapitals };
-
-  std::string_view word;
-  Form form;
-};
-
-constexpr std::array kCommands = std::to_array<Command>({
-    {"msg", Command::kText},
-    {"debug", Command::kShows},
-    {"print", Command::kShows},
-    {"log", Command::kShows},
-    {"abort", Command::kShows},
-    {"logopen", Command::kFile},
-    {"logappend", Command::kFile},
-    {"logclose", Command::kBare},
-    {"py", Command::kBare},
-    {"pyrun", Command::kFile},
-    {"pyreload", Command::kBare},
-    {"probeopen", Command::kCapitals},
-    {"probeclose", Command::kCapitals},
-});
-
 /// A comment that begins with the word of a command.
 struct Comment {
-  const Command* command = nullptr;
+  const CommentCommand* command = nullptr;
   Span span;              ///< with its brackets
   Span word;              ///< the command's word
   std::string_view rest;  ///< behind it
@@ -53,8 +30,8 @@ struct Comment {
   /// Whether it acts, if its place on the line lets it.
   bool acts(const Source& source) const {
     switch (command->form) {
-      case Command::kBare: return true;
-      case Command::kCapitals:
+      case CommentCommand::kBare: return true;
+      case CommentCommand::kCapitals:
         return source.slice(word).find_first_of("abcdefghijklmnopqrstuvwxyz") == std::string_view::npos;
       default: return has_comma();
     }
@@ -74,13 +51,8 @@ class Checker {
   Checker(const Input& in, Reporter& out) : in_(in), out_(out), source_(*in.program.source), text_(source_.bytes()) {}
 
   void run() {
-    for (size_t at = next_comment(source_, 0); at < text_.size();) {
-      const size_t feed = text_.rfind('\n', at);
-      const size_t begin = feed == std::string_view::npos ? 0 : feed + 1;
-      const size_t end = std::min(text_.find('\n', at), text_.size());
-      line(begin, end);
-      at = next_comment(source_, end);
-    }
+    for (const uint64_t begin : in_.program.syntax.command_lines)
+      line(begin, std::min(text_.find('\n', begin), text_.size()));
   }
 
  private:
@@ -114,9 +86,8 @@ class Checker {
     while (from < close && is_blank(text_[from])) ++from;
     size_t to = from;
     while (to < close && is_letter(text_[to])) ++to;
-    const std::string word = small_letters(text_.substr(from, to - from));
-    const auto* command = std::ranges::find(kCommands, word, &Command::word);
-    if (command == kCommands.end()) return {};
+    const CommentCommand* const command = comment_command(text_.substr(from, to - from));
+    if (command == nullptr) return {};
     return {command, {open, close + 1}, {from, to}, text_.substr(to, close - to), to};
   }
 
@@ -133,7 +104,7 @@ class Checker {
 
   void report(const Comment& comment, bool last) {
     if (!comment.acts(source_)) return inactive(comment);
-    const bool bare_word = comment.command->form == Command::kBare && !comment.has_comma();
+    const bool bare_word = comment.command->form == CommentCommand::kBare && !comment.has_comma();
     if (bare_word && comment.rest.find_first_not_of(" \t") != std::string_view::npos) return;  // prose: `(py chart)`
     if (!last) {
       add(comment.span, "this comment does nothing: only the last comment of a line acts",
@@ -143,9 +114,9 @@ class Checker {
           fmt::format("this comment does nothing: comments do not act on the line of {}",
                       in_.program.at(id_).kind == LineKind::kOWord ? "an O-word" : "`M98`"),
           "write it on a line of its own");
-    } else if (comment.command->form == Command::kShows) {
+    } else if (comment.command->form == CommentCommand::kShows) {
       shows(comment);
-    } else if (comment.command->form == Command::kText) {
+    } else if (comment.command->form == CommentCommand::kText) {
       verbatim(comment);
     }
   }
@@ -157,7 +128,7 @@ class Checker {
     const std::string word = written(comment);
     const size_t behind = std::min(comment.rest.find_first_not_of(" \t"), comment.rest.size());
     if (behind == comment.rest.size()) return;
-    if (comment.command->form == Command::kCapitals) {
+    if (comment.command->form == CommentCommand::kCapitals) {
       std::string capitals;
       for (const char c : comment.command->word) capitals += capital(c);
       Finding& f = add(comment.word, fmt::format("`{}` does nothing: LinuxCNC knows it in capital letters only", word),
@@ -179,7 +150,7 @@ class Checker {
         behind > 0 && (is_letter(next) || is_digit(next) || next == '#' || next == '"' || is_foreign(next));
     if (!colon && !apart) return;
     // Words of English, too: only with a parameter they are surely meant.
-    if (comment.command->form == Command::kShows && !has_parameter(comment.rest)) return;
+    if (comment.command->form == CommentCommand::kShows && !has_parameter(comment.rest)) return;
     if (colon) edit.span.end = comment.rest_at + 1;
     edit.text = colon ? "," : ", ";
     Finding& f = add(comment.word, fmt::format("`({}` has no comma: this is an ordinary comment", word),

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Times owlint against programs that only read their input, and against itself on ten times as much.
 
-usage: bench.py --owlint build/release/owlint [--runs 5] [--json FILE] [--scale F] [--dynamic OWLINT]
+usage: bench.py --owlint build/release/owlint [--runs 5] [--json FILE] [--readme FILE] [--scale F] [--dynamic OWLINT] [--simdjson PROGRAM]
 
 Makes its inputs in a temporary folder, then times everything in turn, in one session: each figure is a ratio of medians,
 with the files in the page cache and one thread where nothing else is said. Prints the table as Markdown and writes it as
 JSON. Nothing here passes or fails; the last column says what we want. --scale 0.01 makes everything smaller, to try it.
---dynamic: a program linked dynamically, to compare the start.
+--readme: the file whose table between `<!-- bench -->` and `<!-- end -->` is rewritten. --dynamic: a program linked dynamically,
+to compare the start. --simdjson: json_reference.cc, as a measure of what vectors can do.
 """
 import argparse
 import json
@@ -19,9 +20,21 @@ import sys
 import tempfile
 import time
 
+import cam
 import inputs
 
-MOTION, DENSE, FILES = 1024, 100, 20_000  # MiB, MB, files
+MOTION, STYLE, DENSE, FILES = 1024, 256, 100, 20_000  # MiB, MiB, MB, files
+STYLES = (
+    ("arcs", "\n", "G2 and G3 by their center on %d %% of the lines, each radius checked" % (100 * cam.ARCS), "at most 8 x"),
+    ("numbered", "\n", "line numbers, and `G01` on each line", "at most 3 x"),
+    ("commented", "\n", "comments on 20 % of the lines", ""),
+    ("straight", "\r\n", "line ends of Windows", "at most 3 x"),
+    ("incremental", "\n", "in G91", ""),
+    ("drilling", "\n", "drilling cycles of 48 holes", ""),
+    ("fusion", "\n", "as Fusion writes it", ""),
+    ("pcb2gcode", "\n", "as pcb2gcode writes it", ""),
+    ("freecad", "\n", "as FreeCAD writes it", ""),
+)
 GROWTH = (
     ("dense O-words", "MB", inputs.dense, (1, 10, 100)),
     ("nested `if`", "deep", inputs.nested, (1_000, 10_000, 100_000, 1_000_000)),
@@ -38,8 +51,14 @@ GROWTH = (
 class Bench:
     def __init__(self, options, folder):
         self.owlint, self.runs, self.folder, self.scale = options.owlint, options.runs, folder, options.scale
-        self.dynamic = options.dynamic
+        self.dynamic, self.simdjson = options.dynamic, options.simdjson
         self.rows = []
+
+    def write_texts(self, name, texts):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="ascii", newline="") as f:
+            f.writelines(texts)
+        return path
 
     def write(self, name, lines):
         path = os.path.join(self.folder, name)
@@ -79,8 +98,32 @@ class Bench:
         what = "%d MiB of CAM motion, 20 O-word blocks in it" % size
         self.add(what, "%.2f x `wc -l` (%.3f s), %.0f MiB of memory" % (one / wc, one, memory), one / wc, "at most 3.0 x, 64 MiB",
                  seconds=one, reference_seconds=wc, memory_mib=memory)
-        self.add("the same, `--jobs 2`", "%.2f x `wc -l`" % (two / wc), two / wc, "at most 1.8 x", seconds=two, reference_seconds=wc)
+        self.add("the same, `--jobs 2`", "%.2f x `wc -l`" % (two / wc), two / wc, "at most 1.6 x", seconds=two, reference_seconds=wc)
         os.remove(path)
+
+    def styles(self):
+        """What CAM systems write, each against `wc -l`."""
+        size = self.small_size(STYLE)
+        for style, line_end, what, wanted in STYLES:
+            path = self.write_texts("style.ngc", cam.program(style, size, line_end))
+            wc, owlint = self.time([["wc", "-l", path], self.check(path)])
+            memory = peak_memory(self.check(path))
+            self.add("%d MiB: %s" % (size, what), "%.2f x `wc -l`, %.0f MiB of memory" % (owlint / wc, memory), owlint / wc, wanted, seconds=owlint,
+                     reference_seconds=wc, memory_mib=memory)
+            os.remove(path)
+
+    def json_reference(self):
+        if not self.simdjson:
+            return
+        size = self.small_size(STYLE)
+        motion = self.write("motion.ngc", inputs.motion(size))
+        reference = self.write_texts("reference.json", inputs.json_texts(size))
+        simdjson, owlint = self.time([[self.simdjson, reference], self.check(motion)])
+        speeds = [os.path.getsize(path) / seconds for path, seconds in ((motion, owlint), (reference, simdjson))]
+        self.add("%d MiB of CAM motion; simdjson parses %d MiB of JSON" % (size, size), "%.2f x the bytes per second of simdjson" % (speeds[0] / speeds[1]),
+                 speeds[0] / speeds[1], "at least 0.5 x", seconds=owlint, reference_seconds=simdjson)
+        os.remove(motion)
+        os.remove(reference)
 
     def dense(self):
         path = self.write("dense.ngc", inputs.dense(self.small_size(DENSE)))
@@ -153,6 +196,16 @@ def peak_memory(command):
         return int(answer.read().split()[-1]) / 1024
 
 
+def rewrite_table(path, rows):
+    table = ["| input | figure | wanted |", "|---|---|---|"]
+    table += ["| %s | %s | %s |" % (row["input"], row["figure"], row["wanted"]) for row in rows]
+    with open(path, encoding="utf-8") as f:
+        before, rest = f.read().split("<!-- bench -->\n")
+    behind = rest[rest.index("<!-- end -->"):]
+    with open(path, "w", encoding="utf-8") as f:
+        f.write(before + "<!-- bench -->\n" + "\n".join(table).replace(" x ", " × ").replace(" x,", " ×,") + "\n" + behind)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--owlint", required=True)
@@ -160,13 +213,17 @@ def main():
     parser.add_argument("--json", metavar="FILE")
     parser.add_argument("--scale", type=float, default=1.0)
     parser.add_argument("--dynamic", metavar="OWLINT")
+    parser.add_argument("--simdjson", metavar="PROGRAM")
+    parser.add_argument("--readme", metavar="FILE")
     options = parser.parse_args()
     version = subprocess.run([options.owlint, "--version"], capture_output=True, text=True, check=True).stdout.strip()
     with tempfile.TemporaryDirectory(prefix="owlint-bench-") as folder:
         bench = Bench(options, folder)
         print("| input | figure | wanted |\n|---|---|---|")
-        for part in (bench.motion, bench.dense, bench.interpreter, bench.files, bench.start, bench.growth):
+        for part in (bench.motion, bench.styles, bench.json_reference, bench.dense, bench.interpreter, bench.files, bench.start, bench.growth):
             part()
+        if options.readme:
+            rewrite_table(options.readme, bench.rows)
         if options.json:
             report = {"schema": "owlint-bench-1", "version": version, "processor": platform.processor() or platform.machine(),
                       "cores": os.cpu_count(), "runs": options.runs, "rows": bench.rows}

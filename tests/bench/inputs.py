@@ -52,6 +52,16 @@ def motion(mebibytes, blocks=20):
     yield "%"
 
 
+def json_texts(mebibytes):
+    """The same positions as JSON: the text in large pieces."""
+    rng = random.Random(1)
+    piece = ",\n".join('{"x":%.4f,"y":%.4f,"z":%.4f}' % (rng.uniform(0, 300), rng.uniform(0, 200), rng.uniform(-20, 5)) for _ in range(40000))
+    yield "["
+    for _ in range((mebibytes << 20) // len(piece)):
+        yield piece + ",\n"
+    yield piece + "]\n"
+
+
 def small(number):
     """A program of 4 KiB as a shop has thousands."""
     rng = random.Random(number)

@@ -133,10 +133,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   bytes += '\n';
   MotionSet modes = all_modes();
   Proven proven;
+  PlainLines plain(bytes), one_by_one(bytes, nullptr);
   for (size_t at = 0; at < bytes.size();) {
     const size_t feed = bytes.find('\n', at);
     const std::string_view text = std::string_view(bytes).substr(at, feed - at);
-    const Passed passed = pass_plain_lines(std::string_view(bytes).substr(0, feed + 1), at, proven);
+    const Passed passed = plain.pass(at, feed + 1, proven);
+    require(passed == one_by_one.pass(at, feed + 1, proven));
     require(passed.lines <= 1 && passed.next == (passed.lines == 1 ? feed + 1 : at));
     if (text.size() > kLineLimit) return 0;
     const Line line(text, at, machine);

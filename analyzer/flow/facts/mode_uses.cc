@@ -1,6 +1,5 @@
 #include "analyzer/flow/facts/mode_uses.h"
 
-#include <bit>
 #include <cmath>
 #include <initializer_list>
 
@@ -54,7 +53,7 @@ ModeUses::ModeUses(const Program& program, const MachineWords& machine, const Mo
   find_followed();
   others_ = reachable_;
   for (size_t i = 0; i < kModes; ++i) {
-    if (!std::has_single_bit(reachable_.may[i])) others_.open |= ModeMask{1} << i;
+    if (!is_single(reachable_.may[i])) others_.open |= ModeMask{1} << i;
   }
 }
 
@@ -126,7 +125,7 @@ void ModeUses::find_followed() {
   // What moves mean differs only where a program has both.
   for (const auto* needs : {&program_.syntax.first_needs, &program_.syntax.mode_needs}) {
     for (const ModeNeed& need : *needs) {
-      if (is_assumed(need.mode) || !std::has_single_bit(reachable_[need.mode])) followed_ |= mask_of(need.mode);
+      if (is_assumed(need.mode) || !is_single(reachable_[need.mode])) followed_ |= mask_of(need.mode);
     }
   }
   // What a sub gets may have to be above 0.
@@ -137,7 +136,7 @@ void ModeUses::find_followed() {
   if (follows_place()) {
     for (const Mode mode : {Mode::kMotion, Mode::kPlane, Mode::kUnits, Mode::kDistance, Mode::kArcDistance,
                             Mode::kDiameter, Mode::kSystem, Mode::kRetract, Mode::kCompensation, Mode::kRadius}) {
-      if (!std::has_single_bit(reachable_[mode])) followed_ |= mask_of(mode);
+      if (!is_single(reachable_[mode])) followed_ |= mask_of(mode);
     }
   }
   // What these depend on.
@@ -152,7 +151,7 @@ void ModeUses::find_followed() {
   if (!stores) return;
   // Whether M72 has anything to restore, and so what becomes of its line, depends on every mode.
   for (size_t i = 0; i < kModes; ++i) {
-    if (!std::has_single_bit(reachable_.may[i])) followed_ |= ModeMask{1} << i;
+    if (!is_single(reachable_.may[i])) followed_ |= ModeMask{1} << i;
   }
   if (followed_ != 0) followed_ |= mask_of(Mode::kSaved);
 }

@@ -3,7 +3,6 @@
 // shown as `######`.
 #include "analyzer/flow/facts/shown.h"
 #include "analyzer/syntax/last_statement.h"
-#include "analyzer/syntax/next_comment.h"
 #include "analyzer/text/characters.h"
 
 #include <algorithm>
@@ -32,13 +31,8 @@ class Finder {
   explicit Finder(const Program& program) : program_(program), text_(program.source->bytes()) {}
 
   std::vector<Shown> run() {
-    for (size_t at = next_comment(*program_.source, 0); at < text_.size(); at = next_comment(*program_.source, at)) {
-      const size_t feed = text_.rfind('\n', at);
-      const size_t begin = feed == std::string_view::npos || feed < done_ ? done_ : feed + 1;
-      const size_t end = std::min(text_.find('\n', at), text_.size());
-      line(begin, end);
-      at = done_ = end;
-    }
+    for (const uint64_t begin : program_.syntax.command_lines)
+      line(begin, std::min(text_.find('\n', begin), text_.size()));
     return std::move(shown_);
   }
 
@@ -106,7 +100,6 @@ class Finder {
   const Program& program_;
   std::string_view text_;
   std::vector<Shown> shown_;
-  size_t done_ = 0;   // where the last line ends
   size_t added_ = 0;  // of `shown_`: those whose place is known
 };
 

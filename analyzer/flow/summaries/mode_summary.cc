@@ -31,7 +31,7 @@ class Builder {
     out.needs = std::move(needs_);
     for (const auto& [mode, settings] : set_) {
       out.changes.push_back(mode);
-      if (settings.always && std::has_single_bit(settings.values))
+      if (settings.always && is_single(settings.values))
         out.leaves.emplace(mode, static_cast<uint8_t>(std::countr_zero(settings.values)));
     }
     return out;
@@ -66,7 +66,7 @@ class Builder {
     for (size_t i = 0; i < kModes; ++i) {
       const auto mode = static_cast<Mode>(i);
       if ((after.now.assigned & mask_of(mode)) == 0) continue;
-      const bool known = !after.now.is_open(mode) && std::has_single_bit(after.now[mode]);
+      const bool known = !after.now.is_open(mode) && is_single(after.now[mode]);
       set(mode, known ? static_cast<uint8_t>(std::countr_zero(after.now[mode])) : ModeChange::kAny, always);
     }
   }

@@ -38,7 +38,7 @@ void ModeHazards::came_back(const State& caller, const State& back) {
     if (!uses.follows(mode)) continue;
     const ModeValues before = values(caller, mode), behind = values(back, mode);
     const bool known =
-        !before.open && !behind.open && std::has_single_bit(before.may) && std::has_single_bit(behind.may);
+        !before.open && !behind.open && is_single(before.may) && is_single(behind.may);
     if (!known || before.may == behind.may) continue;
     leaks_.try_emplace({caller.position, mode},
                        Leak{static_cast<uint8_t>(std::countr_zero(before.may)),
