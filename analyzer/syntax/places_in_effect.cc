@@ -151,9 +151,14 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
       contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
   if (plain && needs_no_question && !asked) {
     PlainMoves line;
+    PlainWords written;
     for (size_t i = 0; i < words.size(); ++i) {
-      if ((letter_set({&words[i].letter, 1}) & kAxisLetters) != 0)
-        line.add(static_cast<size_t>(letter_index(words[i].letter)), words[i].value);
+      const uint32_t bit = letter_set({&words[i].letter, 1});
+      if ((bit & kAxisLetters) == 0) continue;
+      const auto letter = static_cast<size_t>(letter_index(words[i].letter));
+      written.letters |= bit;
+      written.values[letter] = words[i].value;
+      line.add(letter, words[i].value);
     }
     ModeSets in = before;
     if (words.code(GGroup::kDistance) != nullptr) {
