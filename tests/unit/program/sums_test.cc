@@ -11,7 +11,7 @@ namespace {
 std::string large(const std::string& head) {
   std::string text = head + "o1 if [#1]\nG1 X0 F100\no1 endif\n";
   while (text.size() < (2 << 20)) text += "X0.125 Y-0.5\n";
-  return text + "X7\no2 if [#2]\no2 endif\nM2\n";
+  return text + "X7 Y1\no2 if [#2]\no2 endif\nM2\n";
 }
 
 std::unique_ptr<Program> read(const std::string& text) { return build_program(Source::own("large.ngc", text)); }
