@@ -132,19 +132,48 @@ void build_structure(Program& program) {
   if (!runs_by_itself(program)) treat_as_sub_file(program);
 }
 
-/// Whether G91 may be in effect where the lines between two statements do not say it.
-bool may_be_in_g91(const Program& program, const MachineWords& machine) {
-  const Syntax& syntax = program.syntax;
-  const bool starts = machine.start != nullptr && machine.start->now[Mode::kDistance] != value_bit(modes::kG90);
+/// Whether runs begin, or come back from what is not in the file, with other modes than an interpreter starts with.
+bool comes_from_elsewhere(const Program& program) {
   const bool calls_files =
       std::ranges::any_of(program.calls, [](const Call& call) { return call.target == kNoRegion; });
-  return syntax.may_set_g91 || syntax.runs_python || starts || !machine.remapped.empty() || program.sub_file ||
-      calls_files;
+  return program.syntax.runs_python || program.sub_file || calls_files;
 }
 
-std::unique_ptr<Program> read_program(std::shared_ptr<const Source> source, const MachineWords& machine, Sums sums) {
+/// Whether what was taken for granted is so.
+bool is_as_read(const Program& program, Expected expected) {
+  const Syntax& syntax = program.syntax;
+  switch (expected) {
+    case Expected::kAnything:
+      return true;
+    case Expected::kNoG91:
+      return !syntax.lacks_sums || (!syntax.may_set_g91 && !comes_from_elsewhere(program));
+    case Expected::kUsual:
+      return !syntax.unusual && !syntax.asks_place && !comes_from_elsewhere(program);
+  }
+  return false;
+}
+
+/// Whether it may be so on this machine.
+bool may_be_read(const MachineWords& machine, Expected expected) {
+  if (expected == Expected::kAnything) return true;
+  const ModeSets start = machine.start == nullptr ? ModeSets::started() : machine.start->now;
+  const auto starts_as_usual = [&](Mode mode) {
+    return start[mode] == ModeSets::started()[mode] && !start.is_open(mode);
+  };
+  if (!machine.remapped.empty() || !starts_as_usual(Mode::kDistance)) return false;
+  if (expected == Expected::kNoG91) return true;
+  bool usual = !machine.has_limits && !machine.measures_extents && machine.wrapped == 0 && machine.indexing == 0;
+  for (size_t i = 0; i < kModes; ++i) {
+    const auto mode = static_cast<Mode>(i);
+    usual = usual && ((kUsualModes & mask_of(mode)) == 0 || starts_as_usual(mode));
+  }
+  return usual;
+}
+
+std::unique_ptr<Program> read_program(std::shared_ptr<const Source> source, const MachineWords& machine,
+                                      Expected expected) {
   auto program = std::make_unique<Program>();
-  program->syntax = scan(*source, machine, sums);
+  program->syntax = scan(*source, machine, expected);
   program->source = std::move(source);
   build_structure(*program);
   return program;
@@ -153,12 +182,14 @@ std::unique_ptr<Program> read_program(std::shared_ptr<const Source> source, cons
 }  // namespace
 
 std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source, const MachineWords& machine) {
-  constexpr size_t kLarge = 1 << 20;  // bytes: that many numbers are worth leaving out
-  const Sums sums = source->bytes().size() < kLarge ? Sums::kAll : Sums::kLinesSayIt;
-  auto program = read_program(source, machine, sums);
-  if (!program->syntax.lacks_sums || !may_be_in_g91(*program, machine)) return program;
-  program.reset();
-  return read_program(std::move(source), machine, Sums::kAll);
+  if (source->bytes().size() >= large_program) {
+    for (const Expected expected : {Expected::kUsual, Expected::kNoG91}) {
+      if (!may_be_read(machine, expected)) continue;
+      auto program = read_program(source, machine, expected);
+      if (is_as_read(*program, expected)) return program;
+    }
+  }
+  return read_program(std::move(source), machine, Expected::kAnything);
 }
 
 std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Program> program) {
@@ -195,6 +226,7 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
       }
       continue;
     }
+    if (s.asks_inputs && !statements.empty()) statements.back().asks_inputs = true;
     if (s.plain_code_follows && !statements.empty() && !statements.back().plain_code_follows) {
       statements.back().plain_code_follows = true;
       statements.back().first_plain_line = s.first_plain_line;

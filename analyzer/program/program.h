@@ -87,6 +87,9 @@ struct Program {
   std::string head_of(const Block& block) const { return head(block.opener); }
 };
 
+/// From so many bytes on a file is read as usual programs are first (Expected). Only tests set it.
+inline size_t large_program = 1 << 20;
+
 /// Builds everything above from the bytes of one file.
 std::unique_ptr<Program> build_program(std::shared_ptr<const Source> source, const MachineWords& machine = {});
 

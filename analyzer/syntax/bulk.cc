@@ -290,22 +290,22 @@ Passed PlainLines::pass(size_t from, size_t to, const Proven& proven) {
   return out;
 }
 
-Proven proven_after(std::string_view line, const Proven& before) {
+Proven proven_after(std::string_view line, const Proven& before, const Proven& always) {
   // The line without its comments.
   std::array<char, kLineLimit + 2> code;
   size_t length = 0;
   for (size_t i = 0; i < line.size() && line[i] != ';'; ++i) {
     if (line[i] == '(') {
       i = line.find(')', i);
-      if (i == std::string_view::npos) return {};
+      if (i == std::string_view::npos) return always;
       continue;
     }
-    if (length > kLineLimit) return {};
+    if (length > kLineLimit) return always;
     code[length++] = line[i];
   }
   code[length] = '\n';
   PlainLine plain;
-  if (read_plain_line(code.data(), &plain) == nullptr) return {};
+  if (read_plain_line(code.data(), &plain) == nullptr) return always;
   Proven out = before;
   plain.learn(&out);
   return out;

@@ -94,7 +94,7 @@ class PlainLines {
 /// For tests alone: the scanner passes no line, and the parser reads each.
 inline bool no_line_is_plain = false;
 
-/// What is proven behind a line that was not passed, if the run goes on there.
-Proven proven_after(std::string_view line, const Proven& before);
+/// What is proven behind a line that was not passed, if the run goes on there; `always`: what is proven behind any line.
+Proven proven_after(std::string_view line, const Proven& before, const Proven& always = {});
 
 }  // namespace owlint

@@ -77,6 +77,16 @@ ModeSets ModeSets::unknown() {
   return sets;
 }
 
+ModeSets ModeSets::usual() {
+  ModeSets sets = unknown();
+  const ModeSets start = started();
+  for (const ModeRow& row : kModeRows) {
+    if ((kUsualModes & mask_of(row.mode)) != 0) sets[row.mode] = start[row.mode];
+  }
+  sets.open &= ~kUsualModes;
+  return sets;
+}
+
 void ModeSets::lose_runs() {
   for (const ModeRow& row : kModeRows) {
     if (!is_single((*this)[row.mode])) open |= mask_of(row.mode);

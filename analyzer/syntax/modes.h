@@ -91,6 +91,13 @@ inline constexpr ModeMask kAllModes = (mask_of(Mode::kSaved) << 1) - 1;
 /// Whether it is one value. std::has_single_bit() counts the bits, which older processors need a function for.
 constexpr bool is_single(ValueSet values) { return values != 0 && (values & (values - 1)) == 0; }
 
+/// Modes that few programs leave. While they are as an interpreter starts, a G0, and a G1 with a feed, run whatever else is in
+/// effect.
+inline constexpr ModeMask kUsualModes = mask_of(Mode::kFeedMode) | mask_of(Mode::kSpindleMode) |
+    mask_of(Mode::kArcDistance) | mask_of(Mode::kDiameter) | mask_of(Mode::kCompensation) | mask_of(Mode::kRadius) |
+    mask_of(Mode::kEntry) | mask_of(Mode::kStraightOwed) | mask_of(Mode::kNurbs) | mask_of(Mode::kNurbsOrder) |
+    mask_of(Mode::kSaved);
+
 template <typename Do>
 void for_values(ValueSet values, Do apply) {
   for (; values != 0; values &= values - 1) apply(static_cast<uint8_t>(std::countr_zero(values)));
@@ -127,6 +134,7 @@ struct ModeSets {
 
   static ModeSets started();  ///< those of an interpreter that was just started
   static ModeSets unknown();  ///< any, and all open
+  static ModeSets usual();    ///< the same, but for kUsualModes, which are as an interpreter starts
 };
 
 /// What an interpreter remembers of modes between two lines.
@@ -141,6 +149,7 @@ struct ModeState {
   }
   static ModeState started() { return {ModeSets::started(), ModeSets::started()}; }
   static ModeState unknown() { return {ModeSets::unknown(), ModeSets::unknown()}; }
+  static ModeState usual() { return {ModeSets::usual(), ModeSets::unknown()}; }
 };
 
 /// The least sets that hold both.

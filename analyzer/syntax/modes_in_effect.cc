@@ -44,30 +44,21 @@ ModeMask better(const ModeSets& sets) {
   return mask;
 }
 
+/// Whether a mode that is taken for granted may not be so any more.
+bool leaves_usual(const ModeSets& usual, const ModeSets& after) {
+  for (ModeMask set = after.assigned & ~usual.open; set != 0; set &= set - 1) {
+    const Mode mode = mode_at(static_cast<size_t>(std::countr_zero(set)));
+    if (after[mode] != usual[mode] || after.is_open(mode)) return true;
+  }
+  return false;
+}
+
 bool stacks_modes(const WordLine& words) {
   const MCode* const code = words.code(MGroup::kSpindle);
   return code != nullptr && code->number >= code::kM70 && code->number <= code::kM73;
 }
 
 }  // namespace
-
-std::span<const ModeChange> Syntax::changes_after(StatementId id) const {
-  const auto first = std::ranges::lower_bound(mode_changes, id, {}, &ModeChange::after);
-  const auto last = std::ranges::upper_bound(mode_changes, id, {}, &ModeChange::after);
-  return {first, last};
-}
-
-std::span<const PlaceChange> Syntax::places_after(StatementId id) const {
-  const auto first = std::ranges::lower_bound(place_changes, id, {}, &PlaceChange::after);
-  const auto last = std::ranges::upper_bound(place_changes, id, {}, &PlaceChange::after);
-  return {first, last};
-}
-
-std::span<const ModeNeed> Syntax::needs_after(StatementId id) const {
-  const auto first = std::ranges::lower_bound(mode_needs, id, {}, &ModeNeed::after);
-  const auto last = std::ranges::upper_bound(mode_needs, id, {}, &ModeNeed::after);
-  return {first, last};
-}
 
 Statement question_about(const Statement& line, LineKind kind, uint32_t first) {
   Statement asks;
@@ -247,7 +238,7 @@ void ModesInEffect::set_feed(const WordLine& words, ModeSets* after) {
 
 /// Runs come from elsewhere, or a line that is deleted may have done anything or nothing.
 void ModesInEffect::forget() {
-  state_ = ModeState::unknown();
+  state_ = anything_;
   settled_ = unused_ = 0;
   asked_.clear();
   stopped_ = false;
@@ -292,12 +283,16 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     return keep;
   }
   if (may_set_g91(*words)) out_.may_set_g91 = true;
-  if (asks_inputs(*words)) out_.input_lines.push_back(statement.line);
+  if (asks_inputs(*words)) {
+    out_.input_lines.push_back(statement.line);
+    if (!out_.statements.empty()) out_.statements.back().asks_inputs = true;
+  }
   if (stopped_) return keep;
   const bool alone = words->depends_on_motion() && !is_single(state_.now[Mode::kMotion]);
   ModeState after = state_;
   stopped_ = !ModeRun(machine_, *words).run(&after, &faults_);
   set_feed(*words, &after.now);
+  if ((after.now.assigned & ~anything_.now.open) != 0 && leaves_usual(anything_.now, after.now)) out_.unusual = true;
   leave_out_asked();
   // What M72 writes depends on modes that only the flow knows.
   const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;
@@ -321,7 +316,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     asks_ = true;
     stopped_ = false;
     asked_.clear();
-    after = ModeState::unknown();
+    after = anything_;
   }
   if (!asks_) {
     if (asks_place) flush();  // what the line itself sets comes behind it

@@ -19,8 +19,12 @@ Statement question_about(const Statement& line, LineKind kind, uint32_t first);
 
 class ModesInEffect {
  public:
-  ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine, Sums sums = Sums::kAll)
-      : out_(out), parser_(parser), machine_(machine), places_(out, machine_, sums) {}
+  ModesInEffect(Syntax& out, LineParser& parser, const MachineWords& machine, Expected expected = Expected::kAnything)
+      : out_(out),
+        parser_(parser),
+        machine_(machine),
+        anything_(expected == Expected::kUsual ? ModeState::usual() : ModeState::unknown()),
+        places_(out, machine_, expected) {}
 
   /// Takes in plain lines, whose numbers count from `before` on; `last`: the number of the last of them.
   void pass(const PlainEffect& effect, uint32_t before, uint32_t last);
@@ -63,8 +67,9 @@ class ModesInEffect {
   Syntax& out_;
   LineParser& parser_;
   MachineWords machine_;
+  const ModeState anything_;  // what may be in effect where runs come from elsewhere
   PlacesInEffect places_;
-  ModeState state_ = ModeState::unknown();
+  ModeState state_ = anything_;
   std::array<ModeChange, kModes> pending_{};   // by mode, where changed_ has it
   ModeMask changed_ = 0;                       // since the last statement
   ModeMask settled_ = 0;                       // set or needed since the last O-word

@@ -107,7 +107,7 @@ void PlacesInEffect::note_limits(const WordLine& words) {
 bool PlacesInEffect::needs_sums(const ModeSets& before) {
   if (assumed_.now[Mode::kDistance] != value_bit(modes::kG90)) return true;
   if (is_known(before, Mode::kDistance)) return false;
-  if (sums_ == Sums::kAll) return true;
+  if (expected_ == Expected::kAnything) return true;
   out_.lacks_sums = true;
   return false;
 }
@@ -128,6 +128,12 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
     return false;
   assume(before);
   const Motion motion = words.motion(static_cast<Motion>(only_value(assumed_.now, Mode::kMotion)));
+  if (left_ && expected_ == Expected::kUsual) {
+    const bool moves = words.has_axis_words() || words.has_polar_words();
+    const bool straight = contains(kStraightMoves, motion) || (!moves && !contains(kContours, motion));
+    if (!straight || words.has_polar_words()) out_.asks_place = out_.unusual = true;
+    return false;
+  }
   const Place start = place_;
   const bool compensates = assumed_.now[Mode::kCompensation] != value_bit(modes::kG40);
   const bool pauses = compensates && words.code(MGroup::kStop) != nullptr;  // which ends the move before it
@@ -220,6 +226,10 @@ bool PlacesInEffect::arc_passes(const PlainWords& words) const {
 size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect,
                             const LastLines& last, const ModeSets& before) {
   if (effect.axes == 0 && effect.first_arc == 0) return to;
+  if (left_ && expected_ == Expected::kUsual) {
+    if (effect.first_arc != 0) out_.asks_place = out_.unusual = true;
+    return to;
+  }
   const bool alone = effect.alone && !is_single(before[Mode::kMotion]);
   assume(before);
   // Each move on a compensated path is looked at.

@@ -17,8 +17,8 @@ namespace owlint {
 
 class PlacesInEffect {
  public:
-  PlacesInEffect(Syntax& out, const MachineWords& machine, Sums sums)
-      : out_(out), machine_(machine), sums_(sums), limits_(machine), place_(Place::started(machine.units_per_mm)) {
+  PlacesInEffect(Syntax& out, const MachineWords& machine, Expected expected)
+      : out_(out), machine_(machine), expected_(expected), limits_(machine), place_(Place::started(machine.units_per_mm)) {
     if (machine.start != nullptr) assumed_ = *machine.start;
     if (machine.has_limits) visitor_ = &limits_;
     if (machine.measures_extents) visitor_ = extents_.get();
@@ -75,7 +75,7 @@ class PlacesInEffect {
 
   Syntax& out_;
   const MachineWords& machine_;
-  Sums sums_;
+  const Expected expected_;
   LimitChecks limits_;
   std::shared_ptr<Extents> extents_ = std::make_shared<Extents>();
   MoveVisitor* visitor_ = nullptr;  // of the lines up to the first from where runs may go elsewhere; null: nobody asks

@@ -22,6 +22,14 @@ struct Proven {
   uint32_t rotary = 0;           ///< letters of A, B and C that have been there
   uint8_t alone[2] = {0, 0};     ///< by the set of X, Y and Z, where the motion in effect is not known
 
+  /// While kUsualModes are as an interpreter starts: G0, and G1 with a feed.
+  static Proven usual() {
+    Proven proven;
+    proven.straight[0] = 1;
+    proven.straight[1] = 3;
+    return proven;
+  }
+
   bool operator==(const Proven&) const = default;
 };
 

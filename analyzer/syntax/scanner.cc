@@ -161,11 +161,12 @@ PlainEffect behind(PlainEffect effect, uint32_t lines) {
 
 /// Reads a stretch and passes what it finds to `take`; plain lines, which have none of the `refused` letters, are not stored.
 template <typename Take>
-void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refused, const Take& take) {
+void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refused, const Proven& always,
+                  const Take& take) {
   const std::string_view until_end = no_line_is_plain ? "" : whole_lines(bytes.substr(0, stretch.end));
   PlainLines plain(until_end, &byte_classifiers().front(), refused);
   uint32_t line = 0;
-  Proven proven;
+  Proven proven = always;
   for (size_t at = stretch.begin;;) {
     const Passed passed = plain.pass(at, until_end.size(), proven);
     Found found;
@@ -189,7 +190,7 @@ void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refus
     found.end = feed == nullptr ? stretch.end : static_cast<size_t>(feed - bytes.data());
     found.line = ++line;
     const std::string_view text = bytes.substr(at, found.end - at);
-    proven = proven_after(text, passed.proven);
+    proven = proven_after(text, passed.proven, always);
     // The limit counts the line feed: a last line without one may be a character longer.
     const size_t limit = kLineLimit + (feed == nullptr ? 1 : 0);
     if (text.size() <= limit) {
@@ -205,14 +206,15 @@ void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refus
 /// Puts together what the stretches have, in their order, and parses the lines that matter.
 class Reader {
  public:
-  Reader(Syntax& out, std::string_view bytes, const MachineWords& machine, Sums sums)
+  Reader(Syntax& out, std::string_view bytes, const MachineWords& machine, Expected expected)
       : out_(out),
         bytes_(bytes),
         plain_(whole_lines(bytes)),
         parser_(out, machine),
-        modes_(out, parser_, machine, sums) {}
+        modes_(out, parser_, machine, expected) {}
 
   void take(const Found& found) {
+    if (out_.unusual) return;
     seen_first_ = seen_first_ || found.plain_text;
     if (found.plain_first != 0) {
       note_plain(before_ + found.plain_first);
@@ -363,10 +365,11 @@ class Reader {
 
 }  // namespace
 
-Syntax scan(const Source& source, const MachineWords& machine, Sums sums) {
+Syntax scan(const Source& source, const MachineWords& machine, Expected expected) {
   Syntax out;
   const std::string_view bytes = source.bytes();
-  Reader reader(out, bytes, machine, sums);
+  Reader reader(out, bytes, machine, expected);
+  const Proven always = expected == Expected::kUsual ? Proven::usual() : Proven();
   const std::vector<Stretch> stretches = cut(source);
   uint32_t refused = machine.wrapped | machine.indexing;
   for (const RemappedCode& code : machine.remapped) {
@@ -375,10 +378,10 @@ Syntax scan(const Source& source, const MachineWords& machine, Sums sums) {
   const auto look_at = [&](size_t i, const auto& take) {
     const Span span{stretches[i].begin, stretches[i].end};
     if (stretches.size() > 1) source.will_read(span);
-    look_through(bytes, stretches[i], refused, take);
+    look_through(bytes, stretches[i], refused, always, take);
   };
   if (stretches.size() == 1 || one_core()) {
-    for (size_t i = 0; i < stretches.size(); ++i) {
+    for (size_t i = 0; i < stretches.size() && !out.unusual; ++i) {
       look_at(i, [&](const Found& found) { reader.take(found); });
       if (stretches.size() > 1) source.let_go({stretches[i].begin, stretches[i].end});
     }

@@ -155,6 +155,7 @@ struct Statement {
   bool changes_modes : 1 = false;       ///< lines without a statement, before the next one, change modes
   bool needs_modes : 1 = false;         ///< or depend on them
   bool changes_place : 1 = false;       ///< or go somewhere
+  bool asks_inputs : 1 = false;         ///< or ask the machine's inputs: G38.2 to G38.5, M66
   bool for_place : 1 = false;           ///< a kModeLine that only its numbers ask for
 
   // Equal if there is no such part.
@@ -228,6 +229,7 @@ struct Syntax {
   bool blank = false;             ///< nothing but blank lines: LinuxCNC refuses to open it
   bool lacks_sums = false;        ///< some PlaceChange has no `sum`, although the lines do not say the distance mode
   bool may_set_g91 = false;       ///< a line does, or has a code that is not known
+  bool unusual = false;           ///< what Expected::kUsual takes for granted is not so: read the file again
 
   const LineError* error(const Statement& s) const { return s.has_error() ? &errors[s.error] : nullptr; }
   std::span<const ExprId> values_of(const Statement& s) const {
@@ -247,13 +249,15 @@ struct Syntax {
   std::span<const PlaceChange> places_after(StatementId id) const;
 };
 
-/// How far lines go in G91 costs a conversion of each number.
-enum class Sums : uint8_t {
-  kAll,        ///< PlaceChange::sum is there where it may be needed
-  kLinesSayIt  ///< only where the lines themselves say that G91 is in effect
+/// What is taken for granted. A large program is read as usual ones are first, which is much less work.
+enum class Expected : uint8_t {
+  kAnything,  ///< nothing
+  kNoG91,     ///< where the lines do not say the distance mode, it is G90: a PlaceChange then needs no `sum`
+  kUsual      ///< modes that few programs leave are as at the start (kUsualModes), and behind the first O-word nobody asks where
+              ///< the machine stands: plain lines run there, and no PlaceChange is needed
 };
 
 /// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.
-Syntax scan(const Source& source, const MachineWords& machine = {}, Sums sums = Sums::kAll);
+Syntax scan(const Source& source, const MachineWords& machine = {}, Expected expected = Expected::kAnything);
 
 }  // namespace owlint

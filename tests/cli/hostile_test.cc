@@ -116,8 +116,8 @@ TEST_CASE("very deep nesting", "[hostile]") {
   const auto close = [](const char* keyword) {
     return [keyword](int i) { return fmt::format("o{} {}\n", kMany + 1 - i, keyword); };
   };
-  CHECK(codes("many nested ifs", repeat(n, open("if [#5070 GT 0]")) + repeat(n, close("endif")) + "M2\n").empty());
-  CHECK(codes("many nested whiles", repeat(n, open("while [#5070 GT 0]")) + repeat(n, close("endwhile")) + "M2\n")
+  CHECK(codes("many nested ifs", repeat(n, open("if [#5420 GT 0]")) + repeat(n, close("endif")) + "M2\n").empty());
+  CHECK(codes("many nested whiles", repeat(n, open("while [#5420 GT 0]")) + repeat(n, close("endwhile")) + "M2\n")
             .empty());
   CHECK(codes("many ifs not closed", repeat(n, open("if [#1 GT 0]")) + "M2\n") == "OW205");
   CHECK(codes("many dos not closed", repeat(n, open("do")) + "M2\n") == "OW205");
@@ -126,7 +126,7 @@ TEST_CASE("very deep nesting", "[hostile]") {
         std::string::npos);
   CHECK(codes("many elses", "o1 if [#1 GT 0]\n" + lines(n, "o1 else\n") + "o1 endif\nM2\n") == "OW212");
   CHECK(codes("many elseifs",
-              "o1 if [#5070 GT 0]\n" + repeat(n, [](int i) { return fmt::format("o1 elseif [#5070 EQ {}]\n", i); }) +
+              "o1 if [#5420 GT 0]\n" + repeat(n, [](int i) { return fmt::format("o1 elseif [#5070 EQ {}]\n", i); }) +
                   "o1 endif\nM2\n")
             .empty());
 }
@@ -163,7 +163,7 @@ TEST_CASE("very many values", "[hostile]") {
                   repeat(n, [](int i) { return fmt::format("o{0} if [#<p{0}> GT 5]\no{0} endif\n", i); }) + "M2\n")
             .empty());
   CHECK(codes("many assignments in a loop",
-              "o1 while [#5070 GT 0]\n" +
+              "o1 while [#5420 GT 0]\n" +
                   repeat(n, [](int i) { return fmt::format("#{0} = [#{0} + 1]\n", i % 5000 + 31); }) +
                   "o1 endwhile\nM2\n")
             .empty());

@@ -9,10 +9,11 @@
 namespace owlint::flow {
 
 /// A condition, the same for all lines that test the same thing. While nothing that it reads is assigned, it has the
-/// same outcome every time: two `if [#1 EQ 0]` in a row go the same way.
+/// same outcome every time: two `if [#1 EQ 0]` in a row go the same way, and `if [#1 NE 0]` goes the other one.
 struct ConditionId {
-  uint32_t id = 0;      ///< 0: not tracked
-  bool global = false;  ///< reads globals only; otherwise locals only
+  uint32_t id = 0;       ///< 0: not tracked
+  bool global = false;   ///< reads globals only; otherwise locals only
+  bool negated = false;  ///< its outcome is the opposite of the one that is kept
 };
 
 /// Parameters as one state sees them. The order is that of values, parameter by parameter, the other way round for the outcomes,

@@ -16,7 +16,10 @@ constexpr uint32_t mode_key(Mode mode) { return kModeKeys + static_cast<uint32_t
 inline constexpr uint32_t kFeedNumber = 29, kSpeedNumber = 30, kPlaceNumber = 31;
 inline constexpr uint32_t kPlaceKey = kModeKeys + kPlaceNumber;
 inline constexpr ModeMask kPlaceBit = ModeMask{1} << kPlaceNumber;
-static_assert(kModes <= kFeedNumber && kPlaceKey < kGlobalNames);
+/// And for each mode whether the program has set it: a machine that has run before may begin with another mode than one that was
+/// just started, and a program that reads its modes runs on both.
+constexpr uint32_t said_key(Mode mode) { return kPlaceKey + 1 + static_cast<uint32_t>(mode); }
+static_assert(kModes <= kFeedNumber && kPlaceKey + 1 + kModes < kGlobalNames);
 
 /// The values of one mode.
 struct ModeValues {

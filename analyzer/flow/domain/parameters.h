@@ -15,6 +15,9 @@ inline constexpr long kLastNumber = 5601;
 /// From here on: positions, offsets, probe results, tool data. The machine changes these between two lines.
 inline constexpr long kFirstVolatileNumber = 5061;
 
+/// What the machine's inputs answered: the result of a probe, that of M66. Only G38.2 to G38.5 and M66 change them.
+inline bool is_answer(long number) { return (number >= 5061 && number <= 5070) || number == 5399; }
+
 /// #5420 to #5428, the position in the program's coordinates.
 inline bool is_position(long number) { return number >= 5420 && number <= 5428; }
 

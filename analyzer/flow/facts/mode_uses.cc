@@ -7,6 +7,7 @@
 #include "analyzer/flow/domain/parameters.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/mode_names.h"
 #include "analyzer/syntax/questions.h"
 #include "analyzer/syntax/remaps.h"
 
@@ -139,6 +140,12 @@ void ModeUses::find_followed() {
       if (!is_single(reachable_[mode])) followed_ |= mask_of(mode);
     }
   }
+  for (NameId name = 0; name < program_.syntax.names.size(); ++name) {
+    const std::string_view text = program_.syntax.names.text(name);
+    if (!text.starts_with('_')) continue;
+    if (const auto shown = ModeName::find(text)) named_ |= mask_of(shown->mode());
+  }
+  followed_ |= named_;
   // What these depend on.
   const auto needs = [this](Mode mode, std::initializer_list<Mode> others) {
     if (!follows(mode)) return;

@@ -24,6 +24,8 @@ class ModeUses {
   /// The values that the other modes may have, as far as the program's lines say.
   const ModeSets& others() const { return others_; }
   bool follows(Mode mode) const { return (followed_ & mask_of(mode)) != 0; }
+  /// Of these, the ones that the program reads under a name, such as `#<_metric>`.
+  ModeMask named() const { return named_; }
   /// Whether it is followed where the machine stands, from the line on where runs may go elsewhere.
   bool follows_place() const { return program_.syntax.asks_place; }
   bool follows_place(StatementId at) const { return follows_place() && at >= program_.syntax.left_at; }
@@ -45,6 +47,7 @@ class ModeUses {
   const MachineWords& machine_;
   ModeSets reachable_, others_;
   ModeMask followed_ = 0;
+  ModeMask named_ = 0;
   bool refuses_ = false;
 };
 

@@ -132,6 +132,7 @@ void AbstractMachine::go(State& state, StatementId line) {
 
 void AbstractMachine::leave_modes(State& state, StatementId line) {
   if (watch_ != nullptr) watch_->left(state, line);
+  if (program_.at(line).asks_inputs) remembered_.forget_answers(state.parameters);
   if (program_.at(line).changes_place) go(state, line);
   if (program_.at(line).changes_modes) modes_.apply(state.parameters, program_.syntax.changes_after(line));
 }

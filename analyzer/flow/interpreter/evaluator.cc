@@ -111,7 +111,9 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, const Reading
       return out;
     }
     const bool predefined = tracked_.kind(name) == NameKind::kPredefined && !result;
-    if (const auto number = predefined ? ini_number(syntax_.names.text(name), profile_) : std::nullopt) {
+    auto number = predefined ? ini_number(syntax_.names.text(name), profile_) : std::nullopt;
+    if (predefined && !number && modes_ != nullptr) number = modes_->named(in, syntax_.names.text(name));
+    if (number) {
       out.value = values_.intern(*number);
       return out;
     }

@@ -95,6 +95,7 @@ void ModeAccess::set(Parameters& p, const ModeState& state) {
   const PersistentMap::Pool::Batch batch(pool_);
   for_modes(uses_.followed() & ~kLevel,
             [&](Mode mode) { p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, of(state.now, mode))); });
+  say(p, state.now.assigned);
   if (!uses_.follows(Mode::kSaved)) return;
   p.globals.set(pool_, kModeKeys + kFeedNumber, values_.intern(state.now.feed_number));
   p.globals.set(pool_, kModeKeys + kSpeedNumber, values_.intern(state.now.speed_number));
@@ -131,6 +132,7 @@ void ModeAccess::apply(Parameters& p, std::span<const ModeChange> changes) {
       }
     }
     p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, values));
+    say(p, mask_of(mode));
     const bool counts = mode == Mode::kFeed || mode == Mode::kSpeed;
     if (!counts || !uses_.follows(Mode::kSaved)) continue;
     const double number =

@@ -1,7 +1,9 @@
 // The modes in a state's parameters: what a line finds in effect, and what it leaves.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "analyzer/flow/domain/known_parameters.h"
 #include "analyzer/flow/domain/modes.h"
@@ -27,6 +29,10 @@ class ModeAccess {
   void go(Parameters& p, std::span<const PlaceChange> changes);
   /// Tells where such lines go, before go().
   void tell(const Parameters& p, const PlaceChange& change, MoveWatch watch) const;
+  /// What is read under the name of a mode, as far as the program has set the mode.
+  std::optional<double> named(const Parameters& p, std::string_view name) const;
+  /// Applies what the outcome of a condition says about the modes that it reads.
+  void learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth);
   /// A call begins: on its level nothing is saved.
   void begin_level(Parameters& p);
   /// Whether cutter compensation is surely on.
@@ -35,6 +41,8 @@ class ModeAccess {
   bool restores(const Parameters& p) const;
 
  private:
+  bool has_said(const Parameters& p, Mode mode) const;
+  void say(Parameters& p, ModeMask modes);
   uint32_t saved_key(Mode mode) const { return saved_keys_ + static_cast<uint32_t>(mode); }
 
   const ModeUses& uses_;

@@ -29,11 +29,14 @@ class RememberedConditions {
   void learn(Parameters& p, ConditionId condition, bool truth);
   /// A parameter is assigned.
   void forget(Parameters& p, ParameterKey key);
+  /// The machine's inputs are asked.
+  void forget_answers(Parameters& p);
 
  private:
   PersistentMap::Pool& pool_;
   std::vector<ConditionId> conditions_;  // by condition, as far as there are any
   std::unordered_map<ParameterKey, std::vector<uint32_t>> conditions_of_;
+  std::vector<ParameterKey> answers_;  // of the keys of `conditions_of_`
   bool coarse_ = false;
 };
 

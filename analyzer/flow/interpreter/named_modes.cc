@@ -1,0 +1,46 @@
+// The modes that a program reads under names: `#<_metric>` is 1 behind a G21, and where `if [#<_feed> EQ 0]` is false, a feed is
+// set. Before the program has set a mode, its value is not known: the machine may have run another program before.
+#include "analyzer/flow/facts/conditions.h"
+#include "analyzer/flow/interpreter/mode_access.h"
+#include "analyzer/syntax/line_parser.h"
+#include "analyzer/syntax/mode_names.h"
+
+namespace owlint::flow {
+
+bool ModeAccess::has_said(const Parameters& p, Mode mode) const {
+  return p.globals.get(said_key(mode)) == values_.intern(1);
+}
+
+void ModeAccess::say(Parameters& p, ModeMask modes) {
+  for (ModeMask set = modes & uses_.named(); set != 0; set &= set - 1)
+    p.globals.set(pool_, kPlaceKey + 1 + static_cast<uint32_t>(std::countr_zero(set)), values_.intern(1));
+}
+
+std::optional<double> ModeAccess::named(const Parameters& p, std::string_view name) const {
+  const auto shown = ModeName::find(name);
+  if (!shown || !uses_.follows(shown->mode()) || !has_said(p, shown->mode())) return std::nullopt;
+  return shown->number(mode_values(values_, shown->mode(), p.globals.get(mode_key(shown->mode()))).may);
+}
+
+void ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth) {
+  if (uses_.named() == 0) return;
+  const auto visit = [&](ExprId side, Operator op, ExprId other, bool outcome) {
+    double number = 0;
+    if (syntax.exprs[side].op != Operator::kNamed) return;
+    if (other != kNoExpr && !literal_value(syntax.exprs, other, &number)) return;
+    const auto shown = ModeName::find(syntax.names.text(syntax.exprs[side].name()));
+    if (!shown || !uses_.follows(shown->mode())) return;
+    const Mode mode = shown->mode();
+    const bool said = has_said(p, mode);
+    ModeValues values = said ? mode_values(values_, mode, p.globals.get(mode_key(mode))) : ModeValues{all_values(mode), true};
+    const ValueSet left = shown->with(values.may, op, number, outcome);
+    if (left == 0 || left == values.may) return;
+    values.may = left;
+    p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, values));
+    say(p, mask_of(mode));
+  };
+  for_known_comparisons(syntax.exprs, condition, truth, visit);
+  if (truth && syntax.exprs[condition].op == Operator::kNamed) visit(condition, Operator::kNe, kNoExpr, true);
+}
+
+}  // namespace owlint::flow
