@@ -99,9 +99,8 @@ M2
                 R"(Write text in a comment. Replace a jump by an `if` or a loop, and a loop of another control by `o100
 while`. Name the machine's INI with `--ini`, or keep it above the program's folder, so that owlint knows
 the axes.)",
-            .level_reason =
-                "Error if a run gets here: the program stops. Warning for `U`, `V` and `W` without an INI: the "
-                "machine may have them. Nothing is reported where no run gets.",
+            .level_reason = "Error if a run gets here: the program stops. Warning for `U`, `V` and `W` without an INI: "
+                            "the machine may have them. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Unknown word where unary operation could be",
             .options = "",
         },

@@ -143,7 +143,7 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the word on the line of its code.)",
-            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Dwell time missing with g4",
             .options = "",
         },

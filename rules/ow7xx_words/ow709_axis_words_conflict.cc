@@ -92,9 +92,8 @@ G0 X20 Y20
 M2
 )",
             .fix = R"(Write the code on the line: `G0` for a rapid move, `G1` for a cut.)",
-            .level_reason =
-                "Error if a run gets here with no motion in effect: the program stops. Where no run gets, owlint "
-                "says nothing.",
+            .level_reason = "Error if a run gets here with no motion in effect: the program stops. owlint reports "
+                            "nothing on lines that no run reaches.",
             .interpreter = "Cannot use axis values without a g code that uses them",
             .options = "",
         },

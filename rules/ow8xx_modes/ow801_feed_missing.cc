@@ -117,8 +117,8 @@ G0 Z5
 M2
 )",
             .fix = R"(Write `F` on the line of the first move at feed rate, and on each line with `G94` or `G95`.)",
-            .level_reason =
-                "Error if a run gets here with feed 0: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error if a run gets here with feed 0: the program stops. owlint reports nothing on lines "
+                            "that no run reaches.",
             .interpreter = "Cannot do g1 with zero feed rate",
             .options = "",
         },

@@ -68,8 +68,8 @@ M2
             .fix =
                 R"(Write `F` on every line of the `G93` part. Before cycles and probe moves, switch back with `G94`, and set
 the feed again: `G94` has set it to 0.)",
-            .level_reason = "Error if a run gets here in that feed mode: the program stops. Where no run gets, owlint "
-                            "says nothing.",
+            .level_reason = "Error if a run gets here in that feed mode: the program stops. owlint reports nothing on "
+                            "lines that no run reaches.",
             .interpreter = "F word missing with inverse time g1 move",
             .options = "",
         },

@@ -162,8 +162,8 @@ M2
 )",
             .fix =
                 R"(Move the code before `G41` or after `G40`. After `G40`, write a straight move before the first arc.)",
-            .level_reason = "Error if a run gets here with compensation on: the program stops. Where no run gets, "
-                            "owlint says nothing.",
+            .level_reason = "Error if a run gets here with compensation on: the program stops. owlint reports nothing "
+                            "on lines that no run reaches.",
             .interpreter = "Cannot change tool offset with cutter radius compensation on",
             .options = "",
         },

@@ -140,7 +140,8 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the missing words, even if they are 0.)",
-            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
+            .level_reason =
+                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Must specify both P and Q with G5",
             .options = "",
         },
