@@ -78,9 +78,9 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A word without a code that takes it: `G1 X5 P2`, `H1` without `G43`, `R2` alone. An arc, a
-cycle or another motion that is in effect from a line before also counts, but only if the line moves.
-Also what a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)",
+                R"(A word without a code that takes it: `G1 X5 P2`, `H1` without `G43`, `R2` alone. An arc, a cycle or
+another motion that is in effect from a line before also counts, but only if the line moves. Also a
+word that a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)",
             .why =
                 R"(LinuxCNC stops with `P word with no G2 G3 G4 ... to use it` and the like. The lists in these messages are
 not exact; owlint's come from runs of the interpreter, and docs/codes.md has them. Nothing of the line
