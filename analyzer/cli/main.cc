@@ -71,8 +71,7 @@ int run_command(const CLI::App& app, const Said& said) {
 int run(std::vector<std::string> arguments) {
   CLI::App app{
       "owlint finds mistakes in LinuxCNC programs that stop the machine, before it moves. It checks O-words, "
-      "parameters "
-      "and the words of every line; it does not follow positions.",
+      "parameters, the words of every line, the modes and the position of the tool.",
       "owlint"};
   app.set_version_flag("--version", version_text(), "show the version, and how this owlint was built");
   Said said;

@@ -179,7 +179,7 @@ void add_audit(CLI::App& app, AuditLine& line) {
   audit.add_flag("--watch", line.watch, "keep running, and audit again whenever a program is saved");
   audit
       .add_option("--shard", line.shard,
-                  "audit only one part of the programs, for example 1/4, to use several machines; see `merge`")
+                  "audit only one part of the programs, for example 1/4, to use several computers; see `merge`")
       ->type_name("I/N");
   audit.add_flag("--wait", line.wait, "wait if another audit is using the store");
   add_jobs(audit, check);
@@ -233,7 +233,7 @@ void add_modes(CLI::App& app, Said& said) {
   said.modes.paths.resize(1);
   modes.add_option("FILE", said.modes.paths[0], "the program")->required();
   modes.add_option("LINE", said.modes_line, "the line, from 1 (default: what every line changes)")
-      ->check(CLI::PositiveNumber)
+      ->check(count())
       ->type_name("");
   add_format(modes, said.modes_format, {"text", "json"}, "the form of the list");
   add_machine_options(modes, said.modes, "Options");
@@ -276,9 +276,9 @@ void add_fmt(CLI::App& app, Said& said) {
 
 void add_config(CLI::App& app, Said& said) {
   CLI::App& config = *app.add_subcommand("config", "show the settings for programs, and where they come from");
-  config.add_option(
-      "PATH", said.config.paths,
-      "programs or folders (default: this one); with --check, files named owlint.toml or folders that have one");
+  config.add_option("PATH", said.config.paths,
+                    "programs or folders (default: the current folder); with --check, files named owlint.toml or "
+                    "folders that have one");
   config.add_flag("--show", said.config_show, "list the settings (default)");
   config.add_flag("--check", said.config_check, "only check the configuration");
   add_settings_options(config, said.config);

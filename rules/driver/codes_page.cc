@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::string_view kAbove = R"(# Codes and words
 
-Generated from the table by which owlint reads a line (`analyzer/syntax/codes.def`). Measured with LinuxCNC's interpreter; what later
-releases add has their number behind it.
+Generated from the table by which owlint reads a line (`analyzer/syntax/codes.def`). Measured with LinuxCNC's interpreter. A number such as
+2.10 beside a code or a word is the release that added it.
 
-A line has one code of each group and four M codes at most; [OW706](rules/OW706.md) reports others. A word must stand with a code that
-takes it ([OW707](rules/OW707.md)); a motion in effect from a line before counts, if the line moves. Every code has the words that it
-needs on its own line ([OW708](rules/OW708.md)). `F`, `S` and `T` may stand with any code, and alone; the table leaves them out.
+A line may have one code of each group, and at most four M codes ([OW706](rules/OW706.md)). A word needs a code on its line that takes it
+([OW707](rules/OW707.md)); a motion in effect from an earlier line counts too, if the line moves. The words that a code needs must be on
+its own line ([OW708](rules/OW708.md)). `F`, `S` and `T` need no code; the table leaves them out.
 
-Axes are `X Y Z A B C U V W` as far as the machine has them, and `@` and `^` with a motion. The drilling cycles (G73, G74, G81 to G89)
+*Axes* are `X Y Z A B C U V W`, as far as the machine has them, and `@` and `^` with a motion. The drilling cycles (G73, G74, G81 to G89)
 refuse `A`, `B` and `C`; G33 and G33.1 refuse `F`.
 )";
 

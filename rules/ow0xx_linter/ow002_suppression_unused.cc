@@ -83,8 +83,7 @@ o100 endrepeat
 M2
 )",
             .fix = R"(Remove the comment, or move it. A comment on a line of its own applies to the next line; a comment
-at the end of a line without an O-word applies to that line; `(owlint: ignore-file …)` applies to
-the whole file.)",
+at the end of a line applies to that line; `(owlint: ignore-file …)` applies to the whole file.)",
             .level_reason = "Warning: the machine is not affected, but the comment would hide the next mistake there.",
             .interpreter = "",
             .options = "",

@@ -22,8 +22,8 @@ extern const Rule kRule{
                 R"(A `repeat` whose label was already used for another `repeat`, `while`, `do` or `if` in the same sub
 (or in the main program), even if that block has already ended.)",
             .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. At a
-`repeat` with a label from another line it stops, also if the earlier block was skipped. There is no
-error only if no run gets to both lines.
+`repeat` with a label from another line it stops, even if the earlier block was skipped. There is no
+error as long as no run gets to both lines.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) it goes on, and the second `endrepeat` jumps back to the
 **first** block. Both blocks then run for ever.)",

@@ -24,7 +24,7 @@ extern const Rule kRule{
 error appears at the `while` that closes a `do`, if the label of that `do` was used for something
 else before; the `do` line itself gives no error.)",
             .why = R"(LinuxCNC remembers every label, and the line where it was first used, until the program ends. A
-`while` with a label from another line stops the program, also if the earlier block has ended or was
+`while` with a label from another line stops the program, even if the earlier block has ended or was
 skipped. Only a label that a `do` opened is allowed, because `while` closes the `do`.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) it goes on, and the second `endwhile` jumps back to the

@@ -23,10 +23,10 @@ extern const Rule kRule{
             .what = R"(An `else`, `elseif` or `endif` with the label of a `while`, `do` or `repeat`, or an `endif` whose
 label no line opens. Usually it has the number of the outer block instead of the inner one.)",
             .why = R"(The interpreter looks up which kind of line opened the label, and stops if it was not an `if`.
-`else` and `elseif` give the message below. An `endif` with a loop's label gives `no matching label:
-'#100' (found 'while' in line N): 'o100 endif'`; an `endif` with an unknown label gives `undefined
-O-word label: 'o101 endif'`. While the interpreter skips to another label, it does not check the
-line.
+`else` and `elseif` give the message below. An `endif` with a loop's label gives
+`no matching label: '#100' (found 'while' in line N): 'o100 endif'`; an `endif` with an unknown
+label gives `undefined O-word label: 'o101 endif'`. In lines that the interpreter skips, it does not
+check this.
 
 Under FEATURE 0x20 (`OWORD_WARNONLY`) an unknown label **crashes** LinuxCNC. An `endif` with a
 loop's label is ignored. An `else` or `elseif` with a loop's label leaves that loop early, or the

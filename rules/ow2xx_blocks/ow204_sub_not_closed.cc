@@ -64,11 +64,12 @@ extern const Rule kRule{
             .what =
                 R"(A `sub` line without an `endsub` of the same label below it. If an `endsub` with another label is in
 the right place, the finding names it.)",
-            .why = R"(The interpreter skips everything below the `sub`, also `M2`, and stops at the end of the file. The
-program makes no move, and the message is about the end of the file, not about the sub. From 2.9.10
-on the message is `File ended with no percent sign (%) or program end (M2)`; in a program between
-`%` signs it is `Failed to find sub 'O100' before EOF`; if another `sub` follows, it is `Nested
-subroutine definition`.
+            .why =
+                R"(The interpreter skips everything below the `sub`, including `M2`, and stops at the end of the file.
+The program makes no move, and the message is about the end of the file, not about the sub. From
+2.9.10 on the message is `File ended with no percent sign (%) or program end (M2)`; in a program
+between `%` signs it is `Failed to find sub 'O100' before EOF`; if another `sub` follows, it is
+`Nested subroutine definition`.
 
 If a call enters such a sub at the end of the file, and `M2` ends it, the program runs without a
 message and never comes back from the call.)",

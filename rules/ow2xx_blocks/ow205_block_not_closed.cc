@@ -133,10 +133,10 @@ extern const Rule kRule{
                 R"(A block whose end with the same label is missing: no `endif`, no `endwhile`, no `endrepeat`, or no
 `while` for a `do`.)",
             .why = R"(The result depends on the condition. If it is true, the lines below run once without a message; a
-loop does not loop. If it is false, the interpreter skips everything up to the end of the file, also
-`M2`, and stops there. The message is about the end of the file, not about the block. From 2.9.10 on
-it is `File ended with no percent sign (%) or program end (M2)`; in a program between `%` signs it
-is `Failed to find sub 'O#100' before EOF`.
+loop does not loop. If it is false, the interpreter skips everything up to the end of the file,
+including `M2`, and stops there. The message is about the end of the file, not about the block. From
+2.9.10 on it is `File ended with no percent sign (%) or program end (M2)`; in a program between `%`
+signs it is `Failed to find sub 'O#100' before EOF`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90

@@ -264,8 +264,8 @@ the INI with `--ini FILE` or `ini = "…"` in `owlint.toml`, or only the file's 
 `--sub-path DIR` or `sub-path = ["DIR"]`. If the INI has a `[PYTHON]` section, the name may be a
 Python function, and owlint does not report it.)",
             .level_reason = "Error if the sub does not exist: the call stops the program. Warning if the file may be "
-                            "in a folder that owlint does not know; info if several files call the same sub three "
-                            "times or more, which must then be on the machine.",
+                            "in a folder that owlint does not know; info if several files call the sub, three times or "
+                            "more: then it is probably on the machine.",
             .interpreter = "EOF in file:PROGRAM seeking o-word: o<200> from line: N",
             .options = "",
         },

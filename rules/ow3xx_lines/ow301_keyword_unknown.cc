@@ -48,7 +48,7 @@ extern const Rule kRule{
 suggests the nearest of these. Often it is a word from another control or language: `goto`, `wend`,
 `elsif`, `until`, `for`.)",
             .why =
-                R"(The interpreter stops at the line, also in a branch that is not taken. Inside a sub it notices only
+                R"(The interpreter stops at the line, even in a branch that is not taken. Inside a sub it notices only
 when the sub is called.
 
 LinuxCNC recognises a keyword by its beginning: `endiff` is `endif` with an extra `f` and stops with

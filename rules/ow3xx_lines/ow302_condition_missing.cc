@@ -70,11 +70,10 @@ extern const Rule kRule{
         {
             .what = R"(A condition or a count that is missing or not in square brackets: `o100 if #1 GT 5`, `o100 repeat
 3`, `o100 while (#1 LT 3)`. Also the arguments of a call in round brackets: `o100 call (1) (2)`.)",
-            .why =
-                R"(The interpreter stops at the line when it evaluates it. Round brackets are a comment in LinuxCNC, so
-a condition in them is lost; a comment between the keyword and the bracket has the same effect. In a
-skipped branch there is no message, so the mistake may wait for the first run that gets there. A call
-with its arguments in round brackets passes none of them, and there is **no message**.
+            .why = R"(LinuxCNC stops when it runs the line. Round brackets are a comment in LinuxCNC, so a condition in
+them is lost; a comment between the keyword and the bracket has the same effect. In a skipped branch
+there is no message, so the mistake may wait for the first run that gets there. A call with its
+arguments in round brackets passes none of them, and there is **no message**.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90

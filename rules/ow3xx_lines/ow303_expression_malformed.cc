@@ -90,13 +90,14 @@ extern const Rule kRule{
         {
             .what = R"(A missing or extra bracket, an operator that LinuxCNC does not have (`=`, `==`, `>`, `<`, `!`,
 `NOT`), an unknown function, a function without brackets, or an operator without a value beside it.)",
-            .why = R"(The interpreter stops at the line when it evaluates it; in a skipped branch, or in a sub that
-nothing calls, there is no message. There are many messages: `Unclosed expression` for a missing
-bracket, `Unexpected character after O-word` for an extra one, `Unknown operation` for `=` and `>`,
+            .why =
+                R"(LinuxCNC stops when it runs the line; in a skipped branch, or in a sub that nothing calls, there is
+no message. There are many messages: `Unclosed expression` for a missing bracket,
+`Unexpected character after O-word` for an extra one, `Unknown operation` for `=` and `>`,
 `Unknown word where unary operation could be` for `NOT`, `Unknown word starting with s` for a
-function such as `SQR`, `Left bracket missing after unary operation name` for `SQRT #1`, `Slash
-missing after first atan argument`, `bad number format (conversion failed) parsing ''` for a missing
-value.
+function such as `SQR`, `Left bracket missing after unary operation name` for `SQRT #1`,
+`Slash missing after first atan argument`, `bad number format (conversion failed) parsing ''` for a
+missing value.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -119,7 +120,7 @@ M2
 )",
             .fix = R"(Close every bracket. The comparisons are `EQ NE GT GE LT LE`, joined with `AND OR XOR`; write `[#1
 EQ 0]` for "not".)",
-            .level_reason = "Error if a run evaluates the line: the program stops. Warning if no run does.",
+            .level_reason = "Error if a run executes the line: the program stops. Warning if no run does.",
             .interpreter = "Unclosed expression",
             .options = "",
         },

@@ -86,7 +86,7 @@ extern const Rule kRule{
 `o100 endif M2`, `o100 return 5`. An O-word needs a line of its own.)",
             .why =
                 R"(The interpreter stops at the line. But if it is skipping when it reads the line, it ignores the text
-without a message, also on the line where the skip ends. So `o100 endif G0 Z50` stops the program if
+without a message, even on the line where the skip ends. So `o100 endif G0 Z50` stops the program if
 the `if` was true, and **leaves out the retract** if it was false. The same is true for `else`,
 `elseif`, `endwhile`, `endrepeat` and for the `endsub` of a definition.
 

@@ -54,8 +54,8 @@ extern const Rule kRule{
             .what = R"(A called file defines other subs besides the one with its own name.)",
             .why = R"(The documentation allows one sub in each file. Up to LinuxCNC 2.9, the called sub can still call a
 sub **after** it in the file (but not one before it, see OW404). That sub then stays known for the
-rest of the run, so a second file with a helper of the same number calls this one instead of its own (OW410).
-LinuxCNC 2.10 stops at the call of the helper.)",
+rest of the run, so a second file with a helper of the same number calls this one instead of its own
+(OW410). LinuxCNC 2.10 stops at the call of the helper.)",
             .bad = R"(G21 G90
 o<pocket> call [20]
 M2

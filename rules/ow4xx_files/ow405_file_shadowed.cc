@@ -66,8 +66,9 @@ extern const Rule kRule{
             .what = R"(A sub of the program has the name of a file on the search path, or the search path has two files
 with the same name but different contents.)",
             .why = R"(LinuxCNC uses a sub that it knows before it looks for a file, and it uses the first file that it
-finds: first the current folder, then `PROGRAM_PREFIX`, then `SUBROUTINE_PATH` from left to right.
-So an old copy in the program's folder hides the corrected file of the shop, without a message.)",
+finds: first the INI's folder, then `PROGRAM_PREFIX`, then `SUBROUTINE_PATH` from left to right. So
+an old copy in the INI's folder or in `PROGRAM_PREFIX` hides the corrected file in
+`SUBROUTINE_PATH`, without a message.)",
             .bad = R"(G21 G90
 o<face> call
 M2

@@ -72,9 +72,8 @@ OWORD_NARGS = 1
 )",
             .fix =
                 R"(Write the keys that replaced the bits, and remove the mask. `INI_VARS` and `HAL_PIN_VARS` are on by
-default; a mask of only these two is an info, and so is
-one in an INI of LinuxCNC 2.7: it has `[AXIS_0]` for the first joint, or no `VERSION = 1.…` in `[EMC]`, and 2.8 offers
-to convert it.)",
+default; a mask of only these two is an info. So is a mask in an INI of LinuxCNC 2.7, which has
+`[AXIS_0]` for the first joint, or no `VERSION = 1.…` in `[EMC]`: 2.8 offers to convert such an INI.)",
             .level_reason = "Warning: LinuxCNC starts and runs, without the features in the mask.",
             .interpreter = "",
             .options = "--ini machine.ini",

@@ -33,7 +33,7 @@ extern const Rule kRule{
     .page =
         {
             .what = R"(A program between `%` lines calls a file that is between `%` lines too.)",
-            .why = R"(In a program that begins with `%`, the next `%` line ends the program, also in a called file.
+            .why = R"(In a program that begins with `%`, the next `%` line ends the program, even in a called file.
 LinuxCNC finds the first `%` of the file before it finds the sub, and stops. A program without `%`
 can call the same file.
 

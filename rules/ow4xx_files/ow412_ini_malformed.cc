@@ -314,21 +314,21 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 extern const Rule kRule{
     .code = "OW412",
     .name = "ini-malformed",
-    .summary = "a line of the INI that LinuxCNC does not read the way it looks",
+    .summary = "a line of the INI that does not mean to LinuxCNC what it seems to mean",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
             .what =
-                R"(A line of the machine's INI that LinuxCNC does not read the way people do: `[NAME` without `]`, spaces
-inside the brackets, text after `]`, a line without `=`, a key before the first section, a line longer than
-255 bytes, a `\` that joins the next key or section to the line, a carriage return inside a line, a byte
-order mark, an `#INCLUDE` that LinuxCNC takes for a comment or that would run a command.)",
-            .why =
-                R"(LinuxCNC gives no message about a line that it does not understand: it does not find the key, and uses
-its default. LinuxCNC's check before the start reads the file differently. It does not see the section
-`[KINS] # my machine`, and it fails at a line with `=` before the first section: `can't read "section": no
-such variable`.)",
+                R"(A line of the machine's INI that LinuxCNC reads differently from people: `[NAME` without `]`, spaces
+inside the brackets, text after `]`, a line without `=`, a key before the first section, a line
+longer than 255 bytes, a `\` that joins the next key or section to the line, a carriage return
+inside a line, a byte order mark, an `#INCLUDE` that LinuxCNC takes for a comment or that would run
+a command.)",
+            .why = R"(LinuxCNC gives no message about a line that it does not understand: it does not find the key, and
+uses its default. LinuxCNC's check before the start reads the file differently. That check does not
+see the section `[KINS] # my machine`, and it fails at a line with `=` before the first section:
+`can't read "section": no such variable`.)",
             .bad = R"(G21 G90
 G0 X10
 M2

@@ -231,7 +231,7 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 extern const Rule kRule{
     .code = "OW415",
     .name = "value-malformed",
-    .summary = "a value of the INI that LinuxCNC does not read the way it looks",
+    .summary = "a value of the INI that does not mean to LinuxCNC what it seems to mean",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
@@ -240,9 +240,10 @@ extern const Rule kRule{
 tolerance that is out of range, a search path with `,` or without a folder.)",
             .why =
                 R"(A comment must be on a line of its own: after a value, it is a part of the value. LinuxCNC does not
-convert a value that is only partly a number. In `[RS274NGC]` and `[EMCIO]` it then uses the default and
-gives no message. In `[TRAJ]`, `[KINS]`, `[JOINT_…]` and `[AXIS_…]` it ends with `ERR_CONVERSION`, and
-`JOINTS = 3 # three` makes the start hang. A HAL file that uses such a value gets the comment, too.)",
+convert a value that is only partly a number. In `[RS274NGC]` and `[EMCIO]` it then uses the default
+and gives no message. In `[TRAJ]`, `[KINS]`, `[JOINT_…]` and `[AXIS_…]` LinuxCNC ends with
+`ERR_CONVERSION`, and `JOINTS = 3 # three` makes the start hang. A HAL file that uses such a value
+gets the comment, too.)",
             .bad = R"(G21 G90
 G0 X10
 M2

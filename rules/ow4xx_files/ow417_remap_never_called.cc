@@ -54,21 +54,22 @@ std::string of_m_code(const RemapLine& remap, const std::string& code, bool stri
   const int group = remap.group.value_or(-1) == -1 ? 10 : *remap.group;
   const auto own = std::ranges::find(kGroups, number, &std::pair<int, int>::first);
   if (number == 98 || (own != kGroups.end() && own->second == group))
-    return "LinuxCNC never calls the sub: " + code + " keeps its built-in meaning";
+    return "LinuxCNC never uses this remap: " + code + " keeps its built-in meaning";
   if (user && group == 10)
-    return "LinuxCNC never calls the sub: " + code + " runs the program with that name, as it does without the `REMAP`";
+    return "LinuxCNC never uses this remap: " + code +
+        " runs the program with that name, as it does without the `REMAP`";
   if (group == 4)
-    return "LinuxCNC never calls the sub: " + code + " stops the program, `Bug code not m0 m1 m2 m30 m60 m99`";
-  if (group == 10) return "LinuxCNC never calls the sub: " + code + " stops the program or crashes LinuxCNC";
-  return "LinuxCNC never calls the sub, and " + code + " no longer does anything";
+    return "LinuxCNC never uses this remap: " + code + " stops the program, `Bug code not m0 m1 m2 m30 m60 m99`";
+  if (group == 10) return "LinuxCNC never uses this remap: " + code + " stops the program or crashes LinuxCNC";
+  return "LinuxCNC never uses this remap, but because of it " + code + " no longer does anything";
 }
 
 std::string of_g_code(const RemapLine& remap, const std::string& code) {
   const int number = remap.g_number();
   constexpr int kMost = 999;
-  if (has(kMotion, number)) return "LinuxCNC never calls the sub: " + code + " keeps its built-in meaning";
+  if (has(kMotion, number)) return "LinuxCNC never uses this remap: " + code + " keeps its built-in meaning";
   if (has(kOtherG, number))
-    return "LinuxCNC never calls the sub: " + code + " stops the program, `All axes missing with motion code`";
+    return "LinuxCNC never uses this remap: " + code + " stops the program, `All axes missing with motion code`";
   return number > kMost ? code + " is remapped, but a program that uses it stops with `G-code out of range`"
                         : std::string();
 }
@@ -97,7 +98,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW417",
     .name = "remap-never-called",
-    .summary = "a REMAP of a code for which LinuxCNC never calls the sub",
+    .summary = "a REMAP that LinuxCNC never uses",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
@@ -106,10 +107,11 @@ extern const Rule kRule{
                 R"(A `REMAP` of a built-in code that cannot be remapped, of a user code M100 to M199, of an M code above
 999, or of a letter other than M, G, T, S and F.)",
             .why =
-                R"(LinuxCNC accepts the line and gives no message, but calls the sub only for these codes: M0, M1, M6, M9,
-M60 to M68 (since 2.10 also M7 and M8), M and G codes that are not built in, T, S and F. What any other code
-does then depends on its `modalgroup`: in its own group it keeps its built-in meaning, in groups 5 to 9 it
-does nothing (`M3` starts no spindle), and in other groups it stops the program.)",
+                R"(LinuxCNC accepts the line and gives no message, but uses the remap only for these codes: M0, M1, M6,
+M9, M60 to M68 (since 2.10 also M7 and M8), M and G codes that are not built in, T, S and F. What
+any other code does then depends on its `modalgroup`: in its own group it keeps its built-in
+meaning, in groups 5 to 9 it does nothing (`M3` starts no spindle), and in other groups it stops the
+program.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -133,7 +135,7 @@ o<start> sub
 o<start> endsub
 )",
             .fix = R"(Remap a code that is free, such as M200 to M999 or G88.1, and use that in programs.)",
-            .level_reason = "Warning: LinuxCNC starts, but programs that use the code do not run the sub.",
+            .level_reason = "Warning: LinuxCNC starts, but the code does not run what the remap names.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

@@ -220,15 +220,16 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(An `argspec` with a letter twice, or with `@` and words that may be left out before others; words that do not
-fit what the sub reads: `#<p>` without a P in `argspec`, a letter that the sub never reads, more or fewer
-values than it has numbers; a code that is used in its own sub and calls that sub again.)",
-            .why =
-                R"(The sub gets only the words of `argspec`: as names, `#<p>` for P, or with `@` as numbers. Reading another
-name stops it with `Named parameter #<p> not defined`. Owlint says nothing of a sub with Python before or
-behind it (`prolog`, `epilog`), which may pass and read more. With `@` the values are in #1, #2 … in the order of `argspec`: if an optional one is left out, those
-behind it move up. In its own sub a code is the built-in one only for M0, M1 and M60 in group 4, M6 and
-M61 in group 6, M62 to M68 in group 5, T, S and F. Every other one, also M6 in group 10, calls its sub
+                R"(An `argspec` with a letter twice, or with `@` and an optional word that is not the last; words that
+do not fit what the sub reads: `#<p>` without a P in `argspec`, a letter that the sub never reads,
+more or fewer values than it has numbers; a code that is used in its own sub and calls that sub
+again.)",
+            .why = R"(The sub gets only the words of `argspec`: as names, `#<p>` for P, or with `@` as numbers. Reading
+another name stops it with `Named parameter #<p> not defined`. owlint reports nothing about a sub
+with `prolog=` or `epilog=`: the Python function may pass and read more. With `@` the values are in
+#1, #2 … in the order of `argspec`: if an optional one is left out, those after it move up. In its
+own sub a code is the built-in one only for M0, M1 and M60 in group 4, M6 and M61 in group 6, M62 to
+M68 in group 5, T, S and F. Every other code, such as M6 in group 10, calls its sub again and again
 until LinuxCNC stops with `maximum nesting of remapped blocks exceeded`.)",
             .bad = R"(G21 G90
 G0 X10
@@ -253,7 +254,8 @@ o<greet> sub
 o<greet> endsub
 )",
             .fix =
-                R"(Put optional words last, or pass them by name. Let `argspec` have the words that the sub reads. Use the group in which the built-in code can be used.)",
+                R"(Put optional words last, or pass them by name. Give `argspec` the words that the sub reads. Use the
+group in which the built-in code can be used.)",
             .level_reason = "Warning: LinuxCNC starts; the sub gets other values, or stops.",
             .interpreter = "",
             .options = "--ini machine.ini",

@@ -323,15 +323,14 @@ extern const Rule kRule{
                 R"(A mistake in the lines that LinuxCNC runs from the INI: `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`,
 `MDI_COMMAND` of `[HALUI]` and of `[MDI_COMMAND_LIST]`. A `MACRO` of gmoccapy, touchy or QtVCP whose sub is
 not found; a file of `NGCGUI_SUBFILE` that ngcgui refuses.)",
-            .why =
-                R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and `M30`.
-With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands when their time
-comes, and stop with a message each time. `#` begins no comment there. To `ON_ABORT_COMMAND` LinuxCNC
-appends the reason, as ` [1]`, so that only a call can be there.
+            .why = R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and
+`M30`. With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands
+when their time comes, and stop with a message each time. `#` begins no comment there. LinuxCNC
+appends the reason to `ON_ABORT_COMMAND`, such as ` [1]`, so only a call works there.
 
-The first word of a `MACRO` is the name of a sub. gmoccapy looks for the file as it is written, LinuxCNC in
-small letters. ngcgui reads a file by itself: it has one sub, named like the file, with comments around it
-and at most an `M2` behind.)",
+The first word of a `MACRO` is the name of a sub. gmoccapy looks for the file as it is written,
+LinuxCNC in small letters. ngcgui reads a file in its own way: the file must have one sub, named
+like the file. Only comments may stand before it, and only comments and `M2` after it.)",
             .bad = R"(G21 G90
 G0 X10
 M2

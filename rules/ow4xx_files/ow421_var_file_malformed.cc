@@ -135,14 +135,14 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A line of the file that `PARAMETER_FILE` names, whose number is not above the one before it, or not from 1
-to 5601; or whose number has a point. In a program, a parameter from `#31` on that counts on from run to run
-(`#500 = [#500 + 1]`, and nothing else sets it) and that the file does not list.)",
+                R"(In the file that `PARAMETER_FILE` names: a line whose number is not greater than the one before it,
+is not from 1 to 5601, or has a decimal point. In a program: a parameter from `#31` on that counts
+on from run to run (`#500 = [#500 + 1]`, and nothing else sets it) and that the file does not list.)",
             .why =
-                R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text are
-ignored. The numbers must rise; the first that does not refuses the start with `Parameter file out of
-order`. When LinuxCNC ends, it writes the parameters that the file lists already, and its own; all others
-are lost.)",
+                R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text
+are ignored. The numbers must rise: at the first one that does not, LinuxCNC refuses to start, with
+`Parameter file out of order`. When LinuxCNC ends, it writes the parameters that the file lists
+already, and its own; all others are lost.)",
             .bad = R"(G21 G90
 G0 X10
 M2

@@ -177,11 +177,10 @@ extern const Rule kRule{
             .what =
                 R"(A `REMAP` with `python=`, `prolog=` or `epilog=` in an INI without `[PYTHON]TOPLEVEL`; a `TOPLEVEL`
 that does not exist; a function that `remap.py` does not have.)",
-            .why =
-                R"(The functions of `REMAP` lines come from the module `remap`, which `TOPLEVEL` imports. LinuxCNC looks
-for `python=` when it starts and gives up if the function is not there. For `prolog=` and `epilog=` it
-looks when a program uses the code: then the program stops. If `TOPLEVEL` names a file that is not there, no
-`REMAP` with one of the three starts.)",
+            .why = R"(The functions of `REMAP` lines come from the module `remap`, which `TOPLEVEL` imports. LinuxCNC
+looks for `python=` when it starts and gives up if the function is not there. For `prolog=` and
+`epilog=` it looks when a program uses the code: then the program stops. If `TOPLEVEL` names a file
+that is not there, LinuxCNC does not start if a `REMAP` has one of the three.)",
             .bad = R"(G21 G90
 G0 X10
 M2
@@ -207,8 +206,10 @@ o<greet> endsub
             .fix =
                 R"(Add `[PYTHON]` with `TOPLEVEL = python/toplevel.py` and `PATH_PREPEND = python`, and write the functions in
 `remap.py` there. owlint reads `remap.py` and runs nothing; where it says `import *`, nothing is reported.)",
-            .level_reason = "Error where LinuxCNC does not start: for `python=`, and for a `TOPLEVEL` that is not "
-                            "there; else warning.",
+            .level_reason = "Error where LinuxCNC does not start: for `python=`, and for a missing `TOPLEVEL` that a "
+                            "`REMAP` needs. Warning if the whole folder of `TOPLEVEL` is not here, if no `REMAP` needs "
+                            "it, and for `prolog=` and `epilog=` in an INI without it. Info if three INIs or more lack "
+                            "a file that no `REMAP` needs.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

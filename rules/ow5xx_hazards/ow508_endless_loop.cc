@@ -224,8 +224,8 @@ o100 endwhile
 M2
 )",
             .fix = R"(Change the value that the condition tests, in every pass. If the program is meant to run until the
-operator stops it, write `while [#<_task> EQ 1]`: `#<_task>` is 1 when the machine runs the program, and
-0 in the preview, which passes the loop. Of such a loop owlint says nothing.)",
+operator stops it, write `while [#<_task> EQ 1]`: `#<_task>` is 1 when the machine runs the program,
+and 0 in the preview, which skips the loop. owlint does not report such a loop.)",
             .level_reason = "Error: the program never ends.",
             .interpreter = "",
             .options = "",

@@ -317,9 +317,9 @@ not checked, and `EXISTS[#<name>]` tests a name without stopping.
 
 If the comment at the top of the program mentions a global name, owlint assumes that it exists. A
 file that is called from outside gets its arguments as numbers. A remap passes letters (`#<p>`):
-owlint assumes that they exist, with an INI only those of its `REMAP` line. `#<_ini[section]entry>`
-is an entry of the machine's INI; owlint looks it up if it knows the INI. It assumes that
-`#<_hal[pin]>` exists. A name that only some releases of the version have is a warning.
+owlint assumes that all of them exist, or, with an INI, only those in its `REMAP` line.
+`#<_ini[section]entry>` is an entry of the machine's INI; owlint looks it up if it knows the INI. It
+assumes that `#<_hal[pin]>` exists. A name that only some releases of the version have is a warning.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90

@@ -171,8 +171,8 @@ extern const Rule kRule{
                 R"(A sub puts its result into one of `#1` to `#30` and does not use it itself. The main program reads
 this number after the call and never sets it.
 
-A sub changes an argument. The caller passes a parameter and reads it after the call as if the sub had
-changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. A parameter that
+Or a sub changes an argument: the caller passes a parameter and reads it after the call as if the
+sub had changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. A parameter that
 `(debug, #5)` or another such comment shows counts as read.)",
             .why = R"(A call saves `#1` to `#30` and restores them when the sub returns. The sub's result is lost: the
 caller gets its own old value, usually 0. There is no message. Nothing is passed by reference: the sub

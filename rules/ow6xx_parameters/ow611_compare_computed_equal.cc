@@ -66,8 +66,7 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A condition with `EQ` or `NE` on a value that is a quotient, a root, an angle or a sum of fractions.
-This rule is off unless you select it.)",
+                R"(A condition with `EQ` or `NE` on a value that is a quotient, a root, an angle or a sum of fractions.)",
             .why = R"(Numbers such as 1/3 or 25.4/20 are rounded, and steps of them do not reach their end exactly. For
 LinuxCNC two numbers are equal if they differ by less than 0.0001. If a step misses the end by more,
 the loop goes past it, and a loop with `NE` never ends. In the first program below, the step is 1/3

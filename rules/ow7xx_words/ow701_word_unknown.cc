@@ -72,9 +72,9 @@ extern const Rule kRule{
                 R"(A line with text outside a comment, or with words of another control or of BASIC: `GOTO 20`, `END1`,
 `GOSUB`, `THEN`, a title above the program. owlint says what LinuxCNC has instead.
 
-Also a word of an axis that the machine does not have: `U5` where `[TRAJ]COORDINATES` is `XYZ`. Without
-an INI owlint knows no axes: then it warns of `U`, `V` and `W`, which foam cutters have and few other
-machines, and says nothing of `A`, `B` and `C`.)",
+Also a word of an axis that the machine does not have: `U5` where `[TRAJ]COORDINATES` is `XYZ`.
+Without an INI owlint knows no axes: then it warns of `U`, `V` and `W`, which foam cutters have and
+few other machines, and reports nothing about `A`, `B` and `C`.)",
             .why = R"(A word is a letter and a value. The interpreter stops when it executes such a line, with `Unknown
 word where unary operation could be` or `Unknown word starting with e`; at the letter of a missing
 axis with `Bad character 'u' used`. In a skipped branch there is no message.
@@ -99,9 +99,8 @@ M2
                 R"(Write text in a comment. Replace a jump by an `if` or a loop, and a loop of another control by `o100
 while`. Name the machine's INI with `--ini`, or keep it above the program's folder, so that owlint knows
 the axes.)",
-            .level_reason =
-                "Error if a run gets here: the program stops. Warning for `U`, `V` and `W` without an INI: the "
-                "machine may have them. Nothing is reported where no run gets.",
+            .level_reason = "Error if a run gets here: the program stops. Warning for `U`, `V` and `W` without an INI: "
+                            "the machine may have them. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Unknown word where unary operation could be",
             .options = "",
         },

@@ -177,7 +177,7 @@ M2
             .fix =
                 R"(Write the number. `--fix` replaces the letter O by a zero; of two points, only you know which one is
 meant.)",
-            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "bad number format (trailing characters) parsing '-2.0.5'",
             .options = "",
         },

@@ -106,15 +106,15 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A negative `F`, `S`, `T`, `L` or `H`; a fraction where a whole number is needed (`T1.5`, `M3.5`); a G code
-with two decimals or above 99.9; a `P` that is no coordinate system or tool for `G10`, no number of
-turns for an arc, no direction for `M19`.)",
+                R"(A negative `F`, `S`, `T`, `L` or `H`; a fraction where a whole number is needed (`T1.5`, `M3.5`); a
+G code with two decimals or above 99.9; a `P` that cannot be a coordinate system or a tool (`G10`),
+a number of turns (an arc) or a direction (`M19`).)",
             .why =
                 R"(LinuxCNC checks a number as soon as it has read the word, and stops with `Negative f word used`, `Non
 integer value for integer`, `G-code out of range` and the like. Nothing of the line is executed.
 
-`D`, `P`, `Q`, `R` and the axes may have any value here; what the codes make of it shows when they
-run. A number counts as whole within 0.0001. A whole number above 2147483647 counts as negative. `G10`
+`D`, `P`, `Q`, `R` and the axes may have any value; the codes that use them check it when they run.
+A number counts as whole within 0.0001. A whole number above 2147483647 counts as negative. `G10`
 takes a `P` of 1.5 to 1.99 for 2, but refuses 1.4.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
@@ -131,7 +131,7 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the number that is meant. A computed value can be made whole with `ROUND[...]`.)",
-            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Negative f word used",
             .options = "",
         },

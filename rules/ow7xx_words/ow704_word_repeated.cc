@@ -45,8 +45,8 @@ two should be another letter. `G` and `M` may be repeated: see OW706.)",
                 R"(LinuxCNC stops with `Multiple x words on one line`, before it reads the second value. Nothing of the
 line is executed.
 
-A second `P` or `Q` is accepted if the first is -1 or less, and the last one counts; so with `@` and
-`^`, whatever their values.
+A second `P` or `Q` is accepted if the first is -1 or less, and the last one counts. The same goes
+for `@` and `^`, whatever their values.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -65,7 +65,7 @@ M2
             .fix =
                 R"(Remove one of the words, or write two lines. `--fix` removes a word that is written twice with the same
 value.)",
-            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Multiple x words on one line",
             .options = "",
         },

@@ -3,6 +3,8 @@
 // programs in PROGRAM_PREFIX or USER_M_PATH, which LinuxCNC looks for when it starts, and says so only when one is executed.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -41,13 +43,14 @@ void user_code(const Input& in, int number, Finding& f) {
     f.unproven = true;
     return;
   }
-  std::string folders;
+  std::vector<std::string> names;
   for (const IniFolder& folder : in.profile.setup->folders) {
-    if (folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH")
-      folders += (folders.empty() ? "`" : ", `") + folder.text + "`";
+    if (folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH") names.push_back("`" + folder.text + "`");
   }
+  std::string folders;
+  for (size_t i = 0; i < names.size(); ++i) folders += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
   if (in.profile.setup->user_code(number) == UserCode::kUnknown) {
-    f.help = "check on the machine that " + folders + " has it";
+    f.help = "check on the machine that this program is in " + folders;
     f.unproven = f.uncertain = true;
     return;
   }
@@ -141,9 +144,8 @@ M2
             .fix =
                 R"(Write the code that LinuxCNC has for it. If the machine has a remap or a program for the code, name its
 INI.)",
-            .level_reason =
-                "Error: the program stops. Warning for M100 and above without an INI: the machine may have them. "
-                "Nothing is reported where no run gets.",
+            .level_reason = "Error: the program stops. Warning for M100 and above without an INI: the machine may have "
+                            "them. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Unknown m code used: M13",
             .options = "",
         },

@@ -125,10 +125,9 @@ M2
 G1 X10 Y10 F200
 M2
 )",
-            .fix =
-                R"(Remove the code that is not meant, or write two lines. Mist and flood together are `M7` on one line and
-`M8` on the next. `--fix` removes a code that is written twice.)",
-            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
+            .fix = R"(Remove the code that you did not mean, or write two lines. Mist and flood together are `M7` on one
+line and `M8` on the next. `--fix` removes a code that is written twice.)",
+            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Two g codes used from same modal group",
             .options = "",
         },

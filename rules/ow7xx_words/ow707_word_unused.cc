@@ -78,9 +78,9 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A word without a code that takes it: `G1 X5 P2`, `H1` without `G43`, `R2` alone. An arc, a
-cycle or another motion that is in effect from a line before also counts, but only if the line moves.
-Also what a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)",
+                R"(A word without a code that takes it: `G1 X5 P2`, `H1` without `G43`, `R2` alone. An arc, a cycle or
+another motion that is in effect from a line before also counts, but only if the line moves. Also a
+word that a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)",
             .why =
                 R"(LinuxCNC stops with `P word with no G2 G3 G4 ... to use it` and the like. The lists in these messages are
 not exact; owlint's come from runs of the interpreter, and docs/codes.md has them. Nothing of the line
@@ -106,7 +106,7 @@ M2
             .fix =
                 R"(Remove the word, or write the code that is missing. In a modal cycle or arc, check that the mode is still
 in effect: `G0` or `G80` between two holes ends it.)",
-            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "H word with no G43 or G76 to use it",
             .options = "",
         },

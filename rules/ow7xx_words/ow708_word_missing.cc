@@ -120,9 +120,9 @@ extern const Rule kRule{
             .what =
                 R"(A code without a word that it needs on its line: `G4` without `P`, `G10` without `L`, `G96` without `S`,
 `G33` without `K`, `G76` without `P`, `I`, `J` and `K`, `G92` or a cycle without an axis word.)",
-            .why =
-                R"(LinuxCNC stops before it does anything of the line, with `Dwell time missing with g4`, `All axes missing
-with motion code` and the like. `G0` and `G1` need no axis word: without one, they only set the mode.
+            .why = R"(LinuxCNC stops before it does anything on the line, with `Dwell time missing with g4`,
+`All axes missing with motion code` and the like. `G0` and `G1` need no axis word: without one, they
+only set the mode.
 
 `S` from a line before does not count for `G96`. `P-1` counts as no `P`. docs/codes.md lists what every
 code needs.
@@ -143,7 +143,7 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the word on the line of its code.)",
-            .level_reason = "Error: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Dwell time missing with g4",
             .options = "",
         },

@@ -67,16 +67,16 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(`X`, `Y`, `Z` and the other axes on a line without a code for them, when no motion is in effect: the first
-line of a program, or a line after `G80`. Or axis words that two codes of
-the line want: `G28 G1 X5`. Also `@` and `^` where they are not allowed.)",
+                R"(`X`, `Y`, `Z` and the other axes on a line without a code for them, when no motion is in effect: the
+first line of a program, or a line after `G80`. Or axis words that two codes on the line need:
+`G28 G1 X5`. Also `@` and `^` where they are not allowed.)",
             .why =
                 R"(LinuxCNC stops with `Cannot use axis values without a g code that uses them`, `Cannot use axis values with
 g80` or `Cannot use two g codes that both use axis values`. Nothing of the line is executed.
 
-What is in effect depends on the way to the line. `rs274`, which owlint follows, starts with no motion in
-effect; on a machine `M2` of the program before leaves `G1` in effect, so such a line can move at feed
-rate there.
+What is in effect depends on the way to the line. `rs274`, which owlint follows, starts with no
+motion in effect; on a machine, the `M2` of an earlier program leaves `G1` in effect, so such a line
+can move at feed rate there.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -92,9 +92,8 @@ G0 X20 Y20
 M2
 )",
             .fix = R"(Write the code on the line: `G0` for a rapid move, `G1` for a cut.)",
-            .level_reason =
-                "Error if a run gets here with no motion in effect: the program stops. Where no run gets, owlint "
-                "says nothing.",
+            .level_reason = "Error if a run gets here with no motion in effect: the program stops. owlint reports "
+                            "nothing on lines that no run reaches.",
             .interpreter = "Cannot use axis values without a g code that uses them",
             .options = "",
         },

@@ -260,8 +260,7 @@ does not know (`%5.2f`), a parameter above #5601, `#[...]` in a `(DEBUG,...)` or
 
 `DEBUG`, `PRINT`, `LOG` and `ABORT` are English words, too: without a comma they are reported only if a
 parameter follows.)",
-            .why =
-                R"(There is no message. What was to be shown, logged or to stop the program does not happen, or the text has
+            .why = R"(There is no message. LinuxCNC does not show or log the text, or does not stop; or the text has
 `%5.2f` or `######` in it. `(MSG,...)` shows `#<name>` as it is; `(DEBUG,...)` shows the value.
 
 The word comes first, in small or capital letters, and the comma right after it. The formats `%d`, `%f`
@@ -287,9 +286,8 @@ M2
             .fix =
                 R"(Write the comma right after the word, and the comment on a line of its own. If it is an ordinary comment,
 begin it with another word.)",
-            .level_reason = "Warning: the program runs, but not as its author thinks. Info for a command after `;`, "
-                            "where it may have been "
-                            "put to take it out.",
+            .level_reason = "Warning: the program runs, but not as its author thinks. Info for a command after `;`: "
+                            "somebody may have turned it off on purpose.",
             .interpreter = "",
             .options = "",
         },

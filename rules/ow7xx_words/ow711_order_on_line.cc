@@ -140,7 +140,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW711",
     .name = "order-on-line",
-    .summary = "a line that does something first that is written last",
+    .summary = "words that act in another order than they are written",
     .group = Group::kWords,
     .level = Severity::kInfo,
     .page =
@@ -150,8 +150,8 @@ extern const Rule kRule{
 P1`, `G0 X10 G91`. A pause that is written before the move and comes after it: `M0 G0 X10`. A dwell that
 is written before a spindle or output code: `G4 P1 M3`.
 
-`F`, `S` and `T`, and codes that people commonly write after a move (coolant on, tool
-length), are not reported.)",
+`F`, `S` and `T`, and codes that people commonly write after a move (coolant on, tool length), are
+not reported.)",
             .why =
                 R"(The order of the words on a line means nothing. LinuxCNC always does: feed and speed, outputs, tool
 change, spindle, coolant, the machine's M codes, dwell, plane, units, cutter compensation, tool length,

@@ -91,9 +91,10 @@ or `G94` or `G95` has set the feed to 0 since.)",
                 R"(LinuxCNC stops with `Cannot do g1 with zero feed rate`, `Cannot make arc with zero feed rate` and the
 like. It stops even if the line does not move: for `G1` alone, too.
 
-`G94` and `G95` set the feed to **0**, even if the same mode was already in effect. An `F` on their own
-line counts; an `F` on an earlier line does not. In `G93`, an `F` counts only for the move on its line. `M72`, and the end of a
-sub with `M73`, may restore `G94` or `G95`: then the feed is 0 as well.
+`G94` and `G95` set the feed to **0**, even if the same mode was already in effect. An `F` on their
+own line counts; an `F` on an earlier line does not. In `G93`, an `F` counts only for the move on
+its line. `M72`, and the end of a sub with `M73`, may restore `G94` or `G95`: then the feed is 0 as
+well.
 
 `rs274`, which owlint follows, starts with feed 0. On a machine, an earlier program may have set a feed:
 then this program runs at that feed. In a file that other programs call, owlint assumes nothing about the
@@ -117,8 +118,8 @@ G0 Z5
 M2
 )",
             .fix = R"(Write `F` on the line of the first move at feed rate, and on each line with `G94` or `G95`.)",
-            .level_reason =
-                "Error if a run gets here with feed 0: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error if a run gets here with feed 0: the program stops. owlint reports nothing on lines "
+                            "that no run reaches.",
             .interpreter = "Cannot do g1 with zero feed rate",
             .options = "",
         },

@@ -77,9 +77,8 @@ G80
 M2
 )",
             .fix = R"(Write `S` and `M3` or `M4` before the move, and again after each tool change.)",
-            .level_reason =
-                "Error if a run gets here with the spindle stopped: the program stops. Where no run gets, owlint says "
-                "nothing.",
+            .level_reason = "Error if a run gets here with the spindle stopped: the program stops. owlint reports "
+                            "nothing on lines that no run reaches.",
             .interpreter = "Spindle not turning in G84",
             .options = "",
         },

@@ -41,11 +41,10 @@ extern const Rule kRule{
             .what =
                 R"(A `G1`, arc or spline without its own `F` while `G93` (inverse time) is in effect, a drilling cycle in
 `G93`, or a probe move in `G95` (feed per revolution).)",
-            .why =
-                R"(In `G93`, `F` says how long this one move takes, so every move at feed rate needs its own `F`; LinuxCNC stops with
-`F word missing with inverse time g1 move` or `F word missing with inverse time arc move`. This also
-applies to lines without `G1` if `G1` is in effect from an earlier line. `G0`, threads and NURBS curves need no
-`F`.
+            .why = R"(In `G93`, `F` says how long this one move takes, so every move at feed rate needs its own `F`;
+LinuxCNC stops with `F word missing with inverse time g1 move` or
+`F word missing with inverse time arc move`. This also applies to lines without `G1` if `G1` is in
+effect from an earlier line. `G0`, threads and NURBS curves need no `F`.
 
 Drilling cycles stop in `G93` with `Cannot use inverse time feed with canned cycles`, probe moves in
 `G95` with `Cannot probe with feed per rev mode`.
@@ -68,8 +67,8 @@ M2
             .fix =
                 R"(Write `F` on every line of the `G93` part. Before cycles and probe moves, switch back with `G94`, and set
 the feed again: `G94` has set it to 0.)",
-            .level_reason = "Error if a run gets here in that feed mode: the program stops. Where no run gets, owlint "
-                            "says nothing.",
+            .level_reason = "Error if a run gets here in that feed mode: the program stops. owlint reports nothing on "
+                            "lines that no run reaches.",
             .interpreter = "F word missing with inverse time g1 move",
             .options = "",
         },

@@ -97,8 +97,8 @@ M2
             .fix =
                 R"(Select the plane before the arc: `G17` for XY, `G18` for XZ, `G19` for YZ. Or write the center with the
 letters of the plane that is in effect.)",
-            .level_reason =
-                "Error if a run gets here in that plane: the program stops. Nothing is reported where no run gets.",
+            .level_reason = "Error if a run gets here in that plane: the program stops. owlint reports nothing on "
+                            "lines that no run reaches.",
             .interpreter = "K word given for arc in xy plane",
             .options = "",
         },

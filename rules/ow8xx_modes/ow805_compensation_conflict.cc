@@ -125,11 +125,10 @@ extern const Rule kRule{
     .level = Severity::kError,
     .page =
         {
-            .what =
-                R"(While cutter compensation (`G41`, `G42`) is on: another plane, tool, tool length offset or coordinate
-system, `G28`, `G53`, `G92`, a probe move, a cycle, an input or output, and others. A second `G41` without
-a `G40` between them. A `G41` in the YZ plane, or without the `D` that it needs. An arc as
-the first move after `G40`.)",
+            .what = R"(While cutter compensation (`G41`, `G42`) is on: another plane, tool, tool length offset or
+coordinate system, `G28`, `G53`, `G92`, a probe move, a cycle, an input or output, and others. A
+second `G41` without a `G40` between them. A `G41` in the YZ plane, or without the `D` that it
+needs. An arc as the first move after `G40`.)",
             .why =
                 R"(LinuxCNC stops with `Cannot change tool offset with cutter radius compensation on`, `Cannot turn cutter
 radius comp on when on` and the like. Compensation stays on until `G40` or the end of the program, even
@@ -162,8 +161,8 @@ M2
 )",
             .fix =
                 R"(Move the code before `G41` or after `G40`. After `G40`, write a straight move before the first arc.)",
-            .level_reason = "Error if a run gets here with compensation on: the program stops. Where no run gets, "
-                            "owlint says nothing.",
+            .level_reason = "Error if a run gets here with compensation on: the program stops. owlint reports nothing "
+                            "on lines that no run reaches.",
             .interpreter = "Cannot change tool offset with cutter radius compensation on",
             .options = "",
         },

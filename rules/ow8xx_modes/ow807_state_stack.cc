@@ -67,10 +67,10 @@ of a sub with `M73`, when LinuxCNC cannot restore the saved modes.)",
 what the sub has saved is gone when it ends. LinuxCNC stops with `Cannot restore context from invalid
 stack frame - missing M70/M73?`.
 
-To restore the modes, LinuxCNC makes a line of codes for all differences and runs it: `G96` without its `S`, or a
-plane while cutter compensation is on, stops with `M7x: restore_settings failed executing: …`. If
-anything was restored, LinuxCNC ignores the rest of the `M72` line without a message. The motion
-(`G0`, `G1`) is not restored.
+To restore the modes, LinuxCNC writes the codes for all differences on one line and runs it. If that
+is `G96` without `S`, or a plane while cutter compensation is on, it stops with
+`M7x: restore_settings failed executing: …`. If anything was restored, LinuxCNC ignores the rest of
+the `M72` line without a message. The motion (`G0`, `G1`) is not restored.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -93,8 +93,8 @@ M2
 )",
             .fix =
                 R"(Save and restore in the same sub. `M73` at the start of a sub saves, and restores by itself at its end.)",
-            .level_reason = "Error if a run gets here with nothing saved: the program stops. Where no run gets, owlint "
-                            "says nothing.",
+            .level_reason = "Error if a run gets here with nothing saved: the program stops. owlint reports nothing on "
+                            "lines that no run reaches.",
             .interpreter = "Cannot restore context from invalid stack frame - missing M70/M73?",
             .options = "",
         },

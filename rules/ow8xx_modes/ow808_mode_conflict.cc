@@ -144,7 +144,8 @@ M2
             .fix =
                 R"(Write the word that is missing, or remove the one that does not fit. `M66` that waits (`L1` to `L4`) needs
 the longest time to wait as `Q`, in seconds; `#5399` is -1 if the input did not come.)",
-            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
+            .level_reason =
+                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Zero timeout with wait type != immediate return",
             .options = "",
         },

@@ -190,8 +190,7 @@ G0 X30
 o<peck> call
 M2
 )",
-            .fix =
-                R"(Set the mode back at the end of the sub, also before each `return`, or write `M73` at its beginning.
+            .fix = R"(Set the mode back at the end of the sub and before each `return`, or write `M73` at its beginning.
 Suppress it where the caller wants the new mode, or give the sub a name that says so.)",
             .level_reason =
                 "Warning: the program runs, and its author may want the new mode, but the caller does not show it.",

@@ -134,8 +134,8 @@ G0 X50
 M2
 )",
             .fix =
-                R"(Set the mode back at the end of the branch, or once more where the paths have come together. Suppress it
-where the program sets the mode by a choice of its user and all its moves go by it.)",
+                R"(Set the mode back at the end of the branch, or once more where the paths have come together. If the
+user of the program chooses the mode, and all moves are meant for either, suppress the finding.)",
             .level_reason = "Warning: the program runs, but what the move does depends on the path to it.",
             .interpreter = "",
             .options = "",

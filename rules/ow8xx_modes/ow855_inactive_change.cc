@@ -80,7 +80,7 @@ G90
 G0 X20
 M2
 )",
-            .fix = R"(Remove the code that is not meant.)",
+            .fix = R"(Remove the code that you did not mean.)",
             .level_reason =
                 "Warning: the program runs, in the mode of the second line; perhaps the first one is meant.",
             .interpreter = "",

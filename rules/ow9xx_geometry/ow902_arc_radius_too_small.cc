@@ -85,9 +85,9 @@ M2
             .fix =
                 R"(If only a little is missing, round the radius of the half circle up, or write its center with `I` and `J`. If
 much is missing, the start or the end is not where you think.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if only a machine does that was just "
-                            "started, at X0 Y0 "
-                            "Z0 and without offsets. Nothing is reported where no run gets.",
+            .level_reason =
+                "Error if a run gets here: the program stops. Warning if it stops only on a machine that was just "
+                "started, at X0 Y0 Z0 and without offsets. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Arc radius too small to reach end point",
             .options = "",
         },

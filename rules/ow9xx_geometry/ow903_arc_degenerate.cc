@@ -86,16 +86,17 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A `G2` or `G3` without a center (`I`, `J`, `K`) and without a radius (`R`), or with both; with only one
-word of the center in `G90.1`; with `R` and no end point in the plane of the arc, or one that is the start; with the center at its start or
-its end. `G2` stays in effect: a line after an arc with only `X` and `Y` is an arc, too.)",
+                R"(A `G2` or `G3` without a center (`I`, `J`, `K`) and without a radius (`R`), or with both; with only
+one word of the center in `G90.1`; with `R`, but with no end point in the plane of the arc or with
+its start as the end; or with its center at its start or its end. `G2` stays in effect: a line after
+an arc with only `X` and `Y` is an arc, too.)",
             .why =
                 R"(LinuxCNC stops with `R i j k words all missing for arc`, `Mixed radius ijk format for arc`, `J word missing
 in absolute center arc` and the like.
 
-It stops with `Current point same as end point of arc` for a full circle with `R`, which could be anywhere, and
-with `Zero-radius arc` and the numbers of the arc where its center is less than 0.00127 mm, or 0.00005 inch,
-from an end.
+It stops with `Current point same as end point of arc` for a full circle with `R`, whose center
+could be anywhere. It stops with `Zero-radius arc` if the center is less than 0.00127 mm (0.00005
+inch) from an end.
 
 With a center, no end point is needed: without one the arc is a full circle. In `G91.1`, which is in effect
 unless a program writes `G90.1`, a missing word of the center is 0.
@@ -119,7 +120,8 @@ M2
 )",
             .fix =
                 R"(Write the center or the radius of the arc. After an arc, write `G1` or `G0` on the next straight move.)",
-            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
+            .level_reason =
+                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "R i j k words all missing for arc",
             .options = "",
         },

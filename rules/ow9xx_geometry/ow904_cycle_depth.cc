@@ -142,7 +142,8 @@ M2
             .fix =
                 R"(Write the missing words on the first line of each cycle. To move around a clamp, use `G98` and a high
 start instead of `G0` in the middle of a cycle, or write the cycle again with all its words.)",
-            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
+            .level_reason =
+                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "R clearance plane unspecified in cycle",
             .options = "",
         },

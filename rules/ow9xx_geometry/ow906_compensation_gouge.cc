@@ -59,9 +59,9 @@ two inside corners that is too short, or a corner next to an arc that the tool d
 radius not less than arc radius with comp`, `Arc to straight motion makes a corner the compensated tool can't
 fit in without gouging` and the like.
 
-It cuts a move back at its inside corners when the next move comes, or `G40`, `M0` or the end of the program.
-So it stops at the line behind the move that is too short, and a path that goes wrong at its last corner stops
-at `G40`.
+LinuxCNC shortens a move at an inside corner only when it reads the next move, `G40`, `M0` or the
+end of the program. So it stops one line after the move that is too short; at the last corner, that
+line is `G40`.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17
@@ -88,8 +88,8 @@ M2
                 R"(Use a tool that fits: its radius must be less than that of each inside arc, and each move between two inside
 corners must be long enough for it. The very short moves that a CAM system makes from curves are too
 short for any tool if there is an inside corner between them.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if that depends on the position "
-                            "of the machine when the program starts. Nothing is reported where no run gets.",
+            .level_reason = "Error if a run gets here: the program stops. Warning if that depends on the position of "
+                            "the machine when the program starts. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Straight feed in concave corner cannot be reached by the tool without gouging",
             .options = "",
         },

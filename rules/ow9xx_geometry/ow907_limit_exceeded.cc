@@ -233,17 +233,19 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A move that ends beyond `MIN_LIMIT` or `MAX_LIMIT` of its axis in the INI: a `G53` move, or another one where
-the program sets the offsets itself. A program whose moves are further apart along an axis than the two
-limits: it fits nowhere. Arcs count by their ends, drilling cycles by all ends of their moves.)",
-            .why =
-                R"(LinuxCNC looks at the end of each move, and stops with `Linear move on line N would exceed X's positive limit`;
-`Circular` for arcs, `Probe` for `G38.2` and its kin, `Rigid tap` for `G33.1`. The moves that wait before
-it are broken off: a short program stops at its beginning. It does so whether the machine is homed or not.
+                R"(A move that ends beyond `MIN_LIMIT` or `MAX_LIMIT` of its axis in the INI: a `G53` move, or another
+one where the program sets the offsets itself. A program whose moves are further apart along an axis
+than the two limits: it does not fit, wherever its zero is. Of an arc only the end counts, of a
+drilling cycle the end of each move.)",
+            .why = R"(LinuxCNC looks at the end of each move, and stops with
+`Linear move on line N would exceed X's positive limit`; for arcs the message begins with
+`Circular`, for `G38.2` to `G38.5` with `Probe`, for `G33.1` with `Rigid tap`. LinuxCNC also drops
+the moves before it that it has read but not made yet: a short program stops at its beginning. It
+checks the limits whether the machine is homed or not.
 
-Only LinuxCNC itself knows limits: the interpreter alone and most previews run the program. Where the zero
-of the part is, is not known before the program runs, so owlint does not look at the offsets that the
-machine happens to have. `owlint extents` shows how far a program goes.
+Only LinuxCNC itself checks the limits: the interpreter alone and most previews run the program to
+its end. The zero of the part may change before the program runs, so owlint does not look at the
+offsets that the machine has now. `owlint extents` shows how far a program goes.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -271,12 +273,11 @@ MIN_LIMIT = -100
 MAX_LIMIT = 0
 )",
             .fix =
-                R"(End the move within the limits. Many machines have their `Z0` at the top, so that `G53 G0 Z5` never runs there:
-write `G53 G0 Z0`. Programs that fit nowhere need another machine, or the part turned.)",
-            .level_reason =
-                "Error if a run gets here: the program stops. Warning if that takes a machine without other "
-                "offsets, tools or rotations than those of the program, or a unit or distance mode that it does not "
-                "set.",
+                R"(End the move within the limits. Many machines have their `Z0` at the top, so that `G53 G0 Z5` never
+runs there: write `G53 G0 Z0`. A program that does not fit needs another machine, or a part that
+lies in another direction.)",
+            .level_reason = "Error if a run gets here: the program stops. Warning if that depends on offsets, a tool, "
+                            "a rotation, a unit or a distance mode that the program does not set.",
             .interpreter = "Linear move on line N would exceed Z's positive limit",
             .options = "--ini machine.ini",
         },

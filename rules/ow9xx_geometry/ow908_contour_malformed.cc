@@ -117,8 +117,9 @@ with points that lack a word or with too few of them; a `G76` whose `I`, `J` and
                 R"(LinuxCNC stops with `Must specify both P and Q with G5`, `You must specify a number of control points at
 least equal to the order L = 3`, `In G76, K must be greater than J` and the like.
 
-`G5` and `G5.1` do not stay in effect: a next line with only axis words moves as the motion before them.
-LinuxCNC keeps the points of `G5.2` until `G5.3`; before 2.10, even after the end of the program.
+`G5` and `G5.1` do not stay in effect: on a next line with only axis words, the motion from before
+the spline is in effect again. LinuxCNC keeps the points of `G5.2` until `G5.3`; before 2.10, even
+after the end of the program.
 
 `G71` cuts from the right to the left, layer by layer: its contour may not turn back in Z (`G7X error: Not
 monotonic`), that of `G72` not in X. Whether an arc in the sub fits is found only when it is cut. LinuxCNC
@@ -140,7 +141,8 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the missing words, even if they are 0.)",
-            .level_reason = "Error if a run gets here: the program stops. Nothing is reported where no run gets.",
+            .level_reason =
+                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Must specify both P and Q with G5",
             .options = "",
         },
