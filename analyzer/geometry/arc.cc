@@ -28,6 +28,17 @@ CenterArc arc_by_center(Flat start, Flat center, Flat end, const ArcTolerance& t
   return arc;
 }
 
+bool arc_surely_fits(Flat start, Flat center, Flat end, const ArcTolerance& tolerance) {
+  constexpr double kRounding = 1e-12, kWell = 0.99;
+  const auto radius_to = [&](Flat point) {
+    const double first = center.first - point.first, second = center.second - point.second;
+    return std::sqrt(first * first + second * second);
+  };
+  const double from = radius_to(start), to = radius_to(end);
+  return kWell * std::min(from, to) > tolerance.least_radius &&
+      std::abs(from - to) + kRounding * (from + to) < kWell * tolerance.difference;
+}
+
 RadiusArc arc_by_radius(Flat start, Flat end, double radius, const ArcTolerance& tolerance) {
   const Flat middle{(end.first + start.first) / 2, (end.second + start.second) / 2};
   RadiusArc arc{ArcFault::kNone, distance(middle, end)};

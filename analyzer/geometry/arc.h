@@ -37,6 +37,8 @@ struct CenterArc {
   double allowed;     ///< the difference that would pass
 };
 CenterArc arc_by_center(Flat start, Flat center, Flat end, const ArcTolerance& tolerance);
+/// Whether it has no fault, by more than what sums round: nearly every arc has none, and this is sooner found.
+bool arc_surely_fits(Flat start, Flat center, Flat end, const ArcTolerance& tolerance);
 
 struct RadiusArc {
   ArcFault fault;

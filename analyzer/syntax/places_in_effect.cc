@@ -217,7 +217,8 @@ bool PlacesInEffect::arc_passes(const PlainWords& words) const {
                 words.has(kSecondCenter[plane]) ? words[kSecondCenter[plane]] : 0};
     if (now[Mode::kArcDistance] == value_bit(modes::kG91_1))
       center = {start.first + center.first, start.second + center.second};
-    return arc_by_center(start, center, end, tolerance).fault == ArcFault::kNone;
+    return arc_surely_fits(start, center, end, tolerance) ||
+        arc_by_center(start, center, end, tolerance).fault == ArcFault::kNone;
   };
   return (first.is_unknown() || second.is_unknown() || passes(first.value, second.value)) &&
       (first.is_known() && second.is_known() ? true : !left_ || passes(first.other, second.other));
@@ -258,12 +259,13 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
   // Words that were not made numbers yet: in G90 the next one of the axis may come before a place is asked for.
   std::array<const char*, kLetters> texts{};
   uint32_t waiting = 0;
+  const char* const end = bytes.data() + bytes.size();
   const auto go_to = [&](size_t letter, double value) {
     go(letter, value, value);
     if (left_) passed.add(letter, value);
   };
   const auto settle = [&](uint32_t letters) {
-    for_letters(waiting & letters, [&](size_t letter) { go_to(letter, plain_number(texts[letter])); });
+    for_letters(waiting & letters, [&](size_t letter) { go_to(letter, plain_number(texts[letter], end)); });
     waiting &= ~letters;
   };
   for (; from < to; ++line) {

@@ -12,14 +12,15 @@
 
 namespace owlint {
 
-/// The number that begins there, a sign before it perhaps: the double next to what is written.
-double plain_number(const char* at);
+/// The number that begins there, a sign before it perhaps: the double next to what is written. `end`: of the bytes.
+double plain_number(const char* at, const char* end);
 
 struct PlainWords {
   uint32_t letters = 0;                       ///< but for G and N
   int8_t code = -1;                           ///< of G; -1 without one
   std::array<const char*, kLetters> texts{};  ///< where the number begins, by letter, where `letters` has it
   std::array<double, kLetters> values{};      ///< after convert()
+  const char* end = nullptr;                  ///< of the bytes
 
   void convert(uint32_t which);
   bool has(char letter) const { return (letters & letter_set({&letter, 1})) != 0; }
