@@ -50,7 +50,9 @@ def main():
         with open(path, "rb") as f:
             before = f.read()
         after = formatted(owlint, before)
-        changed += after != before
+        if after == before:
+            continue
+        changed += 1
         for choices in (b"", bytes([1]) * 40):
             compared += 1
             ends = ending(interpreter, before, choices), ending(interpreter, after, choices)
