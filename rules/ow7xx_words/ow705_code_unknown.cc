@@ -42,9 +42,16 @@ void user_code(const Input& in, int number, Finding& f) {
     return;
   }
   std::string folders;
-  for (const IniFolder& folder : in.profile.setup->folders) {
-    if (folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH")
-      folders += (folders.empty() ? "`" : ", `") + folder.text + "`";
+  for (const IniFolder* const folder : user_code_folders(*in.profile.setup)) {
+    folders += (folders.empty() ? "`" : ", `") + folder->text + "`";
+    const std::string path = joined_path(folder->path, m_name(number));
+    if (f.unproven || !in.profile.setup->search_path->files().is_folder(path)) continue;
+    f.message = "`" + m_name(number) + "` runs a program of the machine, but " + path +
+        " is a folder: LinuxCNC stops without a message";
+    f.help = "put the program there under this name, and give the folder another one";
+    f.interpreter.clear();
+    f.habit_severity.reset();
+    return;
   }
   if (in.profile.setup->user_code(number) == UserCode::kUnknown) {
     f.help = "check on the machine that " + folders + " has it";
