@@ -97,7 +97,8 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
       *error = fmt::format("cannot read the INI {}: {}", path, *error);
       return false;
     }
-    if (!setup->ini.has_sections()) {
+    // A byte order mark hides the section behind it, which a finding says.
+    if (!setup->ini.has_sections() && !setup->ini.source()->bytes().starts_with("\xEF\xBB\xBF[")) {
       *error = fmt::format("{} is not a machine INI: it has no [SECTION]", path);
       return false;
     }

@@ -144,8 +144,9 @@ class SetupReader {
         const std::string& name = entry.name;
         const auto [end, problem] = std::from_chars(name.data() + 1, name.data() + name.size(), code);
         const bool fits = name.size() == 4 && name[0] == 'M' && problem == std::errc{} && end == name.data() + 4;
-        if (fits && code >= 100 && code <= 199 && files_.info(joined_path(folder, name)).executable)
-          m_.user_codes.set(static_cast<size_t>(code - 100));
+        if (!fits || code < 100 || code > 199) continue;
+        const FileInfo info = files_.info(joined_path(folder, name));
+        if (info.executable && info.kind != FileKind::kFolder) m_.user_codes.set(static_cast<size_t>(code - 100));
       }
     }
   }

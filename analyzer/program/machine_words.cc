@@ -174,7 +174,8 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   words.measures_extents = profile.measures_extents;
   words.unsure = profile.setup == nullptr;
   if (words.unsure) return;
-  words.axes = axes_of(*profile.setup);
+  // A part of an INI, without the section, does not say which axes there are.
+  if (profile.setup->ini.has_section("TRAJ")) words.axes = axes_of(*profile.setup);
   for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) {
     const auto code = remapped_code(remap->value, words.release);
     const auto same = [&](const RemappedCode& known) {

@@ -88,6 +88,11 @@ class Writer {
     if (!f.versions.empty()) labelled("versions", fmt::format("only in LinuxCNC {}", fmt::join(f.versions, ", ")));
     for (const Consequence& consequence : f.consequences) {
       if (consequence.interpreter.empty()) continue;
+      if (!f.missing.empty()) {  // of an INI, which has no runs
+        labelled("also",
+                 fmt::format("line {}: {}", source.position(consequence.span.begin).line, consequence.interpreter));
+        continue;
+      }
       labelled("other runs",
                fmt::format("the program stops because of line {} instead: {}",
                            source.position(consequence.span.begin).line, consequence.interpreter));

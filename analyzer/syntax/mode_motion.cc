@@ -155,7 +155,8 @@ bool stops_moving_by(ModeLine& line, Motion mode) {
   if (line.place() != nullptr && motion != Motion::kNone && !contains(kCycles, motion))
     line.place()->keeps_height = false;
   if (places::moves_indexing_axis(line, motion) || move(line, motion)) return true;
-  leave(line);
+  // Measured: such a move leaves the motion mode as it was.
+  if (motion != Motion::kG0 || !places::names_indexing_axis(line)) leave(line);
   return false;
 }
 

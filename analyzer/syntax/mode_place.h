@@ -74,6 +74,7 @@ bool end_point(ModeLine& line, Point* end);
 void arrive(ModeLine& line, const Point& end);
 /// Rotary axes that index: true if the motion moves one that it may not move.
 bool moves_indexing_axis(ModeLine& line, Motion motion);
+bool names_indexing_axis(const ModeLine& line);
 /// Whether words are positions in any case, or where G90 is in effect.
 enum class Positions : uint8_t { kAbsolute, kInG90 };
 /// Rotary axes that wrap: true if a word that is a position goes round more than once. `point`, which may be null, then does not

@@ -1,6 +1,7 @@
 // Rotary axes of a kind that the INI declares: those that wrap, and those that index.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analyzer/syntax/mode_place.h"
@@ -46,6 +47,11 @@ bool moves_indexing_axis(ModeLine& line, Motion motion) {
     if (is_in(line.machine().indexing, letter) && line.has(letter)) return indexes(line, motion, letter);
   }
   return false;
+}
+
+bool names_indexing_axis(const ModeLine& line) {
+  return std::ranges::any_of(kRotary,
+                             [&](char letter) { return is_in(line.machine().indexing, letter) && line.has(letter); });
 }
 
 bool goes_round(ModeLine& line, Positions are, Point* point) {

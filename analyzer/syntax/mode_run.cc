@@ -140,6 +140,11 @@ bool ModeRun::act_part(const LinePart& part, ModeState* state, std::vector<ModeF
   bool runs = part.behind == nullptr;
   for (const auto steps : {std::span<const Step>(kFirstSteps), std::span<const Step>(kRest)}) {
     for (const Step step : steps) {
+      if (runs && step == stops_moving && part.motion != 0 && line_.depends_on_motion()) {
+        line.now()[Mode::kMotion] = part.motion;
+        line.now().open &= ~mask_of(Mode::kMotion);
+        if (part.motion_open) line.now().open |= mask_of(Mode::kMotion);
+      }
       if (runs && !is_replaced(step, line_) && step(line)) return false;
       if (part.until != nullptr && step == step_of(*part.until)) return true;
       runs = runs || step == step_of(*part.behind);

@@ -52,6 +52,9 @@ struct ModeFault {
 struct LinePart {
   const RemappedCode* behind = nullptr;
   const RemappedCode* until = nullptr;
+  /// The motion that the line was read with: its axis words keep it, whatever the subs of its codes leave. Empty: that in effect.
+  MotionSet motion = 0;
+  bool motion_open = false;
 };
 
 class ModeRun {

@@ -88,8 +88,10 @@ bool repeats_offset(ModeLine& line) {
   if (line.stop_in({on, kCompensationOn}, StopKind::kCompensation, kNoOffsetChange,
                    line.at(GGroup::kCutterCompensation), line.at(GGroup::kToolLength)))
     return true;
-  places::set_unknown_tool_offset(line);
-  line.set_open(Mode::kToolOffset, kAnyOffset);
+  // Where the tool in the spindle is the prepared one, it does not matter which of the two counts.
+  const Place* const place = line.place();
+  const bool same = place != nullptr && place->chosen_tool == place->loaded_tool;
+  take_offset_of(line, same ? line.tool_in_spindle() : nullptr);
   return false;
 }
 

@@ -146,8 +146,13 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   const bool stops = std::ranges::any_of(
       faults_, [](const ModeFault& fault) { return fault.by_place && (fault.fault.certain || fault.believed); });
   const bool cuts = contains(kContours, motion);
-  if (!left_ && (stops || leaves || takes_tool || cuts)) leave(start);
+  // Where each line repeats G43, it matters whether the tool in the spindle has a length.
+  const GCode* const length = words.code(GGroup::kToolLength);
+  const bool takes_offset = machine_.retains_offset && place_.loaded_tool > 0 && length != nullptr &&
+      length->tenths == code::kG43 && !words.has('h');
+  if (!left_ && (stops || leaves || takes_tool || takes_offset || cuts)) leave(start);
   if (!left_) return false;
+  if (machine_.retains_offset && side != nullptr) out_.asks_place = true;
   note_limits(words);
   // A whole circle comes back: only who asks how far it goes has to know of it.
   const bool curves = contains(kArcMoves, motion);

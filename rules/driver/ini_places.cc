@@ -1,5 +1,6 @@
 #include "rules/driver/ini_places.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -76,6 +77,37 @@ void relate_unread_remap(const Profile& profile, char letter, int number, Findin
   }
 }
 
+std::vector<const IniFolder*> unused_folders(const MachineSetup& setup) {
+  constexpr int kSearched = 10, kOfUserCodes = 5;
+  std::vector<const IniFolder*> unused;
+  int searched = 0, of_user_codes = 0;
+  for (const IniFolder& folder : setup.folders) {
+    if (folder.key == "SUBROUTINE_PATH" && folder.exists && ++searched > kSearched) unused.push_back(&folder);
+    if (folder.key == "USER_M_PATH" && ++of_user_codes > kOfUserCodes) unused.push_back(&folder);
+  }
+  return unused;
+}
+
+std::vector<const IniFolder*> user_code_folders(const MachineSetup& setup) {
+  const std::vector<const IniFolder*> unused = unused_folders(setup);
+  std::vector<const IniFolder*> folders;
+  for (const IniFolder& folder : setup.folders) {
+    const bool of_user_codes = folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH";
+    if (of_user_codes && std::ranges::find(unused, &folder) == unused.end()) folders.push_back(&folder);
+  }
+  return folders;
+}
+
+namespace {
+
+/// The list goes on with folders that are not used.
+void end_before(Related& list, const IniFolder& unused) {
+  if (list.source == unused.source && unused.span.begin > list.span.begin + 1 && unused.span.begin <= list.span.end)
+    list.span.end = unused.span.begin - 1;
+}
+
+}  // namespace
+
 std::vector<Related> search_path_places(const Profile& profile) {
   std::vector<Related> places;
   if (profile.setup == nullptr) return places;
@@ -85,6 +117,8 @@ std::vector<Related> search_path_places(const Profile& profile) {
       continue;
     const std::string why = why_unread(profile, line, "RS274NGC", false);
     places.push_back(line_place(text, line, why.empty() ? "the folders in which LinuxCNC looks" : why));
+    const std::vector<const IniFolder*> unused = unused_folders(*profile.setup);
+    if (why.empty() && !unused.empty() && unused[0]->key == "SUBROUTINE_PATH") end_before(places.back(), *unused[0]);
   }
   return places;
 }
@@ -93,7 +127,11 @@ void relate_user_folders(const Profile& profile, Finding& finding) {
   if (profile.setup == nullptr) return;
   for (const auto& [section, key] : {std::pair("DISPLAY", "PROGRAM_PREFIX"), std::pair("RS274NGC", "USER_M_PATH")}) {
     const Ini::Entry* const entry = profile.setup->ini.find(section, key);
-    if (entry != nullptr && !entry->value.empty()) relate_ini(finding, *entry, "LinuxCNC looks here");
+    if (entry == nullptr || entry->value.empty()) continue;
+    relate_ini(finding, *entry, "LinuxCNC looks here");
+    for (const IniFolder* const unused : unused_folders(*profile.setup)) {
+      if (unused->key == key) end_before(finding.related.back(), *unused);
+    }
   }
   const IniText& text = profile.setup->text;
   for (const IniLine& line : text.lines()) {

@@ -21,7 +21,12 @@ void relate_unread_remap(const Profile& profile, char letter, int number, Findin
 /// Where the INI says in which folders called files are, for findings about files that are not found: the line that is read, or
 /// lines with `SUBROUTINE_PATH` that are not.
 std::vector<Related> search_path_places(const Profile& profile);
-/// The folders of user M codes.
+/// Folders of `SUBROUTINE_PATH` behind the tenth that exists, and of `USER_M_PATH` behind the fifth: LinuxCNC uses none of them
+/// (measured).
+std::vector<const IniFolder*> unused_folders(const MachineSetup& setup);
+/// Those in which LinuxCNC looks for user M codes.
+std::vector<const IniFolder*> user_code_folders(const MachineSetup& setup);
+/// Names them in a finding.
 void relate_user_folders(const Profile& profile, Finding& finding);
 
 }  // namespace owlint::rules

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "rules/driver/lint.h"
 #include "rules/driver/missing_files.h"
 #include "rules/driver/variants.h"
@@ -55,7 +57,8 @@ ByFile lint_one_version(const Profile& profile, const LintOptions& options, Libr
     rules::fold_missing_files(input, report.findings);
     decide(policy, report.findings);  // what was folded changes it
     for (Finding& f : report.findings) {
-      if (f.group.empty()) f.group = f.message;  // copies of one configuration have the same mistakes
+      // Copies of one configuration have the same mistakes. What is not the same in each of them is said of each.
+      f.group = fmt::format("{} {} {}", severity_text(f.severity), f.message, f.help);
     }
   }
   return reports;

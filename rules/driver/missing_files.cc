@@ -68,27 +68,40 @@ std::string listed(const std::vector<std::string>& names) {
 /// Which findings are folded into others.
 using Folded = std::vector<bool>;
 
+/// That LinuxCNC does not start without Python is no part of what others say.
+bool is_about_python(const Finding& f) { return f.code == "OW423" && f.stops; }
+bool speaks_alone(const Finding& f) { return is_about_python(f) && !f.unproven; }
+
+/// The finding that speaks for the others: if there is one, that about Python; one about a HAL file only alone.
+Finding* speaker_of(std::vector<Finding>& findings) {
+  Finding* best = nullptr;
+  const auto rank = [](const Finding& f) { return is_about_python(f) ? 0 : f.code == "OW415" ? 2 : 1; };
+  for (Finding& f : findings) {
+    if (!f.missing.empty() && !speaks_alone(f) && (best == nullptr || rank(f) < rank(*best))) best = &f;
+  }
+  return best;
+}
+
 /// The first of the findings speaks for all, and for the files that LinuxCNC needs.
 Folded say_part(const SetupInput& in, const std::vector<NamedFile>& elsewhere, std::vector<Finding>& findings) {
   Folded folded(findings.size());
-  Finding* speaker = nullptr;
+  Finding* const speaker = speaker_of(findings);
   std::vector<std::string> names;
   const auto add = [&](std::string name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
   };
   for (size_t i = 0; i < findings.size(); ++i) {
     Finding& f = findings[i];
-    if (f.missing.empty()) continue;
+    if (f.missing.empty() || speaks_alone(f)) continue;
     add(f.missing);
-    if (speaker == nullptr) {
-      speaker = &f;
-      continue;
-    }
+    if (&f == speaker) continue;
     folded[i] = true;
+    if (f.code == "OW415") continue;  // named below
     speaker->consequences.push_back({f.code, f.span, f.interpreter});
     speaker->stops = speaker->stops || f.stops;
     speaker->weight = std::min(speaker->weight, f.weight);
   }
+  if (speaker == nullptr) return folded;
   for (const NamedFile& file : elsewhere) {
     const std::string_view value = in.setup.text.value(*file.line);
     const auto& source = in.setup.text.source(*file.line);

@@ -23,9 +23,20 @@ bool may_lack(const Program& program, NameId name) {
                           [&](const Expr& expr) { return expr.op == Operator::kExistsNamed && expr.name() == name; });
 }
 
+/// Local names of one letter that LinuxCNC reads in the sub's comments.
+std::string shown_in(const flow::DataFlow& data, RegionId sub) {
+  std::string letters;
+  for (const flow::Shown& shown : data.shown()) {
+    if (shown.acts && shown.region == sub && shown.local.size() == 1) letters += shown.local;
+  }
+  return letters;
+}
+
 }  // namespace
 
-bool RemapSub::reads(char letter) const { return std::ranges::find(names, letter, &Name::letter) != names.end(); }
+bool RemapSub::reads(char letter) const {
+  return shown.find(letter) != std::string::npos || std::ranges::find(names, letter, &Name::letter) != names.end();
+}
 
 RemapSub remap_sub(const SetupInput& in, std::string_view ngc) {
   RemapSub out;
@@ -44,12 +55,16 @@ RemapSub remap_sub(const SetupInput& in, std::string_view ngc) {
       if (key < out.argument_lines.size()) out.argument_lines[key] = lines[i];
     }
   }
+  out.shown = shown_in(data, out.region);
+  const flow::AccessTable table(p, lines);  // without the comments
+  const flow::Accesses accesses = table.lines(0, lines.size());
   for (size_t i = 0; i < lines.size(); ++i) {
-    for (const flow::ParameterKey key : data.accesses_of(out.region).reads(i)) {
+    for (const flow::ParameterKey key : accesses.reads(i)) {
       const flow::ParameterId id = flow::parameter_of(key);
       if (!id.named || p.name(id.id).size() != 1) continue;
       const char letter = p.name(id.id)[0];
-      if (letter < 'a' || letter > 'z' || out.reads(letter)) continue;
+      if (letter < 'a' || letter > 'z') continue;
+      if (std::ranges::find(out.names, letter, &RemapSub::Name::letter) != out.names.end()) continue;
       out.names.push_back({letter, lines[i], may_lack(p, id.id)});
     }
   }

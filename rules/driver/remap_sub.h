@@ -20,11 +20,13 @@ struct RemapSub {
     bool may_lack = false;  ///< the file asks with EXISTS whether it is there, or assigns it
   };
   std::vector<Name> names;  ///< local names of one letter, in the order in which they are read
+  std::string shown;        ///< those that comments show, small: without a value nothing stops there
   uint32_t arguments = 0;   ///< bit n: the value of #n at the call may be read
   bool known = false;       ///< of `arguments`: else any may be read
 
   std::array<StatementId, 31> argument_lines{};  ///< by n: the first line that reads #n
 
+  /// Also in a comment.
   bool reads(char letter) const;
 };
 

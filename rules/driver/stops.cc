@@ -258,7 +258,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.stops = !finding.further;
   finding.reach = stop.reach;
   finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
-  finding.interpreter = stop.interpreter;
+  if (stop.kind != StopKind::kUserCodeMissing) finding.interpreter = stop.interpreter;  // OW705 knows what it is
   for (const Decision& decision : stop.path) {
     const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
     const Statement& s = place.program->at(decision.statement);

@@ -56,10 +56,12 @@ std::string shown(const Source& source, Span span) {
   constexpr size_t kMost = 40;
   std::string out;
   size_t in_comment = 0;
+  bool in_name = false;
   for (const char c : source.slice(span)) {
     if (c == '(') in_comment = 1;
+    in_name = (in_name || c == '<') && c != '>';
     if (in_comment == 0 && c != ' ' && c != '\t' && c != '\r')
-      out += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      out += in_name ? c : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     if (c == ')') in_comment = 0;
   }
   if (out.size() <= kMost) return out;

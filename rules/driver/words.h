@@ -34,7 +34,7 @@ struct WordStop {
 };
 WordStop word_stop(const Input& in, const FlowStop& stop);
 
-/// A part of a line as messages show it: without blanks and comments, in capital letters.
+/// A part of a line as messages show it: without blanks and comments, in capital letters but for names of parameters.
 std::string shown(const Source& source, Span span);
 std::string capital(char letter);
 

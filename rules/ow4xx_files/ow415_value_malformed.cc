@@ -5,7 +5,9 @@
 #include <set>
 
 #include "analyzer/machine/ini_keys.h"
+#include "rules/driver/ini_places.h"
 #include "rules/driver/ini_values.h"
+#include "rules/driver/start_files.h"
 #include "rules/driver/start_refusals.h"
 
 namespace owlint::rules::ow415 {
@@ -26,6 +28,8 @@ class Checker {
 
   void run() {
     refusals_ = start_refusals(in_);
+    check_unused_folders();
+    check_start_files(in_, out_);
     for (const IniText::Section& section : text_.sections()) {
       if (!section.first) continue;
       std::set<std::string_view> seen;  // only the first value counts
@@ -183,10 +187,44 @@ class Checker {
     }
   }
 
+  /// The list goes on where LinuxCNC has stopped to read it.
+  void check_unused_folders() {
+    std::set<std::string_view> said;
+    for (const IniFolder* const folder : unused_folders(in_.setup)) {
+      if (!said.insert(folder->key).second) continue;
+      const bool called = folder->key == "SUBROUTINE_PATH";
+      Finding& f = out_.add(
+          folder->source, folder->span,
+          called ? "LinuxCNC searches only the first 10 folders of `SUBROUTINE_PATH` that exist: `" + folder->text +
+                  "` is never searched"
+                 : "LinuxCNC reads only the first 5 folders of `USER_M_PATH`: `" + folder->text + "` is never read");
+      f.help = "name the folders that are needed first, or put their files together";
+    }
+  }
+
+  /// Each letter in it is an axis, those of a comment, too.
+  void check_coordinates(const IniLine& line, size_t comment) {
+    if (comment == std::string_view::npos) return;
+    constexpr std::string_view kAxes = "xyzabcuvw";
+    const std::string value = small_letters(text_.value(line));
+    std::string added;
+    for (const char axis : kAxes) {
+      if (value.find(axis) >= comment && value.find(axis) != std::string::npos)
+        added += (added.empty() ? "" : " ") + std::string(1, static_cast<char>(std::toupper(axis)));
+    }
+    if (added.empty()) return;
+    Finding& f =
+        add_at(in_, out_, line, line.value, "the comment is a part of the value: its letters make axes, too: " + added);
+    f.help = "put the comment on a line of its own";
+    f.fixes.push_back(comment_above(text_, line, comment));
+  }
+
   /// Keys with any text as their value, and those that LinuxCNC itself does not read.
   void check_text(const std::string& section, const IniLine& line, size_t comment) {
     const std::string_view value = text_.value(line);
     const std::string_view name = text_.name(line);
+    if (section == "TRAJ" && name == "COORDINATES") return check_coordinates(line, comment);
+    if (section == "KINS" && name == "KINEMATICS") return check_kinematics(in_, out_, line);
     if (section == "TRAJ" && name == "NO_FORCE_HOMING" && !begins_with_number(value)) {
       const bool on = ini_truth(value).value_or(false);
       if (!on) return;
@@ -237,7 +275,8 @@ extern const Rule kRule{
     .page =
         {
             .what = R"(A value with a comment after it, `YES` where LinuxCNC reads a number, `7mm`, an unknown unit, a
-tolerance that is out of range, a search path with `,` or without a folder.)",
+tolerance that is out of range, a search path with `,` or without a folder, folders behind the tenth of
+`SUBROUTINE_PATH` or the fifth of `USER_M_PATH`, kinematics, a HAL file or a display that are not there.)",
             .why =
                 R"(A comment must be on a line of its own: after a value, it is a part of the value. LinuxCNC does not
 convert a value that is only partly a number. In `[RS274NGC]` and `[EMCIO]` it then uses the default

@@ -1,10 +1,9 @@
 // OW419 command-in-ini: a line of G-code in the INI that stops, hangs or crashes LinuxCNC.
 // Depends on: which lines LinuxCNC and its displays run, and how (measured with LinuxCNC without a screen; displays: read).
 #include <algorithm>
-#include <array>
 
 #include "analyzer/machine/ngcgui_file.h"
-#include "rules/driver/lint.h"
+#include "rules/driver/ini_commands.h"
 #include "rules/driver/machine_rules.h"
 
 namespace owlint::rules::ow419 {
@@ -12,38 +11,9 @@ namespace {
 
 constexpr size_t kMostCommands = 200;  // a machine has a few
 
-/// Rules whose stops do not depend on what ran before the line.
-constexpr std::array<std::string_view, 6> kOfReading{"OW701", "OW702", "OW703", "OW704", "OW705", "OW706"};
-
-/// Without comments, in upper case, so that words can be looked for.
-std::string bare(std::string_view code) {
-  std::string out;
-  bool inside = false;
-  for (const char c : code) {
-    if (c == ';' && !inside) break;
-    inside = c == '(' || (inside && c != ')');
-    if (!inside && c != ')' && c != ' ' && c != '\t')
-      out += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  }
-  return out;
-}
-
-/// Whether a line without comments has a code, such as `M` and 6; `G38.2` counts as 38.
-bool has_code(std::string_view line, char letter, int number) {
-  for (size_t at = line.find(letter); at != std::string_view::npos; at = line.find(letter, at + 1)) {
-    if (at > 0 && (std::isalpha(static_cast<unsigned char>(line[at - 1])) != 0 || line[at - 1] == '<')) continue;
-    size_t end = at + 1;
-    int value = 0;
-    while (end < line.size() && line[end] >= '0' && line[end] <= '9' && value < 1000)
-      value = value * 10 + (line[end++] - '0');
-    if (end > at + 1 && value == number) return true;
-  }
-  return false;
-}
-
 class Checker {
  public:
-  Checker(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text) {}
+  Checker(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text), runs_(in) {}
 
   void run() {
     const IniLine* start = find_line(text_, "RS274NGC", "RS274NGC_STARTUP_CODE");
@@ -121,11 +91,38 @@ class Checker {
       return;
     }
     const std::shared_ptr<const Program> program = in_.library.load_called(found->path, in_.profile);
-    if (defines(*program, called)) return;
+    if (defines(*program, called)) return check_macro_run(line, called, span);
     Finding& f =
         add(line, span, "the macro calls `" + label_text(called) + "`, but " + found->path + " has no such sub");
     f.help = "name the sub in the file like the file";
     f.interpreter = "EOF in file:" + found->path + " seeking o-word: o<" + called + "> from line: 0";
+  }
+
+  /// The sub is there: does it stop each time, and does it get what it reads?
+  void check_macro_run(const IniLine& line, const std::string& sub, Span span) {
+    const std::string_view value = text_.value(line);
+    size_t values = 0;
+    for (size_t at = value.find_first_of(" \t"); at < value.size(); at = value.find_first_of(" \t", at)) {
+      at = value.find_first_not_of(" \t", at);
+      ++values;
+    }
+    std::string call = "o<" + sub + "> call";
+    for (size_t i = 0; i < values; ++i) call += " [#4998]";
+    const auto stops = runs_.stops(call, RunsAt::kAny);
+    if (!stops.empty()) {
+      Finding& f = add(line, span, "the macro stops each time: " + words_of(stops[0]));
+      f.help = stops[0].help;
+      f.interpreter = stops[0].interpreter;
+      f.related = stops[0].related;
+      return;
+    }
+    for (const Finding& found : runs_.unpassed(sub, values)) {
+      const size_t passes = found.message.find(" passes ");
+      if (passes == std::string::npos) continue;
+      Finding& f = add(line, line.value, "the macro" + found.message.substr(passes));
+      f.help = "write a word for each behind the macro's name: the operator is asked for their values";
+      f.related = found.related;
+    }
   }
 
   static bool defines(const Program& program, const std::string& sub) {
@@ -187,71 +184,80 @@ class Checker {
     if (problem->span.end > problem->span.begin) f.related.push_back({problem->span, "this line", source});
   }
 
-  /// What owlint finds in the code as a program of its own.
-  std::vector<Finding> findings_in(const std::string& code) const {
-    const auto source = Source::own(joined_path(folder_of(in_.setup.path), "command in the INI"), code + "\nM2\n");
-    Profile profile = in_.profile;
-    profile.feature = 0;
-    LintOptions options;
-    FileReport report = lint(in_.library.load(source, profile), profile, options, in_.library).own;
-    std::erase_if(report.findings, [&](const Finding& f) {
-      return !f.stops || f.reach != Reach::kAlways || f.span.begin > code.size() || f.code == "OW208";
-    });
-    return std::move(report.findings);
-  }
-
   Finding& add(const IniLine& line, Span span, std::string message) {
     return add_at(in_, out_, line, span, std::move(message));
   }
 
   void check_start(const IniLine& line) {
     const std::string code(text_.value(line));
-    const std::string words = bare(code);
-    const auto has = [&](char letter, int number) { return has_code(words, letter, number); };
-    const std::string start = "the start-up code ";
-    for (const int number : {6, 61, 66}) {
-      if (has('M', number))
-        return hang(line,
-                    start + "changes the tool or waits for an input, `M" + std::to_string(number) +
-                        "`: LinuxCNC waits for ever before it starts");
-    }
-    if (has('G', 38)) return hang(line, start + "probes: LinuxCNC waits for ever before it starts");
-    if (has('M', 99)) return hang(line, start + "has `M99`: LinuxCNC crashes when it starts");
-    for (const int number : {2, 30, 98}) {
-      if (!has('M', number)) continue;
-      Finding& f = add(line, line.value, start + "has `M" + std::to_string(number) + "`: LinuxCNC does not start");
-      f.help = "remove `M" + std::to_string(number) + "`: the line sets modes, such as `G21 G90`";
-      refuses(f, "can't initialize interpreter");
-      return;
-    }
-    for (int number = 100; number <= 199; ++number) {
-      if (!has('M', number)) continue;
-      Finding& f = add(line, line.value,
-                       start + "uses `M" + std::to_string(number) +
-                           "`, which LinuxCNC does not know yet at that time: it does not start");
-      f.help = "run it by a program or a button";
-      refuses(f, "Unknown m code used: M" + std::to_string(number));
-      return;
-    }
+    if (check_start_codes(line, bare_code(code), nullptr)) return;
     if (code.starts_with('%')) {
       Finding& f = add(line, line.value, "LinuxCNC does not start with this start-up code: `%` belongs into files");
       f.help = "remove the `%`";
       refuses(f, "Bad character '%' used");
       return;
     }
-    for (const Finding& found : findings_in(code)) {
+    for (const CommandStop& found : runs_.stops(code, RunsAt::kStart)) {
       Finding& f =
-          add(line, inside(line, 0, found.span), "LinuxCNC does not start with this start-up code: " + found.message);
-      f.help = code.find('#') == std::string::npos
+          add(line, inside(line, 0, found.span), "LinuxCNC does not start with this start-up code: " + words_of(found));
+      f.help = code.find('#') == std::string::npos || found.in_sub
           ? found.help
           : "put the comment onto a line of its own; only `;` and `( )` are comments here";
+      f.related = found.related;
       refuses(f, found.interpreter);
       return;
     }
+    for (const CommandRuns::SubLine& in_sub : runs_.lines_in_subs(code)) {
+      if (check_start_codes(line, in_sub.code, &in_sub.place)) return;
+    }
   }
 
-  void hang(const IniLine& line, std::string message) {
-    Finding& f = add(line, line.value, std::move(message));
+  static std::string words_of(const CommandStop& stop) {
+    return (stop.in_sub ? "a sub that it calls stops: " : "") + stop.message;
+  }
+
+  /// Codes that the start-up code, or a line of its subs, may not have. True if there is one.
+  bool check_start_codes(const IniLine& line, std::string_view words, const Related* in_sub) {
+    const auto has = [&](char letter, int number) { return has_code(words, letter, number); };
+    const std::string start = in_sub != nullptr ? "a sub of the start-up code " : "the start-up code ";
+    const auto found = [&](const std::string& what) -> Finding& {
+      Finding& f = add(line, line.value, start + what);
+      if (in_sub != nullptr) f.related.push_back(*in_sub);
+      return f;
+    };
+    for (const int number : {6, 61, 66}) {
+      if (!has('M', number)) continue;
+      hang(found("changes the tool or waits for an input, `M" + std::to_string(number) +
+                 "`: LinuxCNC waits for ever before it starts"));
+      return true;
+    }
+    if (has('G', 38)) {
+      hang(found("probes: LinuxCNC waits for ever before it starts"));
+      return true;
+    }
+    if (has('M', 99) && in_sub == nullptr) {
+      hang(found("has `M99`: LinuxCNC crashes when it starts"));
+      return true;
+    }
+    for (const int number : {2, 30, 98}) {
+      if (!has('M', number)) continue;
+      Finding& f = found("has `M" + std::to_string(number) + "`: LinuxCNC does not start");
+      f.help = "remove `M" + std::to_string(number) + "`: the line sets modes, such as `G21 G90`";
+      refuses(f, "can't initialize interpreter");
+      return true;
+    }
+    for (int number = 100; number <= 199; ++number) {
+      if (!has('M', number)) continue;
+      Finding& f = found("uses `M" + std::to_string(number) +
+                         "`, which LinuxCNC does not know yet at that time: it does not start");
+      f.help = "run it by a program or a button";
+      refuses(f, "Unknown m code used: M" + std::to_string(number));
+      return true;
+    }
+    return false;
+  }
+
+  static void hang(Finding& f) {
     f.help = "let the line set modes only, such as `G21 G90`";
     f.never_ends = true;
     f.reach = Reach::kAlways;
@@ -266,28 +272,55 @@ class Checker {
   /// LinuxCNC appends the reason to the text.
   void check_abort(const IniLine& line) {
     const std::string code(text_.value(line));
-    const std::vector<Finding> found = findings_in(code + " [1]");
-    const bool calls = small_letters(bare(code)).ends_with("call") || small_letters(bare(code)).ends_with(']');
+    const std::vector<CommandStop> found = runs_.stops(code + " [1]", RunsAt::kAny);
+    const bool calls =
+        small_letters(bare_code(code)).ends_with("call") || small_letters(bare_code(code)).ends_with(']');
     if (found.empty() && calls && code.find(';') == std::string::npos) return;
     Finding& f =
         add(line, line.value,
             "LinuxCNC runs this with the reason behind it, `" + code + " [1]`, and that stops with an error each time");
     f.help = "call a sub, as `O<on_abort> call`, with nothing behind it";
-    if (!found.empty()) f.interpreter = found[0].interpreter;
+    if (found.empty()) return;
+    f.interpreter = found[0].interpreter;
+    f.related = found[0].related;
+    if (!found[0].in_sub) return;
+    f.message += "; " + words_of(found[0]);
+    f.help = found[0].help;
   }
 
-  void check_command(const IniLine& line, Span span, const char* who) {
+  void check_command(const IniLine& line, Span span, const char* who, bool missing_subs = false) {
     const std::string code(text_.slice(line, span));
-    for (const Finding& found : findings_in(code)) {
-      const bool reading =
-          found.code.starts_with("OW3") || std::ranges::find(kOfReading, found.code) != kOfReading.end();
-      if (!reading) continue;
+    for (const CommandStop& found : runs_.stops(code, RunsAt::kAny, missing_subs)) {
+      if (depends_on_others(found)) continue;
       Finding& f = add(line, inside(line, span.begin - line.value.begin, found.span),
-                       std::string(who) + ", and it stops each time: " + found.message);
+                       std::string(who) + ", and it stops each time: " + words_of(found));
       f.help = found.help;
       f.interpreter = found.interpreter;
+      f.related = found.related;
       return;
     }
+  }
+
+  /// Whether another line that operators run may have saved the modes that M72 restores, or set the name that is read.
+  bool depends_on_others(const CommandStop& found) {
+    if (found.in_sub) return false;
+    if (found.code == "OW807")
+      return others().find("M70") != std::string::npos || others().find("M73") != std::string::npos;
+    if (found.code != "OW603") return false;
+    // Named parameter #<foo> not defined
+    const size_t from = found.interpreter.find('#'), to = found.interpreter.find('>');
+    if (from >= to || to == std::string::npos) return false;
+    const std::string name = bare_code(found.interpreter.substr(from, to + 1 - from));
+    return others().find(name + "=") != std::string::npos;
+  }
+
+  /// All that operators run, without comments.
+  const std::string& others() {
+    if (!others_.empty()) return others_;
+    for (const IniLine* line : lines_of(text_, "HALUI")) others_ += bare_code(text_.value(*line)) + "\n";
+    for (const IniLine* line : lines_of(text_, "MDI_COMMAND_LIST"))
+      for (const char c : text_.value(*line)) others_ += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return others_;
   }
 
   /// `G0 X0;G0 Y0,Zero`: lines, and a label.
@@ -297,7 +330,8 @@ class Checker {
     for (size_t at = 0; at < code.size();) {
       const size_t end = std::min(code.find(';', at), code.size());
       if (code.find_first_not_of(" \t", at) < end)
-        check_command(line, {line.value.begin + at, line.value.begin + end}, "a button runs it as an MDI command");
+        check_command(line, {line.value.begin + at, line.value.begin + end}, "a button runs it as an MDI command",
+                      has_all_folders("SUBROUTINE_PATH") && has_all_folders("PROGRAM_PREFIX"));
       at = end + 1;
     }
   }
@@ -305,6 +339,8 @@ class Checker {
   const SetupInput& in_;
   Reporter& out_;
   const IniText& text_;
+  const CommandRuns runs_;
+  std::string others_;  // all that operators run, without comments
 };
 
 void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); }
@@ -322,11 +358,21 @@ extern const Rule kRule{
             .what =
                 R"(A mistake in the lines that LinuxCNC runs from the INI: `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`,
 `MDI_COMMAND` of `[HALUI]` and of `[MDI_COMMAND_LIST]`. A `MACRO` of gmoccapy, touchy or QtVCP whose sub is
+<<<<<<< HEAD
 not found; a file of `NGCGUI_SUBFILE` that ngcgui refuses.)",
             .why = R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and
 `M30`. With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands
 when their time comes, and stop with a message each time. `#` begins no comment there. LinuxCNC
 appends the reason to `ON_ABORT_COMMAND`, such as ` [1]`, so only a call works there.
+=======
+not found, or reads more than the macro asks for. Subs that such a line calls are looked at, too.
+A file of `NGCGUI_SUBFILE` that ngcgui refuses.)",
+            .why =
+                R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and `M30`.
+With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands when their time
+comes, and stop with a message each time. `#` begins no comment there. To `ON_ABORT_COMMAND` LinuxCNC
+appends the reason, as ` [1]`, so that only a call can be there.
+>>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
 
 The first word of a `MACRO` is the name of a sub. gmoccapy looks for the file as it is written,
 LinuxCNC in small letters. ngcgui reads a file in its own way: the file must have one sub, named

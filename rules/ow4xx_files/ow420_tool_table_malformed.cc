@@ -53,7 +53,26 @@ class Checker {
     if (!names_tool(line)) f.weight = Weight::kAside;
   }
 
+  /// A number with a comma: what is behind it does not count.
+  void check_commas(const ToolLine& line) {
+    const std::string_view text = source_->slice(line.row.span);
+    const auto is_digit = [&](size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+    for (size_t at = text.find(','); at != std::string_view::npos; at = text.find(',', at + 1)) {
+      if (at == 0 || !is_digit(at - 1) || !is_digit(at + 1)) continue;
+      const size_t blank = text.find_last_of(' ', at);
+      const size_t begin = blank == std::string_view::npos ? 0 : blank + 1;
+      const size_t end = std::min(text.find_first_of(" \t\r;", at), text.size());
+      const std::string word(text.substr(begin, end - begin)), read(text.substr(begin, at - begin));
+      Finding& f = out_.add(source_, {line.row.span.begin + begin, line.row.span.begin + end},
+                            "the comma ends the number: LinuxCNC reads `" + word + "` as `" + read + "`");
+      f.help = "write a point: `" + read + "." + word.substr(read.size() + 1) + "`";
+      f.fixes.push_back({"write a point", false, {{{line.row.span.begin + at, line.row.span.begin + at + 1}, "."}}});
+      return;
+    }
+  }
+
   void check(const ToolLine& line) {
+    check_commas(line);
     const std::string tool = "tool " + std::to_string(line.row.number);
     if (line.hidden.end > 0) {
       Finding& f = out_.add(
@@ -122,7 +141,7 @@ extern const Rule kRule{
         {
             .what =
                 R"(In the file that `[EMCIO]TOOL_TABLE` names: a line with a word that LinuxCNC does not know, a tab between
-words, a line without `T` or without `P`, two lines for one tool.)",
+words, a number with a comma, a line without `T` or without `P`, two lines for one tool.)",
             .why =
                 R"(LinuxCNC skips a line with an unknown word, and prints a message only on the console. A program that asks
 for this tool does not find it. Only spaces separate words: LinuxCNC reads nothing after a tab, so the tool

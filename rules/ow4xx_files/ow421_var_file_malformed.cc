@@ -94,6 +94,25 @@ void check(const Input& in, Reporter& out) {
   }
 }
 
+/// The word behind a parameter's number.
+Span value_of(const Source& source, const VarRow& row) {
+  const std::string_view bytes = source.bytes();
+  const size_t begin = std::min(bytes.find_first_not_of(" \t", row.span.end), bytes.size());
+  return {begin, std::min(bytes.find_first_of(" \t\r\n", begin), bytes.size())};
+}
+
+/// Where digits, a comma and digits are the value; else 0.
+size_t comma_in_value(const Source& source, const VarRow& row) {
+  const Span value = value_of(source, row);
+  const std::string_view text = source.slice(value);
+  const size_t comma = text.find(',');
+  const auto is_digit = [&](size_t at) { return at < text.size() && text[at] >= '0' && text[at] <= '9'; };
+  const bool number = text.find_first_not_of("+-0123456789.,") == std::string_view::npos;
+  return comma != std::string_view::npos && comma > 0 && number && is_digit(comma - 1) && is_digit(comma + 1)
+      ? value.begin + comma
+      : 0;
+}
+
 void check_setup(const SetupInput& in, Reporter& out) {
   const std::string path = path_of_file(in.setup);
   std::string error;
@@ -117,6 +136,15 @@ void check_setup(const SetupInput& in, Reporter& out) {
     refuses(f, order ? "Parameter file out of order" : "Parameter number out of range");
   }
   for (const VarRow& row : file.rows) {
+    if (const size_t comma = comma_in_value(*source, row); comma != 0) {
+      const Span value = value_of(*source, row);
+      Finding& f = out.add(
+          source, value,
+          "the comma ends the number: LinuxCNC reads `" + std::string(source->slice({value.begin, comma})) + "`");
+      f.help = "write a point: `" + std::string(source->slice({value.begin, comma})) + "." +
+          std::string(source->slice({comma + 1, value.end})) + "`";
+      f.fixes.push_back({"write a point", false, {{{comma, comma + 1}, "."}}});
+    }
     if (!row.fraction) continue;
     Finding& f = out.add(source, row.span,
                          "a number of a parameter with a point: LinuxCNC takes what follows the integer for the value");
@@ -135,9 +163,15 @@ extern const Rule kRule{
     .page =
         {
             .what =
+<<<<<<< HEAD
                 R"(In the file that `PARAMETER_FILE` names: a line whose number is not greater than the one before it,
 is not from 1 to 5601, or has a decimal point. In a program: a parameter from `#31` on that counts
 on from run to run (`#500 = [#500 + 1]`, and nothing else sets it) and that the file does not list.)",
+=======
+                R"(A line of the file that `PARAMETER_FILE` names, whose number is not above the one before it, or not from 1
+to 5601; or whose number has a point, or its value a comma. In a program, a parameter from `#31` on
+that counts on from run to run (`#500 = [#500 + 1]`, and nothing else sets it) and that the file does not list.)",
+>>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
             .why =
                 R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text
 are ignored. The numbers must rise: at the first one that does not, LinuxCNC refuses to start, with

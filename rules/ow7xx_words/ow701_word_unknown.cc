@@ -29,9 +29,11 @@ bool asks_for_machine(const Program& p, StatementId statement) {
 void missing_axis(const Input& in, const FlowStop& stop, char letter, const std::string& word, Finding& f) {
   const std::string axis = capital(letter);
   f.group = "axis " + axis;  // a program for such a machine has it on every line
-  if (in.profile.setup == nullptr) {
+  if (in.profile.setup == nullptr || !in.profile.setup->ini.has_section("TRAJ")) {
     f.message = "`" + word + "` is a word of the " + axis + " axis, which most machines do not have";
-    f.help = "name the machine's INI (`--ini`), so that owlint knows its axes";
+    f.help = in.profile.setup == nullptr
+        ? "name the machine's INI (`--ini`), so that owlint knows its axes"
+        : "name an INI that has `[TRAJ]` with `COORDINATES` (`--ini`), so that owlint knows the machine's axes";
     f.unproven = true;
     return;
   }
@@ -39,8 +41,9 @@ void missing_axis(const Input& in, const FlowStop& stop, char letter, const std:
   f.uncertain = f.unproven && asks_for_machine(in.program, stop.statement);
   const Ini::Entry* axes = in.profile.setup->ini.find("TRAJ", "COORDINATES");
   f.message = "`" + word + "` is a word of the " + axis + " axis, which this machine does not have";
-  f.help = "its axes are " + (axes == nullptr || axes->value.empty() ? std::string("X Y Z") : axes->value) +
-      ", as `COORDINATES` in `[TRAJ]` says";
+  f.help = axes == nullptr || axes->value.empty()
+      ? "its axes are X Y Z, because `[TRAJ]` has no `COORDINATES`"
+      : "its axes are " + axes->value + ", as `COORDINATES` in `[TRAJ]` says";
   if (axes != nullptr && !axes->value.empty()) f.related.push_back({axes->span, "the machine's axes", axes->source});
 }
 

@@ -43,9 +43,23 @@ void user_code(const Input& in, int number, Finding& f) {
     f.unproven = true;
     return;
   }
+<<<<<<< HEAD
   std::vector<std::string> names;
   for (const IniFolder& folder : in.profile.setup->folders) {
     if (folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH") names.push_back("`" + folder.text + "`");
+=======
+  std::string folders;
+  for (const IniFolder* const folder : user_code_folders(*in.profile.setup)) {
+    folders += (folders.empty() ? "`" : ", `") + folder->text + "`";
+    const std::string path = joined_path(folder->path, m_name(number));
+    if (f.unproven || !in.profile.setup->search_path->files().is_folder(path)) continue;
+    f.message = "`" + m_name(number) + "` runs a program of the machine, but " + path +
+        " is a folder: LinuxCNC stops without a message";
+    f.help = "put the program there under this name, and give the folder another one";
+    f.interpreter.clear();
+    f.habit_severity.reset();
+    return;
+>>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
   }
   std::string folders;
   for (size_t i = 0; i < names.size(); ++i) folders += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];

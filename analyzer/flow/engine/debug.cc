@@ -119,7 +119,8 @@ class Watcher final : public Events {
   template <typename Add>
   void add_values(const PersistentMap& map, uint32_t names, const Add& add) const {
     map.for_each([&](uint32_t key, uint32_t value) {
-      const std::string name = key >= names ? "<" + analysis_.program().name(key - names) + ">" : std::to_string(key);
+      const bool named = key >= names && key - names < analysis_.program().syntax.names.size();
+      const std::string name = named ? "<" + analysis_.program().name(key - names) + ">" : std::to_string(key);
       add(fmt::format("#{} {}", name, flow::text_of(value, analysis_.machine().evaluator().values())));
     });
   }

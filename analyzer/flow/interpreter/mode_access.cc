@@ -207,6 +207,21 @@ void ModeAccess::begin_level(Parameters& p) {
   p.locals.set(pool_, saved_key(Mode::kSaved), mode_value(values_, Mode::kSaved, {value_bit(modes::kNotSaved), false}));
 }
 
+void ModeAccess::keep_motion(Parameters& p, const ModeState& state) {
+  if (uses_.follows(Mode::kMotion))
+    p.locals.set(pool_, motion_key(), mode_value(values_, Mode::kMotion, of(state.now, Mode::kMotion)));
+}
+
+ModeValues ModeAccess::kept_motion(const Parameters& p) const {
+  // What is not followed is the same everywhere.
+  if (!uses_.follows(Mode::kMotion)) return {};
+  return mode_values(values_, Mode::kMotion, p.locals.get(motion_key()));
+}
+
+void ModeAccess::drop_motion(Parameters& p) {
+  if (uses_.follows(Mode::kMotion)) p.locals.set(pool_, motion_key(), kUnassigned);
+}
+
 bool ModeAccess::compensates(const Parameters& p) const {
   if (!uses_.follows(Mode::kCompensation)) return false;
   const ModeValues side = mode_values(values_, Mode::kCompensation, p.globals.get(mode_key(Mode::kCompensation)));

@@ -35,14 +35,22 @@ class ModeAccess {
   void learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth);
   /// A call begins: on its level nothing is saved.
   void begin_level(Parameters& p);
+  /// A line with remapped codes is read with the motion in effect; the rest of it behind their subs keeps that.
+  void keep_motion(Parameters& p, const ModeState& state);
+  ModeValues kept_motion(const Parameters& p) const;
+  void drop_motion(Parameters& p);
   /// Whether cutter compensation is surely on.
   bool compensates(const Parameters& p) const;
   /// Whether the modes that M73 has saved come back where the call ends.
   bool restores(const Parameters& p) const;
 
  private:
+<<<<<<< HEAD
   bool has_said(const Parameters& p, Mode mode) const;
   void say(Parameters& p, ModeMask modes);
+=======
+  uint32_t motion_key() const { return saved_keys_ + kPlaceNumber; }
+>>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
   uint32_t saved_key(Mode mode) const { return saved_keys_ + static_cast<uint32_t>(mode); }
 
   const ModeUses& uses_;

@@ -127,7 +127,16 @@ void AbstractMachine::Step::modes() {
     const auto code_of = [&](const Statement* remap) {
       return remap == nullptr ? nullptr : m.remapped_codes_.code_at(m.program_.syntax, *remap, 0);
     };
-    run.act_part({code_of(around.before), code_of(around.next)}, &after, &faults, at, watch);
+    LinePart part{code_of(around.before), code_of(around.next)};
+    if (around.before == nullptr) {
+      m.modes_.keep_motion(state.parameters, after);
+    } else {
+      const ModeValues motion = m.modes_.kept_motion(state.parameters);
+      part.motion = motion.may;
+      part.motion_open = motion.open;
+    }
+    run.act_part(part, &after, &faults, at, watch);
+    if (around.next == nullptr) m.modes_.drop_motion(state.parameters);
   } else {
     if (words.has_remapped_code()) Evaluator::call_outside(state.parameters);
     const std::optional<ContourSub> contour = place ? contour_sub() : std::nullopt;

@@ -95,7 +95,6 @@ void AbstractMachine::Step::pass_words(const RemappedCode& code, Parameters& to,
       m.evaluator_.set_name(to, name, value);
     }
   };
-  // Where these are among the numbers has not been measured.
   if (by_place && code.argspec.find_first_of(">^nN") != std::string_view::npos) return;
   std::string passed;
   for (const char letter : code.argspec) {
@@ -130,7 +129,11 @@ void AbstractMachine::Step::enter_remap(const RemappedCode& code) {
   enter.branch = Branch::kNone;
   enter.parameters.local_outcomes = {};
   enter.parameters.locals = {};
-  for (long n = 1; n <= 30; ++n) m.evaluator_.set_number(enter.parameters, n, kUnknown);
+  // Measured: 0 unless `@` passes them. Where `>`, `^` and `n` are among them has not been measured.
+  const bool by_place = code.argspec.find('@') != std::string::npos;
+  const bool any = by_place && code.argspec.find_first_of(">^nN") != std::string::npos;
+  const ValueId not_passed = any ? kUnknown : m.values_.intern(0.0);
+  for (long n = 1; n <= 30; ++n) m.evaluator_.set_number(enter.parameters, n, not_passed);
   std::vector<ValueId> positional;
   pass_words(code, enter.parameters, &positional);
   long n = 0;

@@ -1,0 +1,194 @@
+// Depends on: HAL files are looked for beside the INI, then in LinuxCNC's library; a module refuses options that it does not have
+// (measured with LinuxCNC without a screen).
+#include "rules/driver/start_files.h"
+
+#include <algorithm>
+#include <span>
+
+#include "analyzer/text/paths.h"
+#include "rules/driver/stops.h"
+
+namespace owlint::rules {
+namespace {
+
+class StartFiles {
+ public:
+  StartFiles(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text) {}
+
+  void run() {
+    if (!is_whole_machine(in_)) return;
+    check_hal_files();
+    check_program("DISPLAY", kDisplays);
+    check_program("TASK", kTasks);
+  }
+
+  /// Whether a HAL file that is here loads what `KINEMATICS` says.
+  bool hal_loads_kinematics() const {
+    for (const IniLine* line : lines_of(text_, "HAL")) {
+      if (text_.name(*line) != "HALFILE" || line->kind != IniLine::Kind::kKey) continue;
+      const std::string_view value = text_.value(*line);
+      const std::string path =
+          normal_path(joined_path(folder_of(in_.setup.path), value.substr(0, value.find_first_of(" \t"))));
+      std::string error;
+      const auto source = in_.library.files().is_file(path) ? in_.library.files().read(path, &error) : nullptr;
+      if (source == nullptr) continue;
+      constexpr std::string_view kValue = "[KINS]KINEMATICS";
+      const std::string_view bytes = source->bytes();
+      for (size_t at = bytes.find(kValue); at != std::string_view::npos; at = bytes.find(kValue, at + 1)) {
+        const size_t feed = bytes.rfind('\n', at);
+        const std::string_view before = bytes.substr(feed == std::string_view::npos ? 0 : feed + 1, at);
+        const size_t first = before.find_first_not_of(" \t");
+        if (first != std::string_view::npos && before.substr(first).starts_with("loadrt")) return true;
+      }
+    }
+    return false;
+  }
+
+  /// A module and its options, each as `name=value`: what else there is the module refuses (measured).
+  void check_module(const IniLine& line) {
+    const size_t comment = comment_in(text_.value(line));
+    const std::string_view value = text_.value(line);
+    std::vector<std::string_view> words;
+    for (size_t at = value.find_first_not_of(" \t"); at < value.size();) {
+      const size_t end = std::min(value.find_first_of(" \t", at), value.size());
+      words.push_back(value.substr(at, end - at));
+      at = value.find_first_not_of(" \t", end);
+    }
+    if (words.empty()) return;
+    const auto bad = std::find_if(words.begin() + 1, words.end(), [](std::string_view word) {
+      return word.find('=') == std::string_view::npos || word.starts_with('=') || word.ends_with('=');
+    });
+    if (bad != words.end()) {
+      const std::string option(bad->substr(0, bad->find('=')));
+      const bool loads = hal_loads_kinematics();
+      Finding& f = add_at(in_, out_, line, line.value,
+                          (comment != std::string_view::npos ? "the comment is a part of the value: " : "") +
+                              ("`" + std::string(words[0]) + "` has no option `" + std::string(*bad) +
+                               (loads ? "`, and LinuxCNC does not start"
+                                      : "`: LinuxCNC does not start if a HAL file "
+                                        "loads `[KINS]KINEMATICS`")));
+      f.help = comment != std::string_view::npos ? "put the comment on a line of its own"
+                                                 : "write options as `name=value`, without spaces around the `=`";
+      if (comment != std::string_view::npos) f.fixes.push_back(comment_above(text_, line, comment));
+      if (loads) refuses_machine(in_, f, "Invalid parameter `" + (option.empty() ? std::string(*bad) : option) + "'");
+      return;
+    }
+    static const std::vector<std::string> kModules{
+        "trivkins",       "5axiskins",    "corexykins", "genhexkins", "genserkins",     "lineardeltakins",
+        "maxkins",        "pentakins",    "pumakins",   "rosekins",   "rotatekins",     "rotarydeltakins",
+        "scarakins",      "scorbot-kins", "tripodkins", "userkins",   "xyzac-trt-kins", "xyzbc-trt-kins",
+        "xyzab_tdr_kins", "gantrykins",   "millturn"};
+    if (std::ranges::find(kModules, words[0]) != kModules.end()) return;
+    const std::string near = nearest(words[0], kModules, 1);
+    if (near.empty()) return;  // a module that somebody has made
+    Finding& f = add_at(in_, out_, line, span_of(line, words[0]),
+                        "LinuxCNC has no kinematics module `" + std::string(words[0]) + "`");
+    f.help = "did you mean `" + near + "`?";
+    f.unproven = true;  // there may be one that is made for the machine
+  }
+
+  Span span_of(const IniLine& line, std::string_view part) const {
+    const uint64_t from = line.value.begin + static_cast<uint64_t>(part.data() - text_.value(line).data());
+    return {from, from + part.size()};
+  }
+
+ private:
+  /// HAL files are beside the INI, or in LinuxCNC's library.
+  void check_hal_files() {
+    static constexpr std::string_view kLibrary[] = {"axis_manualtoolchange.hal",
+                                                    "basic_sim.tcl",
+                                                    "check_config.tcl",
+                                                    "check_xyz_constraints.hal",
+                                                    "core_servo.hal",
+                                                    "core_sim.hal",
+                                                    "core_sim9.hal",
+                                                    "core_stepper.hal",
+                                                    "gantrysim.hal",
+                                                    "hal_procs_lib.tcl",
+                                                    "halcheck.tcl",
+                                                    "hookup_moveoff.tcl",
+                                                    "lathe.hal",
+                                                    "locking_indexer.hal",
+                                                    "moveoff_external.hal",
+                                                    "plasmac.tcl",
+                                                    "qtplasmac_comp.hal",
+                                                    "servo_sim.hal",
+                                                    "sim_ldelta.hal",
+                                                    "sim_lib.tcl",
+                                                    "sim_rdelta.hal",
+                                                    "sim_spindle_encoder.hal",
+                                                    "simulated-gantry-home.hal",
+                                                    "simulated_home.hal",
+                                                    "simulated_limits.hal",
+                                                    "tripodsim.hal",
+                                                    "util_lib.tcl",
+                                                    "var_show.tcl",
+                                                    "wheeljogpins.tcl",
+                                                    "xhc-hb04.tcl"};
+    for (const IniLine* line : lines_of(text_, "HAL")) {
+      if (text_.name(*line) != "HALFILE" || line->kind != IniLine::Kind::kKey || line->continued) continue;
+      const std::string_view value = text_.value(*line);
+      const std::string name(value.substr(0, value.find_first_of(" \t")));
+      if (name.empty() || name.find_first_of("$~:") != std::string::npos || name.starts_with('/') ||
+          name.starts_with("..") || std::ranges::find(kLibrary, name) != std::end(kLibrary))
+        continue;
+      if (in_.library.files().exists(normal_path(joined_path(folder_of(in_.setup.path), name)))) continue;
+      Finding& f =
+          add_at(in_, out_, *line, span_of(*line, value.substr(0, name.size())),
+                 "there is no file `" + name + "` beside this INI, nor in LinuxCNC's library: LinuxCNC does not start");
+      f.help = "put the file there, or correct the name";
+      f.missing = name;
+      refuses_machine(in_, f, "CANNOT FIND FILE FOR:" + name);
+      f.unproven = name.find('/') == std::string::npos;  // another version's library may have it
+    }
+  }
+
+  static constexpr std::string_view kDisplays[] = {
+      "axis",       "gmoccapy",    "gscreen",   "touchy", "qtvcp",    "mini",        "keystick",
+      "tklinuxcnc", "linuxcncrsh", "xlinuxcnc", "dummy",  "halui",    "probe_basic", "qtdragon",
+      "qtplasmac",  "taxis",       "qtaxis",    "gaxis",  "schedrmt", "linuxcnclcd", "axis-remote"};
+  static constexpr std::string_view kTasks[] = {"milltask", "milltask-mk"};
+
+  /// The program of `[DISPLAY]DISPLAY` or `[TASK]TASK`: of a name without a folder only a slip of the pen is seen.
+  void check_program(std::string_view key, std::span<const std::string_view> known) {
+    const IniLine* line = find_line(text_, key, key);
+    if (line == nullptr || line->continued) return;
+    const std::string_view value = text_.value(*line);
+    const std::string name(value.substr(0, value.find_first_of(" \t")));
+    if (name.empty() || name.find_first_of("$~") != std::string::npos || name.starts_with('/') ||
+        name.starts_with(".."))
+      return;
+    const std::string message = "Can't execute " + std::string(key) + " program " + name;
+    if (name.find('/') != std::string::npos) {
+      if (in_.library.files().exists(normal_path(joined_path(folder_of(in_.setup.path), name)))) return;
+      Finding& f = add_at(in_, out_, *line, span_of(*line, value.substr(0, name.size())),
+                          "there is no program `" + name + "`: LinuxCNC does not start");
+      f.help = "put the program there, or correct the name";
+      f.missing = name;
+      refuses_machine(in_, f, message);
+      return;
+    }
+    if (std::ranges::find(known, name) != known.end()) return;
+    const std::string near = nearest(name, {known.begin(), known.end()}, 1);
+    if (near.empty()) return;
+    Finding& f = add_at(in_, out_, *line, span_of(*line, value.substr(0, name.size())),
+                        "LinuxCNC has no program `" + name + "`, and does not start without it");
+    f.help = "did you mean `" + near + "`?";
+    refuses_machine(in_, f, message);
+    f.unproven = true;  // there may be one on the machine
+  }
+
+  const SetupInput& in_;
+  Reporter& out_;
+  const IniText& text_;
+};
+
+}  // namespace
+
+void check_start_files(const SetupInput& in, Reporter& out) { StartFiles(in, out).run(); }
+
+void check_kinematics(const SetupInput& in, Reporter& out, const IniLine& line) {
+  StartFiles(in, out).check_module(line);
+}
+
+}  // namespace owlint::rules
