@@ -55,12 +55,15 @@ const WrittenWord* WordStop::find(char wanted) const {
 std::string shown(const Source& source, Span span) {
   constexpr size_t kMost = 40;
   std::string out;
-  size_t in_comment = 0;
+  bool in_comment = false;
+  bool in_name = false;  // which is shown as the program writes it
   for (const char c : source.slice(span)) {
-    if (c == '(') in_comment = 1;
-    if (in_comment == 0 && c != ' ' && c != '\t' && c != '\r')
-      out += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    if (c == ')') in_comment = 0;
+    if (c == '(') in_comment = true;
+    if (c == '<' && !in_comment) in_name = true;
+    if (!in_comment && c != '\t' && c != '\r' && (c != ' ' || in_name))
+      out += in_name ? c : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (c == ')') in_comment = false;
+    if (c == '>') in_name = false;
   }
   if (out.size() <= kMost) return out;
   size_t cut = kMost - 1;

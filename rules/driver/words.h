@@ -34,7 +34,7 @@ struct WordStop {
 };
 WordStop word_stop(const Input& in, const FlowStop& stop);
 
-/// A part of a line as messages show it: without blanks and comments, in capital letters.
+/// A part of a line as messages show it: without blanks and comments, in capital letters but for the names of parameters.
 std::string shown(const Source& source, Span span);
 std::string capital(char letter);
 
@@ -60,6 +60,14 @@ struct CodeAdvice {
 };
 /// `letter`: `g` or `m`; G codes in tenths.
 CodeAdvice advice_for_code(char letter, int number, Release release);
+
+/// What a refused line was meant to be whose codes LinuxCNC knows as something else: `G4 X2`, `G05.1 Q1`, a further line of a
+/// spline without its `G5`. Nothing for other lines.
+struct Habit {
+  std::string message;
+  std::string help;
+};
+std::optional<Habit> habit_of(const Input& in, StatementId statement);
 
 /// Whether the letter O stands for a zero where a line is refused: `X1O`, `GO X1`. Then `*at` is its byte.
 bool writes_o_for_zero(const Program& program, const Statement& statement, const LineError& error, uint64_t* at);
