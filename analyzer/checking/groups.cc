@@ -26,6 +26,13 @@ size_t common(std::string_view a, std::string_view b) {
   return static_cast<size_t>(differ.in1 - a.begin());
 }
 
+/// What a message begins with, if that is something that a program has written: "`M110`".
+std::string_view subject_of(std::string_view message) {
+  if (!message.starts_with('`')) return {};
+  const size_t close = message.find('`', 1);
+  return close == std::string_view::npos ? std::string_view() : message.substr(0, close + 1);
+}
+
 struct Group {
   size_t report;
   size_t finding;
@@ -33,7 +40,8 @@ struct Group {
   Severity worst;
   std::set<const Source*> files;
   std::vector<Related> others;
-  std::string found_in;  ///< the folder of the file that may be meant; empty: there is none
+  std::vector<std::string> subjects;  ///< of the messages, each once
+  std::string found_in;               ///< the folder of the file that may be meant; empty: there is none
 };
 
 class CommonFaults {
@@ -71,13 +79,18 @@ class CommonFaults {
     const std::shared_ptr<const Source>& source = reports_[report].source;
     const auto [entry, first] =
         groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group},
-                            Group{report, place, 1, f.severity, {}, {}, {}});
+                            Group{report, place, 1, f.severity, {}, {}, {}, {}});
     Group& group = entry->second;
     group.files.insert(source.get());
+    const std::string subject(subject_of(f.message));
+    const bool known = subject.empty() || std::ranges::find(group.subjects, subject) != group.subjects.end();
+    if (!known) group.subjects.push_back(subject);
     if (first) return false;
     ++group.places;
     group.worst = std::max(group.worst, f.severity);
-    if (group.others.size() < kMaxPlaces) group.others.push_back({f.span, "here as well", source});
+    const bool other = !subject.empty() && subject != group.subjects.front();
+    if (group.others.size() < kMaxPlaces)
+      group.others.push_back({f.span, other ? subject + " is here" : "here as well", source});
     return true;
   }
 
@@ -87,6 +100,16 @@ class CommonFaults {
     Finding& f = report.findings[group.finding];
     f.severity = group.worst;
     if (group.places >= kHabit && group.files.size() > 1 && f.habit_severity) f.severity = *f.habit_severity;
+    if (group.subjects.size() > 1) {
+      constexpr size_t kNamed = 2;
+      const size_t named = std::min(group.subjects.size() - 1, kNamed);
+      const size_t more = group.subjects.size() - 1 - named;
+      f.message +=
+          fmt::format("; the same of {}{}",
+                      fmt::join(group.subjects.begin() + 1, group.subjects.begin() + 1 + static_cast<ptrdiff_t>(named),
+                                more == 0 && named == 2 ? " and " : ", "),
+                      more > 0 ? fmt::format(" and {} more", more) : "");
+    }
     if (group.places > 1) {
       f.message += group.files.size() == 1 ? fmt::format(" ({} places)", group.places)
                                            : fmt::format(" ({} places in {} files)", group.places, group.files.size());

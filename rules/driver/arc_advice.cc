@@ -11,6 +11,8 @@ namespace owlint::rules {
 namespace {
 
 constexpr double kInch = 25.4;
+/// A radius that is none, but for how numbers are rounded.
+constexpr double kNothing = 1e-9;
 /// The difference of the radii, as a part of the greater one, up to which the numbers are meant and only not exact.
 constexpr double kNearMiss = 0.1;
 
@@ -80,6 +82,15 @@ std::string letters(const ArcNumbers& arc) {
   return "`" + in_order(capital(arc.first_center), capital(arc.second_center), "` and `") + "`";
 }
 
+/// Whether a center is nearly where the ends are equally far from it. A large radius alone fits any end that is near its start.
+bool near_bisector(const ArcNumbers& arc, Flat center, Flat end) {
+  constexpr double kPart = 0.2;  // of the way from the start to the end
+  const Flat along = minus(end, arc.start);
+  const Flat off = minus(center, times(plus(arc.start, end), 0.5));
+  const double square = along.first * along.first + along.second * along.second;
+  return std::abs(off.first * along.first + off.second * along.second) <= kPart * square;
+}
+
 /// For numbers of another unit.
 std::string of_other_unit(const ArcNumbers& arc) {
   const CenterWords arcs(arc);
@@ -88,11 +99,11 @@ std::string of_other_unit(const ArcNumbers& arc) {
   const Flat end = times(arcs.end_words(), factor);
   const char* const meant = arc.inch ? "millimeters" : "inches";
   const char* const unit = arc.inch ? "inches" : "millimeters";
-  if (arcs.passes(arcs.center_of(center), arc.end)) {
+  if (arcs.passes(arcs.center_of(center), arc.end) && near_bisector(arc, arcs.center_of(center), arc.end)) {
     const std::string text = arcs.center_text(arcs.center_of(center));
     if (!text.empty()) return fmt::format("the center fits if its numbers are {}: in {} it is `{}`", meant, unit, text);
   }
-  if (!arcs.passes(arc.center, arcs.end_of(end))) return {};
+  if (!arcs.passes(arc.center, arcs.end_of(end)) || !near_bisector(arc, arc.center, arcs.end_of(end))) return {};
   const std::string text = arcs.end_text(arcs.end_of(end));
   if (text.empty()) return {};
   return fmt::format("the end fits if its numbers are {}: in {} it is `{}`", meant, unit, text);
@@ -168,7 +179,9 @@ namespace {
 bool names_mode(const Input& in, const FlowStop& stop, Finding& finding) {
   const ArcNumbers& arc = *stop.words.arc;
   const ModeMask decides = stop.words.decided_by;
-  if ((decides & mask_of(Mode::kArcDistance)) != 0) {
+  const Flat written = CenterWords(arc).words_of(arc.center);
+  const Flat other_center = arc.absolute_center ? plus(arc.start, written) : written;
+  if ((decides & mask_of(Mode::kArcDistance)) != 0 && near_bisector(arc, other_center, arc.end)) {
     finding.help = of_other_center_mode(arc);
     const auto setter = setter_of(in, stop, "G90.1 G91.1");
     if (setter && !setter->restores()) relate_setter(in, finding, setter);
@@ -197,6 +210,10 @@ void advise_about_center(const Input& in, const FlowStop& stop, Finding& finding
 void advise_about_zero_radius(const Input& in, const FlowStop& stop, Finding& finding) {
   if (names_mode(in, stop, finding)) return;
   const ArcNumbers& arc = *stop.words.arc;
+  if (std::min(arc.start_radius, arc.end_radius) > kNothing) {
+    finding.help = "write a straight move `G1` to its end, or leave the line out";
+    return;
+  }
   const char* const what =
       arc.absolute_center ? "write the place of the center" : "write how far the center is from the start";
   finding.help = fmt::format("{} as {}", what, letters(arc));

@@ -71,6 +71,14 @@ constexpr std::array kOtherCodes = std::to_array<OtherCode>({
 
 std::string text_of(char letter, int number) { return (letter == 'g' ? g_name(number) : m_name(number)).substr(1); }
 
+/// Codes that make the machine go elsewhere, or forget a stored place: nobody shall try one in the place of another code.
+bool goes_elsewhere(char letter, int number) {
+  constexpr int kG28 = 280, kG28_1 = 281, kG30 = 300, kG30_1 = 301, kM6 = 6;
+  if (letter == 'm') return number == kM6;
+  return number == kG28 || number == kG28_1 || number == kG30 || number == kG30_1;
+}
+
+/// Whether it is a code that may be named in the place of another one.
 bool exists(char letter, std::string_view digits, Release release) {
   if (digits.empty() || digits.front() == '.' || digits.back() == '.') return false;
   if (digits.size() > 1 && (digits.front() == '0' || digits.ends_with(".0"))) return false;
@@ -78,13 +86,28 @@ bool exists(char letter, std::string_view digits, Release release) {
   int number = 0;
   for (const char c : whole) number = number * 10 + (c - '0');
   if (letter == 'm')
-    return digits.find('.') == std::string_view::npos && number < code::kM100 && m_code(number) != nullptr;
+    return digits.find('.') == std::string_view::npos && number < code::kM100 && m_code(number) != nullptr &&
+        !goes_elsewhere(letter, number);
   number *= 10;
   if (whole.size() < digits.size()) {
     if (digits.size() - whole.size() != 2) return false;
     number += digits.back() - '0';
   }
-  return g_code(number, release) != nullptr;
+  return g_code(number, release) != nullptr && !goes_elsewhere(letter, number);
+}
+
+/// For a code whose decimals are missing, `G38`: those that there are. Empty for others.
+std::string with_decimals(int tenths, Release release) {
+  constexpr int kTenths = 10;
+  if (tenths % kTenths != 0) return {};
+  std::vector<std::string> names;
+  for (int number = tenths + 1; number < tenths + kTenths; ++number) {
+    if (g_code(number, release) != nullptr) names.push_back("`" + g_name(number) + "`");
+  }
+  if (names.empty()) return {};
+  const std::string_view between = names.size() > 2 ? " to " : " or ";
+  return "write " + names.front() + (names.size() > 1 ? std::string(between) + names.back() : "") + ": LinuxCNC has `" +
+      g_name(tenths) + "` only with a decimal";
 }
 
 /// Codes that differ by one slip of the fingers, the likeliest kind of slip first.
@@ -125,6 +148,8 @@ CodeAdvice advice_for_code(char letter, int number, Release release) {
   if (other != kOtherCodes.end() && !other->what.empty())
     return {std::string(other->what), std::string(other->instead)};
   CodeAdvice advice;
+  if (letter == 'g') advice.help = with_decimals(number, release);
+  if (!advice.help.empty()) return advice;
   for (const std::string& near : near_codes(letter, text_of(letter, number), release)) {
     advice.help +=
         fmt::format("{}`{}{}`", advice.help.empty() ? "did you mean " : " or ", letter == 'g' ? 'G' : 'M', near);

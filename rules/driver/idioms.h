@@ -42,6 +42,12 @@ struct RefusedLine {
   void propose(Finding& f, std::string title, std::vector<Edit> edits, bool surely_meant) const;
 };
 
+/// Operators that are words. Longer ones come before their beginnings.
+inline constexpr std::string_view kWordOperators[] = {"mod", "and", "xor", "or", "eq", "ne", "gt", "ge", "lt", "le"};
+
+inline constexpr std::string_view kFunctionNames[] = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
+                                                      "fix", "fup",  "ln",   "round", "sin", "sqrt",   "tan"};
+
 /// One idiom: whether the line is written so, and if, words and fix for the finding.
 using Idiom = bool (*)(const RefusedLine& line, Finding& finding);
 
@@ -66,7 +72,6 @@ bool is_other_word(const RefusedLine& line, Finding& f);
 
 // In a character or a value (idioms_values.cc).
 bool has_look_alike(const RefusedLine& line, Finding& f);
-bool computes_without_brackets(const RefusedLine& line, Finding& f);
 bool names_without_brackets(const RefusedLine& line, Finding& f);
 bool names_half_bracketed(const RefusedLine& line, Finding& f);
 bool names_without_number_sign(const RefusedLine& line, Finding& f);
@@ -77,7 +82,15 @@ bool assigns_otherwise(const RefusedLine& line, Finding& f);
 bool has_other_operator(const RefusedLine& line, Finding& f);
 bool has_other_function(const RefusedLine& line, Finding& f);
 
+// In a calculation that is not in brackets, and what looks like one (idioms_calculations.cc).
+bool has_checksum(const RefusedLine& line, Finding& f);
+bool has_slash_inside(const RefusedLine& line, Finding& f);
+bool computes_without_brackets(const RefusedLine& line, Finding& f);
+bool calls_function_in_round(const RefusedLine& line, Finding& f);
+
 // In a comma or a semicolon (idioms_commas.cc).
+/// Whether `1,000` may be a thousand: then no point is put in the place of the comma at `comma`. `*text` says so.
+bool may_be_thousands(const RefusedLine& line, size_t comma, size_t behind, std::string* text);
 bool has_comma(const RefusedLine& line, Finding& f);
 
 // In an assignment (idioms_assignments.cc).

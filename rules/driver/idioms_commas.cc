@@ -7,9 +7,6 @@
 namespace owlint::rules {
 namespace {
 
-constexpr std::string_view kFunctionNames[] = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
-                                               "fix", "fup",  "ln",   "round", "sin", "sqrt",   "tan"};
-
 /// `ATAN[1, 2]`, `ROUND[2.5, 1]`: values with a comma between them in the brackets of a function.
 bool has_two_values(const RefusedLine& line, bool together, Finding& f) {
   const std::string_view text = line.text.text();
@@ -37,7 +34,40 @@ bool has_two_values(const RefusedLine& line, bool together, Finding& f) {
   return true;
 }
 
+/// The digits behind `at`.
+size_t digits_end(const RefusedLine& line, size_t at) {
+  while (is_digit(line.text[at])) ++at;
+  return at;
+}
+
 }  // namespace
+
+bool may_be_thousands(const RefusedLine& line, size_t comma, size_t behind, std::string* text) {
+  constexpr size_t kGroup = 3;
+  size_t from = comma;
+  while (from > 0 && is_digit(line.text[from - 1])) --from;
+  size_t to = digits_end(line, behind);
+  const bool fits = comma - from >= 1 && comma - from <= kGroup && to - behind == kGroup && line.text[from] != '0' &&
+      (from == 0 || line.text[from - 1] != '.');
+  if (!fits) return false;
+  std::string whole = line.written(from, comma) + line.written(behind, to);
+  bool surely = false;  // a second comma, or a point behind it
+  while (line.text[to] == ',' && digits_end(line, to + 1) == to + 1 + kGroup) {
+    whole += line.written(to + 1, to + 1 + kGroup);
+    to += 1 + kGroup;
+    surely = true;
+  }
+  if (line.text[to] == '.') {
+    const size_t end = digits_end(line, to + 1);
+    whole += line.written(to, end);
+    surely = true;
+  }
+  *text = "write `" + whole + "`";
+  if (!surely)
+    *text += " if the comma is for thousands, `" + line.written(from, comma) + "." + line.written(behind, to) +
+        "` if it is a decimal point";
+  return true;
+}
 
 /// `1,5`, `call [1, 2]` and `call [1; 2]`.
 bool has_comma(const RefusedLine& line, Finding& f) {
@@ -54,6 +84,8 @@ bool has_comma(const RefusedLine& line, Finding& f) {
     f.message = "there is a comma between the arguments";
     f.help = "write each argument in its own brackets: `[1] [2]`";
     if (together) f.help += "; write a decimal point as `.`";
+    std::string thousands;
+    if (together && may_be_thousands(line, line.at, line.at + 1, &thousands)) return true;
     line.propose(f, "write each argument in its own brackets", {line.put(line.at, line.at + 1, "] [")}, false);
     return true;
   }
@@ -61,8 +93,11 @@ bool has_comma(const RefusedLine& line, Finding& f) {
   if (!digits) return false;
   size_t from = line.at;
   while (from > 0 && (is_digit(line.text[from - 1]) || line.text[from - 1] == '.')) --from;
-  size_t to = line.at + 1;
-  while (is_digit(line.text[to])) ++to;
+  const size_t to = digits_end(line, line.at + 1);
+  if (may_be_thousands(line, line.at, line.at + 1, &f.help)) {
+    f.message = "`" + line.written(from, to) + "` has a comma, which LinuxCNC does not read";
+    return true;
+  }
   std::string whole = line.written(from, line.at);
   std::erase(whole, '.');  // of thousands
   const std::string number = whole + "." + line.written(line.at + 1, to);

@@ -1,4 +1,4 @@
-// Idioms in values: commas, calculations without brackets, names half written, operators and functions of other languages.
+// Idioms in values: characters that look alike, names half written, operators and functions of other languages.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,15 +11,13 @@
 namespace owlint::rules {
 namespace {
 
-bool continues_name(char c) { return is_small_letter(c) || is_digit(c) || c == '_'; }
+bool continues_name(char c) { return is_small_letter(c) || is_digit(c) || c == '_' || is_foreign(c); }
 
 /// Where the name that begins at `from` ends.
 size_t name_end(const RefusedLine& line, size_t from) {
   while (from < line.end && continues_name(line.text[from])) ++from;
   return from;
 }
-
-constexpr std::string_view kWordOperators[] = {"mod", "and", "or", "xor", "eq", "ne", "gt", "ge", "lt", "le"};
 
 /// Where a name without its `>` ends: at the latest before an operator between blanks.
 size_t open_name_end(const RefusedLine& line, size_t from) {
@@ -40,24 +38,6 @@ std::string name_at(const RefusedLine& line, size_t from) { return line.written(
 
 bool has_name(const RefusedLine& line, std::string_view name) {
   return line.program.syntax.names.find(name) != kNoName;
-}
-
-/// The start of the value before the error: after the last `=`, or after the last word's letter.
-size_t value_start(const RefusedLine& line) {
-  const std::string_view before = line.before();
-  const size_t equal = before.rfind('=');
-  const size_t start = equal == std::string_view::npos ? 0 : equal + 1;
-  size_t depth = 0;
-  for (size_t i = line.at; i-- > start;) {
-    const char c = before[i];
-    if (c == ']' || c == '>') ++depth;
-    if ((c == '[' || c == '<') && depth > 0) --depth;
-    if (depth > 0 || !is_small_letter(c)) continue;
-    const bool alone = i == 0 || !is_small_letter(before[i - 1]);  // else it is a function's last one
-    if (alone) return i + 1;
-    while (i > start && is_small_letter(before[i - 1])) --i;
-  }
-  return start;
 }
 
 /// What to write for the character at `at` that looks like `plain`. LinuxCNC reads neither commas nor quotation marks.
@@ -140,6 +120,11 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
   const std::string instead = readable(line, first, same->plain);
   f.message = look_alike_text(from);
   f.help = instead.empty() ? "remove it" : instead == " " ? "type an ordinary space" : "type `" + instead + "`";
+  std::string thousands;
+  const auto may_be_of_thousands = [&](size_t comma) {
+    return may_be_thousands(line, comma, comma + foreign_run(line.text.text(), comma), &thousands);
+  };
+  if (same->plain == "," && may_be_of_thousands(first)) f.help = thousands;
   // All of them on the line at once, but for its comments and names.
   bool surely_meant = true;
   std::vector<Edit> edits;
@@ -155,6 +140,7 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
     const Character character = character_at(source.slice({at, line.statement.end()}));
     const auto plain = is_foreign(c) ? look_alike(character.code) : std::nullopt;
     if (plain) {
+      if (plain->plain == "," && may_be_of_thousands(i)) return true;
       edits.push_back({{at, at + character.length}, readable(line, i, plain->plain)});
       surely_meant = surely_meant && edits.back().text == plain->plain;
     }
@@ -162,33 +148,6 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
   }
   if (!edits.empty())
     line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), surely_meant);
-  return true;
-}
-
-/// `#1 = #1 + 1`, `X#1+5`.
-bool computes_without_brackets(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable &&
-      line.kind() != StopKind::kWordBefore && line.kind() != StopKind::kExpression)
-    return false;
-  if (line.at == 0 || (line.statement.kind == LineKind::kOWord && !line.statement.refused)) return false;
-  const std::string_view rest = line.rest();
-  const char before = line.text[line.at - 1];
-  const bool behind_value = is_digit(before) || before == '.' || before == '>' || before == ']';
-  const bool sign = rest.size() > 1 && std::string_view("+-*/").find(rest[0]) != std::string_view::npos;
-  const bool word = std::ranges::any_of(kWordOperators, [&](std::string_view w) {
-    return rest.starts_with(w) && rest.size() > w.size() && !is_small_letter(rest[w.size()]);
-  });
-  if (!behind_value || (!sign && !word)) return false;
-  const size_t start = value_start(line);
-  if (start >= line.at) return false;
-  const bool assigns = start > 0 && line.text[start - 1] == '=';
-  const std::string all = line.written(start, line.end);
-  f.message = "a calculation must be in brackets";
-  f.help = "write `[" + all + "]`";
-  line.propose(f, "write brackets around the calculation",
-               {line.put(start, start, "["), line.put(line.end, line.end, "]")}, assigns);
-  const Span behind = line.text.span(start, line.end);
-  f.fixes[0].edits[1].span = {behind.end, behind.end};
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analyzer/machine/predefined.h"
+#include "analyzer/text/characters.h"
 
 namespace owlint::rules {
 
@@ -20,6 +21,38 @@ Span item_span(const Program& program, StatementId statement, uint32_t item) {
   const Statement& s = program.at(statement);
   const Item& place = program.syntax.items_of(s)[item];
   return place.from < place.to ? s.span(place.from, place.to) : s.whole();
+}
+
+namespace {
+
+/// The first place on a line that mentions a parameter: in an `EXISTS` or to read its value, but not to assign it.
+Span mention(const Program& program, StatementId statement, std::string_view parameter, bool asked) {
+  const Statement& s = program.at(statement);
+  if (s.length > kLineLimit) return {};
+  LineText line;
+  if (line.assign(program.source->slice(s.whole()), s.offset) != StopKind::kNone) return {};
+  const std::string_view text = line.text();
+  for (size_t at = 0; at < text.size() && text[at] != ';'; ++at) {
+    if (text[at] == '(') at = std::min(text.find(')', at), text.size() - 1);
+    if (!text.substr(at).starts_with(parameter)) continue;
+    const size_t end = at + parameter.size();
+    const char next = line[end];
+    const bool longer = parameter.back() != '>' && (is_digit(next) || next == '.');
+    if (longer || next == '=' || text.substr(0, at).ends_with("exists[") != asked) continue;
+    return line.span(at, end);
+  }
+  return {};
+}
+
+}  // namespace
+
+Span read_span(const Program& program, StatementId statement, std::string_view parameter) {
+  const Span found = mention(program, statement, parameter, false);
+  return found.end > found.begin ? found : program.at(statement).whole();
+}
+
+Span asked_span(const Program& program, StatementId statement, std::string_view name) {
+  return mention(program, statement, name, true);
 }
 
 std::string region_words(const Program& program, RegionId region) {

@@ -12,6 +12,11 @@ std::string parameter_words(const Program& program, flow::ParameterId parameter)
 std::string returning_sub(const Elsewhere& line, std::string_view otherwise);
 /// The position of an assignment or a word on its line.
 Span item_span(const Program& program, StatementId statement, uint32_t item);
+/// Where a line reads a parameter, `#5` or `#<name>`, a name in small letters and without blanks; the whole line where that is
+/// computed.
+Span read_span(const Program& program, StatementId statement, std::string_view parameter);
+/// Where a line asks whether there is a name, with `EXISTS`; empty if it does not.
+Span asked_span(const Program& program, StatementId statement, std::string_view name);
 /// `o100`, or `the main program`.
 std::string region_words(const Program& program, RegionId region);
 /// A list of arguments by their bits: `#1`, `#1 and #3`, `#1, #2 and #5`; with backticks.

@@ -152,6 +152,7 @@ std::string_view code_of(const FlowStop& stop, const Program& program) {
   // Carriage returns alone as line ends put a whole file on one line: that is the mistake, whatever it leads to.
   if (s.inner_cr && stop.kind < StopKind::kSubNested) return "OW314";
   if (stop.kind == StopKind::kTrailingText && program.source->slice(s.rest_span()).starts_with("]")) return "OW303";
+  if (stop.kind == StopKind::kLineTooLong) return code_of(stop.kind, s);
   if (is_about_foreign(program, stop.further != nullptr ? stop.further : program.syntax.error(s), stop.kind))
     return "OW314";
   if (is_about_number(program, s, stop.kind)) return "OW702";

@@ -34,7 +34,11 @@ struct WordStop {
 };
 WordStop word_stop(const Input& in, const FlowStop& stop);
 
+<<<<<<< HEAD
 /// A part of a line as messages show it: without blanks and comments, in capital letters but for names of parameters.
+=======
+/// A part of a line as messages show it: without blanks and comments, in capital letters but for the names of parameters.
+>>>>>>> 830019b0871ced83d253111f5c1f3610b740cf58
 std::string shown(const Source& source, Span span);
 std::string capital(char letter);
 
@@ -60,6 +64,14 @@ struct CodeAdvice {
 };
 /// `letter`: `g` or `m`; G codes in tenths.
 CodeAdvice advice_for_code(char letter, int number, Release release);
+
+/// What a refused line was meant to be whose codes LinuxCNC knows as something else: `G4 X2`, `G05.1 Q1`, a further line of a
+/// spline without its `G5`. Nothing for other lines.
+struct Habit {
+  std::string message;
+  std::string help;
+};
+std::optional<Habit> habit_of(const Input& in, StatementId statement);
 
 /// Whether the letter O stands for a zero where a line is refused: `X1O`, `GO X1`. Then `*at` is its byte.
 bool writes_o_for_zero(const Program& program, const Statement& statement, const LineError& error, uint64_t* at);

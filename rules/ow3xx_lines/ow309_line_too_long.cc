@@ -1,6 +1,8 @@
 // OW309 line-too-long: a line with more characters than the interpreter's buffer takes.
 // Depends on: 252 characters and a line feed are read, one more is an error; skipped lines and
 // comments count.
+#include <algorithm>
+
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow309 {
@@ -8,8 +10,16 @@ namespace {
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const Statement& s = in.program.at(id);
-  Finding& f = out.add(in.program.syntax.error(s)->span,
-                       "the line has " + std::to_string(s.length) + " characters; LinuxCNC reads at most 252");
+  const Source& source = *in.program.source;
+  Span span = in.program.syntax.error(s)->span;
+  // Not from within a letter that is written with several bytes.
+  const auto begins_inside = [&] { return (static_cast<unsigned char>(source.slice(span)[0]) & 0xC0) == 0x80; };
+  while (span.begin > s.offset && begins_inside()) --span.begin;
+  const bool several = std::ranges::any_of(source.slice(s.whole()), is_foreign);
+  Finding& f = out.add(span,
+                       "the line has " + std::to_string(s.length) +
+                           (several ? " bytes, and letters with accents have several; LinuxCNC reads at most 252"
+                                    : " characters; LinuxCNC reads at most 252"));
   f.help = "split the line, or shorten the comment";
   return &f;
 }

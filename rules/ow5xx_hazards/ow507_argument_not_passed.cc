@@ -25,8 +25,13 @@ void report(const Input& in, Reporter& out, StatementId id, const Reads& reads) 
   Finding& f = out.add(call.head_span(),
                        passes + ", but the sub reads " + argument_words(bits) + (one ? " on " : ", first on ") + where +
                            (one ? ": it is 0 there" : ": they are 0 there"));
-  for (const auto& [n, read] : reads)
-    relate(in, f, place_of(in, read->other, read->other_elsewhere), "`#" + std::to_string(n) + "` is read here");
+  for (const auto& [n, read] : reads) {
+    const Elsewhere place = place_of(in, read->other, read->other_elsewhere);
+    const std::string name = "#" + std::to_string(n);
+    relate(in, f, place, "`" + name + "` is read here");
+    if (place.program != nullptr && place.statement != kNoStatement)
+      f.related.back().span = read_span(*place.program, place.statement, name);
+  }
   f.help = one
       ? "pass a " + ordinal(number) + " argument, or set `#" + std::to_string(number) + "` in the sub before it is read"
       : "pass " + std::to_string(reads.rbegin()->first) + " arguments, or set these in the sub before they are read";

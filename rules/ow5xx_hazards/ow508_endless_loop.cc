@@ -135,6 +135,20 @@ bool is_always_true(const Program& p, StatementId opener) {
   return literal_value(p.syntax.exprs, p.syntax.values_of(p.at(test)).front(), &value) && value != 0;
 }
 
+/// A `repeat` has no condition: something in it begins its passes again.
+void help_repeat(const Input& in, BlockId block, Finding& f) {
+  f.help =
+      "a `repeat` counts its passes by itself: look for what begins them again inside it, or leave it with `break`";
+  if (block == kNoBlock) return;
+  const Block& loop = in.program.blocks[block];
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind != HazardKind::kStaleContinue || h.statement <= loop.opener || h.statement >= loop.end) continue;
+    f.help = fmt::format("`{}` on line {} begins the passes again: skip the rest of the `do` loop with an `if` instead",
+                         in.program.head(h.statement), in.program.at(h.statement).line);
+    return;
+  }
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Hazard& h : in.flow.hazards) {
@@ -168,6 +182,7 @@ void check(const Input& in, Reporter& out) {
     if (block != kNoBlock && p.blocks[block].end != kNoStatement)
       relate(f, p, p.blocks[block].end, "the loop goes back from here");
     f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
+    if (s.is(Keyword::kRepeat)) help_repeat(in, block, f);
     if (const std::optional<Wait> wait = waits_for_equal(p, h.statement)) f.help = past_value(*wait);
     if (is_always_true(p, h.statement))
       f.help =

@@ -220,7 +220,7 @@ void check_unreached(const Input& in, LocalNames& names, Reporter& out) {
     for (const StatementId id : in.data.lines_of(r)) {
       for_names_of(p, p.at(id), [&](NameId name, bool exists) {
         if (!missing(name) || !told.insert(name).second || exists) return;
-        Finding& f = out.add(p.at(id).whole(),
+        Finding& f = out.add(read_span(p, id, "#<" + p.name(name) + ">"),
                              "`#<" + p.name(name) + ">` is read here, but " + region_words(p, r) + " never assigns it");
         f.help = "assign it first, or pass it as an argument";
         names.explain(p.name(name), r, {}, f);
@@ -246,11 +246,10 @@ void check(const Input& in, Reporter& out) {
   std::optional<std::string> documented;
   LocalNames names(in);
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
-    const Statement& line = p.at(s.statement);
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
     Finding& f = out.add(
-        line.whole(),
+        read_span(p, s.statement, "#<" + s.detail + ">"),
         name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
     f.uncertain = some && !s.detail.starts_with("_");  // a list of cases may name all that there are
@@ -285,6 +284,12 @@ void check(const Input& in, Reporter& out) {
       const bool called = s.call != kNoStatement || s.call_elsewhere.program != nullptr;
       names.explain(s.detail, p.region_of[s.statement], called ? place_of(in, s.call, s.call_elsewhere) : Elsewhere{},
                     f);
+    }
+    // `[EXISTS[#<name>] AND [#<name> GT 3]]`.
+    if (const Span asked = asked_span(p, s.statement, "#<" + s.detail + ">"); asked.end > asked.begin) {
+      f.help =
+          "LinuxCNC computes both sides of `AND` and `OR`: ask with `EXISTS` in an `if` of its own, and read the "
+          "name in a second one inside it";
     }
     return &f;
   });

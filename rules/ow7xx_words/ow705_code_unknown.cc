@@ -64,7 +64,14 @@ void user_code(const Input& in, int number, Finding& f) {
   std::string folders;
   for (size_t i = 0; i < names.size(); ++i) folders += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
   if (in.profile.setup->user_code(number) == UserCode::kUnknown) {
+<<<<<<< HEAD
     f.help = "check on the machine that this program is in " + folders;
+=======
+    // All of them are the same question to the machine.
+    f.message = fmt::format("`{}` runs a program of the machine, whose folders are not here", m_name(number));
+    f.group = "codes in " + folders;
+    f.help = "check on the machine that " + folders + " has it";
+>>>>>>> 830019b0871ced83d253111f5c1f3610b740cf58
     f.unproven = f.uncertain = true;
     return;
   }
@@ -72,6 +79,16 @@ void user_code(const Input& in, int number, Finding& f) {
       ? "put an executable file of that name into a folder that `PROGRAM_PREFIX` or `USER_M_PATH` names"
       : "put an executable file of that name into " + folders + ": there LinuxCNC looks for it";
   relate_user_folders(in.profile, f);
+}
+
+/// `M98 2000`: LinuxCNC reads the number of the sub as part of the code, as the blank does not count.
+std::string sub_without_p(const Input& in, const WordStop& at) {
+  std::string_view text = in.program.source->slice(at.span);
+  text.remove_prefix(1);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t0"), text.size()));
+  if (at.letter != 'm' || !text.starts_with("98") || text.size() < 4 || (text[2] != ' ' && text[2] != '\t')) return {};
+  text.remove_prefix(std::min(text.find_first_not_of(" \t", 2), text.size()));
+  return text.find_first_not_of("0123456789") == std::string_view::npos ? std::string(text) : std::string();
 }
 
 void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
@@ -92,6 +109,11 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   }
   if (number >= 0) relate_unread_remap(in.profile, m ? 'm' : 'g', number, f);
   if (!m || number <= kUserLast) return;
+  if (const std::string sub = sub_without_p(in, at); !sub.empty()) {
+    f.message = "`M98` lacks the `P` before the number of its sub: LinuxCNC reads `" + at.word + "`";
+    f.help = "write `M98 P" + sub + "`";
+    return;
+  }
   f.message += in.profile.setup == nullptr ? ", unless the machine's INI remaps it" : ", and the INI does not remap it";
   f.help = number > kRemappedLast ? "M codes end at M199, remapped ones at M999"
       : in.profile.setup == nullptr

@@ -20,14 +20,14 @@ CodeSet takers(char letter, Release release) {
   return codes;
 }
 
-/// `X1E5`: no exponent, but a word.
-bool is_exponent(const WordStop& at) {
-  const auto word = std::ranges::find(at.line, at.span.begin, [](const WrittenWord& w) { return w.span.begin; });
-  return at.letter == 'e' && word != at.line.end() && word != at.line.begin() && std::prev(word)->value &&
-      std::prev(word)->span.end == at.span.begin;
+/// `X1E5`, `#1=1e5`: no exponent, but a word.
+bool is_exponent(const Source& source, const WordStop& at) {
+  if (at.letter != 'e' || at.span.begin == 0) return false;
+  const char before = source.slice({at.span.begin - 1, at.span.begin})[0];
+  return (before >= '0' && before <= '9') || before == '.';
 }
 
-void explain(const WordStop& at, bool of_call, Release release, Finding& f) {
+void explain(const Source& source, const WordStop& at, bool of_call, Release release, Finding& f) {
   const std::string letter = capital(at.letter);
   if (f.interpreter.starts_with("Cannot put a")) {
     f.message = "`" + at.word + "` cannot be used in a drilling cycle" +
@@ -38,7 +38,7 @@ void explain(const WordStop& at, bool of_call, Release release, Finding& f) {
     f.message = "`" + at.word + "` cannot be used in a thread, " +
         (at.other_word.empty() ? "and `G33` or `G33.1` is in effect" : "`" + at.other_word + "`");
     f.help = "remove it: the speed of the spindle and the pitch `K` are the feed";
-  } else if (is_exponent(at)) {
+  } else if (is_exponent(source, at)) {
     f.message = "`" + at.word + "` is a word of its own: numbers have no exponent";
     f.help = "write the number with all its digits";
   } else if (at.letter == 0) {
@@ -61,7 +61,12 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;
     const bool of_call = in.program.at(stop.statement).kind == LineKind::kM98;
-    explain(at, of_call, release_of(in.profile), f);
+    explain(*in.program.source, at, of_call, release_of(in.profile), f);
+    const bool of_code = (at.letter == 'p' || at.letter == 'q') && at.find('g') != nullptr;
+    if (std::optional<Habit> habit = of_code ? habit_of(in, stop.statement) : std::nullopt) {
+      f.message = std::move(habit->message);
+      f.help = std::move(habit->help);
+    }
     relate_word(f, at);
     return &f;
   });

@@ -57,10 +57,12 @@ void explain(const WordStop& at, Finding& f) {
     f.message = "`" + at.word + "` lacks a word that it needs";
     return;
   }
-  const std::string code = on_line ? "`" + at.word + "`"
-      : needed->code[0] == 'G'     ? fmt::format("`{}`", needed->code)
-                                   : std::string(needed->code);
+  const std::string in_table = needed->code[0] == 'G' ? fmt::format("`{}`", needed->code) : std::string(needed->code);
+  const std::string code = on_line ? "`" + at.word + "`" : in_table;
   f.message = fmt::format("{}{} {}", code, on_line ? "" : ", which is in effect,", needed->message);
+  // A computed code: only what it comes to says why.
+  if (on_line && !at.value && needed->code[0] == 'G')
+    f.message = fmt::format("{} is {} here, which {}", code, in_table, needed->message);
   f.help = needed->help;
   if (const WrittenWord* p = at.find('p'); p != nullptr && f.interpreter.starts_with("Dwell"))
     f.help = "`P-1` counts as no `P`: " + f.help;
@@ -99,6 +101,10 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;
     explain(at, f);
+    if (std::optional<Habit> habit = at.letter == 'g' ? habit_of(in, stop.statement) : std::nullopt) {
+      f.message = std::move(habit->message);
+      f.help = std::move(habit->help);
+    }
     if (at.other.end > at.other.begin) {  // the wrong L of a G10
       f.span = at.other;
       f.related.push_back({at.span, "`" + at.word + "` is here", nullptr});

@@ -51,6 +51,12 @@ void check(const Input& in, Reporter& out) {
     explain(at, f);
     const bool of_call = in.program.at(stop.statement).kind == LineKind::kM98;
     if (of_call && f.help.starts_with("write `G0`")) f.help = "write the move on a line of its own, before `M98`";
+    if (at.letter != 0 && stop.interpreter.starts_with("Cannot use axis values without")) {
+      if (std::optional<Habit> habit = habit_of(in, stop.statement)) {
+        f.message = "`" + at.word + "` moves nothing: " + habit->message;
+        f.help = std::move(habit->help);
+      }
+    }
     relate_word(f, at);
     return &f;
   });

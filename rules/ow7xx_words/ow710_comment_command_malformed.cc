@@ -223,7 +223,8 @@ class Checker {
   /// `G0 X1 ; (MSG, …)`.
   void behind_semicolon(size_t at, size_t end) {
     const size_t open = text_.find_first_not_of("; \t", at);
-    if (open >= end || text_[open] != '(') return;
+    // Right behind the `;` it was switched off by hand.
+    if (open >= end || text_[open] != '(' || text_[open - 1] == ';') return;
     const size_t close = text_.substr(0, end).find(')', open);
     if (close == std::string_view::npos) return;
     const Comment comment = comment_at(open, close);

@@ -17,6 +17,7 @@ constexpr std::string_view kArc = "G2 G3 * I J K R";
 constexpr std::string_view kLacksCenter = " word missing in absolute center arc";
 constexpr std::string_view kLacksEnd = " words missing for arc in ";
 constexpr std::string_view kZero = "Zero-radius arc: ";
+constexpr int kLeastDecimals = 5;  // of the least radius
 constexpr std::string_view kSamePoint = "Current point same as end point";
 
 constexpr std::array kSaid = {
@@ -46,8 +47,16 @@ void explain_place(const Input& in, const FlowStop& stop, Finding& f) {
                          center(second));
   } else {
     const bool at_start = arc.start_radius < arc.tolerance.least_radius;
-    f.message = subject(word_stop(in, stop, "G2 G3")) + " has its center at its " + (at_start ? "start" : "end") +
-        ", so it has no radius";
+    const std::string arc_word = subject(word_stop(in, stop, "G2 G3"));
+    const double radius = at_start ? arc.start_radius : arc.end_radius;
+    constexpr double kNothing = 1e-9;
+    if (radius > kNothing) {
+      f.message = fmt::format("{} is too small an arc: its center is {} from its {}, at least {} is needed", arc_word,
+                              length(radius, arc.inch, telling_decimals(radius, 0)), at_start ? "start" : "end",
+                              length(arc.tolerance.least_radius, arc.inch, kLeastDecimals));
+    } else {
+      f.message = arc_word + " has its center at its " + (at_start ? "start" : "end") + ", so it has no radius";
+    }
     advise_about_zero_radius(in, stop, f);
   }
   tell_arc_start(in, stop, f);

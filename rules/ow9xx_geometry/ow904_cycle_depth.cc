@@ -78,6 +78,14 @@ void explain_height(const Input& in, const FlowStop& stop, Finding& f) {
   }
 }
 
+/// A depth that is not Z: the plane was probably forgotten.
+void explain_plane(const Input& in, const FlowStop& stop, const Setter& plane, Finding& f) {
+  const std::string depth = letter_at(stop.interpreter, 0);
+  f.message = fmt::format("{} drills along {} here, as `{}` {} says, and has no `{}`",
+                          subject(word_stop(in, stop, kCycles)), depth, plane.word, where(in, plane), depth);
+  f.help = fmt::format("write `G17` before it, to drill along Z; in `{}`, the depth is `{}`", plane.word, depth);
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
@@ -88,7 +96,9 @@ void check(const Input& in, Reporter& out) {
       f.help = fmt::format(
           "write `{}`; LinuxCNC keeps it from hole to hole, but not for another cycle or after `G80`, `G0` or `G1`",
           letter_at(said, 0));
-      relate_setter(in, f, setter_of(in, stop, "G18 G19 G17"));
+      const std::optional<Setter> plane = setter_of(in, stop, "G18 G19 G17");
+      if (plane && !plane->restores() && said[0] != 'Z') explain_plane(in, stop, *plane, f);
+      relate_setter(in, f, plane);
     } else if (said.find(kBoring) != std::string::npos) {
       f.help = fmt::format(
           "write `{}`: `I` and `J` are the way to the side of the hole, `K` the height to which the bore reaches",

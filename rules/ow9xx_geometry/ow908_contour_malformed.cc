@@ -2,6 +2,8 @@
 // Depends on: G5 and G5.1 need their control points in XY; the points of G5.2 belong to one curve until G5.3; G76 cuts from J to
 // K; G70 to G72.2 read the sub that Q names, and what they make of its lines (geometry/contour.h).
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -89,10 +91,61 @@ void doubt_unit(const Input& in, const FlowStop& stop, Finding& f) {
                        inches ? "inches" : "millimeters", at.word, inches ? "G20" : "G21");
 }
 
+/// An arc in the sub of a contour whose `R` does not reach its end: the interpreter says of it that the contour turns back.
+struct SmallArc {
+  uint32_t line = 0;
+  Span radius;
+  double least = 0;
+};
+std::optional<SmallArc> small_arc(const Input& in, StatementId cycle) {
+  const Program& p = in.program;
+  const Statement& s = p.at(cycle);
+  if (s.kind != LineKind::kContour || s.label == kNoName) return std::nullopt;
+  const auto lines = p.by_label[s.label];
+  const auto sub = std::ranges::find_if(lines, [&](StatementId id) { return p.at(id).opens_sub(); });
+  const auto end = std::ranges::find_if(lines, [&](StatementId id) { return p.at(id).is(Keyword::kEndsub); });
+  if (sub == lines.end() || end == lines.end()) return std::nullopt;
+  // In diameter mode, X counts half: where the program may be in it, only half the way surely is.
+  const auto diameter = [&](const WrittenWord& w) { return w.letter == 'g' && w.value && *w.value == 7; };
+  const Source& source = *p.source;
+  bool halves = false;
+  for (uint32_t line = 1; line < s.line && !halves; ++line)
+    halves = std::ranges::any_of(words_of(source, source.line(line)), diameter);
+  std::optional<double> x, z;
+  for (uint32_t line = p.at(*sub).line + 1; line < p.at(*end).line; ++line) {
+    const std::vector<WrittenWord> words = words_of(source, source.line(line));
+    if (find_word(words, "U W") != nullptr) return std::nullopt;
+    const WrittenWord* const to_x = find_word(words, "X");
+    const WrittenWord* const to_z = find_word(words, "Z");
+    const std::optional<double> from_x = x, from_z = z;
+    if (to_x != nullptr) x = to_x->value;
+    if (to_z != nullptr) z = to_z->value;
+    const WrittenWord* const radius = find_word(words, "R");
+    if (radius == nullptr || find_word(words, "G2 G3") == nullptr || !radius->value || !from_x || !from_z || !x || !z)
+      continue;
+    const double least = std::hypot((*x - *from_x) / (halves ? 2 : 1), *z - *from_z) / 2;
+    constexpr double kRounded = 1e-4;
+    if (std::abs(*radius->value) < least - kRounded) return SmallArc{line, radius->span, least};
+  }
+  return std::nullopt;
+}
+
+void doubt_radius(const Input& in, const FlowStop& stop, Finding& f) {
+  if (!stop.interpreter.ends_with("Not monotonic")) return;
+  const std::optional<SmallArc> arc = small_arc(in, stop.statement);
+  if (!arc) return;
+  const std::string radius = shown(*in.program.source, arc->radius);
+  f.message = fmt::format("`{}` cuts a contour with an arc whose `{}` on line {} does not reach its end",
+                          word_stop(in, stop, kContours).word, radius, arc->line);
+  f.help = fmt::format("correct the radius, which is at least {}, or the end of the arc", number_text(arc->least));
+  f.related.push_back({arc->radius, "the radius is here", nullptr});
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     doubt_unit(in, stop, f);
+    doubt_radius(in, stop, f);
     relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
     note_start(stop, f);
     return &f;

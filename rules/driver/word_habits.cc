@@ -1,0 +1,74 @@
+// Lines that are written as another controller has them, although LinuxCNC knows their codes: what was meant.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "rules/driver/modes.h"
+
+namespace owlint::rules {
+namespace {
+
+constexpr std::string_view kAnyAxis = "*";
+
+std::string of_word(const Source& source, const WrittenWord& word) { return "`" + shown(source, word.span) + "`"; }
+
+/// `G05.1 Q1`, `G5 P10000`, `G08 P1`: nothing but the code and one word.
+std::optional<Habit> look_ahead(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const code = find_word(line, "G5.1 G5 G8");
+  if (code == nullptr || !code->value || find_word(line, kAnyAxis) != nullptr) return std::nullopt;
+  constexpr double kG5 = 5, kG8 = 8, kHighSpeed = 10'000;
+  const WrittenWord* const word = find_word(line, *code->value == kG5 || *code->value == kG8 ? "P" : "Q");
+  if (word == nullptr || !word->value) return std::nullopt;
+  if (std::ranges::any_of(line, [&](const WrittenWord& w) { return &w != code && &w != word && w.letter != 'n'; }))
+    return std::nullopt;
+  const bool switches = *word->value == 0 || *word->value == 1 || *word->value == kHighSpeed;
+  if (!switches) return std::nullopt;
+  const char* const here = *code->value == kG8 ? "makes `X` a radius" : "is a curve, a spline";
+  return Habit{fmt::format("{} with {} is look-ahead on Fanuc; in LinuxCNC `{}` {}", of_word(source, *code),
+                           of_word(source, *word),
+                           *code->value == kG8       ? "G8"
+                               : *code->value == kG5 ? "G5"
+                                                     : "G5.1",
+                           here),
+               "remove the line: LinuxCNC always looks ahead; `G64 P0.01` lets it round corners within a tolerance"};
+}
+
+/// `G4 X2`: the time is X, U or F on other controllers.
+std::optional<Habit> dwell(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const code = find_word(line, "G4");
+  const WrittenWord* const time = find_word(line, "X U F");
+  if (code == nullptr || time == nullptr || find_word(line, "P") != nullptr) return std::nullopt;
+  const std::string value = shown(source, {time->span.begin + 1, time->span.end});
+  return Habit{fmt::format("{} needs the time as `P`", of_word(source, *code)),
+               fmt::format("write `P{}` in place of {}, if these are seconds", value, of_word(source, *time))};
+}
+
+/// The nearest line above with words of places: the code on it that counts for its own line only, if it has one.
+std::optional<Habit> behind_spline(const Input& in, StatementId statement) {
+  constexpr uint32_t kMostLines = 50;
+  const Source& source = *in.program.source;
+  const uint32_t first = in.program.at(statement).line;
+  for (uint32_t line = first - 1; line > 0 && line + kMostLines > first; --line) {
+    const std::vector<WrittenWord> words = words_of(source, source.line(line));
+    if (find_word(words, "X Y Z") == nullptr) continue;
+    const WrittenWord* const code = find_word(words, "G5 G5.1 G6 G6.1");
+    if (code == nullptr) return std::nullopt;
+    const std::string name = shown(source, code->span);
+    return Habit{fmt::format("`{}` on line {} counts for its own line only", name, line),
+                 fmt::format("write `{}` on this line, too", name)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Habit> habit_of(const Input& in, StatementId statement) {
+  const Source& source = *in.program.source;
+  const std::vector<WrittenWord> line = words_of(source, in.program.at(statement).whole());
+  if (std::optional<Habit> found = look_ahead(source, line)) return found;
+  if (std::optional<Habit> found = dwell(source, line)) return found;
+  if (find_word(line, "G") != nullptr) return std::nullopt;
+  return behind_spline(in, statement);
+}
+
+}  // namespace owlint::rules
