@@ -1,6 +1,6 @@
 // `owlint modes`: which modes are in effect before a line of a program, and where they were set.
-#include <algorithm>
 #include <iostream>
+#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,11 +22,13 @@ using flow::values_of;
 
 void print(const Program& program, uint32_t line, const std::vector<ModeThere>& modes) {
   const Source& source = *program.source;
+  const ModeSets start = ModeSets::started();
   std::cout << fmt::format("{}:{}: {}\n", source.path(), line, source.slice(source.line(line)));
   for (const ModeThere& there : modes) {
     if (!is_worth_showing(there)) continue;
     std::string place = places_of(there, program);
-    if (place.empty()) place = there.known ? "as LinuxCNC starts" : "";
+    if (place.empty() && there.known)
+      place = there.may == start[there.mode] ? "as LinuxCNC starts" : "by the start-up code of the INI";
     std::cout << fmt::format("  {:<21}{:<12}", mode_name(there.mode), value_text(there))
               << (place.empty() ? "" : "  " + place) << '\n';
   }
@@ -44,36 +46,27 @@ Json as_json(const std::vector<ModeThere>& modes) {
   return out;
 }
 
-/// Each number once, ascending.
-std::vector<uint32_t> in_order(std::vector<uint32_t> lines) {
-  std::ranges::sort(lines);
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  return lines;
-}
-
-/// The lines behind which a mode may be another one.
-std::vector<uint32_t> lines_of_change(const Program& program) {
-  std::vector<uint32_t> lines;
-  for (const auto* changes : {&program.syntax.first_changes, &program.syntax.mode_changes}) {
-    for (const ModeChange& change : *changes) lines.push_back(change.line);
-  }
+/// By line: whether modes may be other ones behind it because of what it does, not because ways meet there.
+std::vector<bool> lines_of_change(const Program& program) {
+  std::vector<bool> acts(program.syntax.lines + 1, true);
   for (const Statement& s : program.syntax.statements) {
-    if (s.kind == LineKind::kModeLine || s.calls()) lines.push_back(s.line);
+    if (s.kind == LineKind::kOWord && !s.calls()) acts[s.line] = false;
   }
-  return in_order(std::move(lines));
+  acts[0] = false;
+  return acts;
 }
 
 /// Every line that changes modes, with what it changes.
 void print_changes(const Program& program, const ModeMap& map, bool json) {
   Json out = Json::array();
   const Source& source = *program.source;
-  const std::vector<uint32_t> lines = lines_of_change(program);
-  std::vector<uint32_t> with_next = lines;
-  for (const uint32_t line : lines) with_next.push_back(line + 1);
+  const std::vector<bool> acts = lines_of_change(program);
+  std::vector<uint32_t> lines(acts.size());
+  std::iota(lines.begin(), lines.end(), 1);
   bool reached = true;  // the line before
-  for (const flow::ModeStep& step : map.steps(in_order(std::move(with_next)))) {
+  for (const flow::ModeStep& step : map.steps(lines)) {
     const uint32_t line = step.line - 1;
-    if (std::exchange(reached, step.reached) != step.reached || !std::ranges::binary_search(lines, line)) continue;
+    if (std::exchange(reached, step.reached) != step.reached || !acts[line]) continue;
     if (json) {
       out.push_back({{"line", line}, {"changes", as_json(step.changed)}});
       continue;

@@ -38,22 +38,39 @@ bool ModeLine::names_no_spindle(int least) const {
   return spindle < least || spindle >= machine_.spindles;
 }
 
-bool ModeLine::choose_spindle(int least, std::string_view message, uint8_t word) {
-  if (!has('$')) return false;
-  if (has_several_spindles()) {
-    set_open(Mode::kTurning);
-    set_open(Mode::kSpeed);
-  }
+bool ModeLine::refuses_spindle(int least, std::string_view message, uint8_t word) {
   if (!names_no_spindle(least)) return false;
-  const bool too_small = *value('$') < least;
+  const bool too_small = std::trunc(*value('$')) < least;
   if (!machine_.unsure || too_small) return stop(StopKind::kModeConflict, std::string(message), at('$'), word);
   may_stop(StopKind::kModeConflict, std::string(message), at('$'), word, 0, true);
   return false;
 }
 
+Answer ModeLine::is_for_spindle() const {
+  if (!has('$')) return Answer::kYes;
+  const double* const chosen = value('$');
+  if (chosen == nullptr) return machine_.spindles > 1 || machine_.unsure ? Answer::kMaybe : Answer::kYes;
+  const double spindle = std::trunc(*chosen);
+  return spindle == 0 || spindle == -1 ? Answer::kYes : Answer::kNo;
+}
+
+bool ModeLine::choose_spindle(std::string_view message, uint8_t word) {
+  if (refuses_spindle(0, message, word)) return true;
+  if (is_for_spindle() == Answer::kYes) return false;
+  set_open(Mode::kTurning);
+  set_open(Mode::kSpeed);
+  return false;
+}
+
 void ModeLine::set_spindle(Mode mode, uint8_t value) {
+  const Answer own = is_for_spindle();
+  if (own == Answer::kNo) return;
   // What is open may be that of another spindle, which is still the active one.
-  if (!has_several_spindles() || !now().is_open(mode)) set(mode, value);
+  const double* const chosen = this->value('$');
+  const bool all = chosen != nullptr && std::trunc(*chosen) == -1;
+  const bool active = machine_.spindles <= 1 || all || !now().is_open(mode);
+  if (own == Answer::kYes && active) return set(mode, value);
+  set_open(mode, now()[mode] | value_bit(value));
 }
 
 const Tool* ModeLine::tool(int number) const {

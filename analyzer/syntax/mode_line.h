@@ -46,8 +46,6 @@ class ModeLine : public ModeFaults {
   const ContourSub* contour() const { return contour_; }
   void save(modes::Saved by);
   bool since(Release release) const { return machine_.release >= release; }
-  /// Where the machine is not known, a line that chooses one says so.
-  bool has_several_spindles() const { return machine_.spindles > 1 || (machine_.unsure && has('$')); }
 
   bool has(char letter) const { return words_.has(letter); }
   uint8_t at(char letter) const { return words_.find(letter); }
@@ -63,12 +61,15 @@ class ModeLine : public ModeFaults {
   /// The code that moves; kNoWord if the motion mode does.
   uint8_t mover() const { return at(GGroup::kMotion); }
 
-  /// Takes the spindle that `$` names, if it does; `least` is -1 where all may be meant. Several are not told apart: then the
-  /// speed, and whether it turns, are not known any more.
-  bool choose_spindle(int least, std::string_view message, uint8_t word);
-  /// Whether `$` is known to name none.
+  /// Whether `$` is known to name no spindle; `least` is -1 where all may be meant.
   bool names_no_spindle(int least) const;
-  /// The speed, or whether it turns.
+  bool refuses_spindle(int least, std::string_view message, uint8_t word);
+  /// Makes the spindle that `$` names the active one, to which motions look. Only that of `$0` is followed: with another one
+  /// the speed, and whether it turns, are not known any more.
+  bool choose_spindle(std::string_view message, uint8_t word);
+  /// Whether `S`, `M3`, `M4` or `M5` is for the spindle that is followed: without `$`, with `$0`, and with `$-1` for all.
+  Answer is_for_spindle() const;
+  /// The speed of that spindle, or whether it turns.
   void set_spindle(Mode mode, uint8_t value);
   /// Stops if the tool table lacks the number.
   bool lacks_tool(int number, uint8_t word, uint8_t other = kNoWord);

@@ -116,7 +116,11 @@ bool Arc::stops_by_center(bool absolute) {
   const CenterArc arc = arc_by_center(here_.start, center, here_.end, tolerance_);
   const CenterArc other =
       arc_by_center(elsewhere_.start, this->center(elsewhere_.start, absolute), elsewhere_.end, tolerance_);
-  const bool agrees = agree(arc.start_radius, other.start_radius) && agree(arc.end_radius, other.end_radius);
+  const bool same = agree(arc.start_radius, other.start_radius);
+  // With its center at its start it has no radius, wherever it ends.
+  const bool at_start = same && arc.start_radius < tolerance_.least_radius;
+  const bool same_end = agree(arc.end_radius, other.end_radius);
+  const bool agrees = at_start || (same && same_end);
   const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
   if (verdict == Verdict::kPasses) return false;
   ArcNumbers numbers = this->numbers(absolute);
@@ -125,14 +129,16 @@ bool Arc::stops_by_center(bool absolute) {
   numbers.end_radius = arc.end_radius;
   numbers.allowed = arc.allowed;
   const StopKind kind = arc.fault == ArcFault::kZeroRadius ? StopKind::kArcWords : StopKind::kArcRadiiDiffer;
-  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure, absolute), line_.mover(), kNoWord,
+  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure && (same_end || !unknown_), absolute),
+                 line_.mover(), kNoWord,
                  deciding(absolute), numbers);
 }
 
 bool Arc::stops_by_radius(double radius) {
   const RadiusArc arc = arc_by_radius(here_.start, here_.end, radius, tolerance_);
   const RadiusArc other = arc_by_radius(elsewhere_.start, elsewhere_.end, radius, tolerance_);
-  const bool agrees = agree(arc.least_radius, other.least_radius);
+  // A radius of 0 reaches nothing.
+  const bool agrees = radius == 0 || agree(arc.least_radius, other.least_radius);
   const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
   if (verdict == Verdict::kPasses) return false;
   ArcNumbers numbers = this->numbers(false);

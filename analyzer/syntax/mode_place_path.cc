@@ -164,6 +164,30 @@ bool follow_path(ModeLine& line, Motion motion, const Point& end) {
   return stops(line, place.path.line(*to, mover), line.mover());
 }
 
+bool enters_nowhere(ModeLine& line, Motion motion) {
+  constexpr BadMode kToCome{Mode::kEntry, value_bit(modes::kToCome)};
+  constexpr BadMode kNoRadius{Mode::kRadius, value_bit(modes::kNoRadius)};
+  const PathPlane* const plane = plane_of(line);
+  if (plane == nullptr || line.words().has_polar_words() || line.holds({kCompensationOn, kToCome}) != Answer::kYes)
+    return false;
+  for (const Axis axis : {plane->first, plane->second}) {
+    const std::optional<Coordinate> word = axis_word(line, static_cast<size_t>(axis));
+    if (!word) continue;
+    if (line.only(Mode::kDistance) != modes::kG91 || !word->is_known() || word->value != 0) return false;
+  }
+  // A thread stops in any case: without a radius for another reason.
+  if (motion == Motion::kG76 &&
+      line.stop_in({kNoRadius}, StopKind::kCompensation,
+                   "Cannot use G76 threading cycle with cutter radius compensation on", line.mover()))
+    return true;
+  if (line.holds({kCompensationMoves}) != Answer::kYes) return false;
+  line.stop(StopKind::kCompensationEntry,
+            "Length of cutter compensation entry move is not greater than the tool radius", line.mover(), kNoWord,
+            mask_of(Mode::kCompensation) | mask_of(Mode::kRadius) | mask_of(Mode::kEntry));
+  line.faults()->back().by_place = line.place() != nullptr;
+  return true;
+}
+
 bool follow_path_by_arc(ModeLine& line, Motion motion, const Point& end) {
   if (!is_on_path(line)) return false;
   Place& place = *line.place();

@@ -134,6 +134,19 @@ bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place
   return true;
 }
 
+std::optional<bool> ModeRun::loses_rest(const ModeState& before) const {
+  const MCode* const code = line_.code(MGroup::kSpindle);
+  if (code == nullptr || code->number != code::kM72 || line_.has_unknown_code()) return false;
+  ModeState state = before;
+  std::vector<ModeFault> faults;
+  ModeLine line(machine_, line_, &state, &faults, nullptr);
+  if (stops_at(kFirstSteps, line)) return false;
+  const ModeSets saved = state.saved;
+  const Answer something = restore(machine_, saved, line.at(MGroup::kSpindle), line).something;
+  if (something == Answer::kMaybe) return std::nullopt;
+  return something == Answer::kYes;
+}
+
 bool ModeRun::act_part(const LinePart& part, ModeState* state, std::vector<ModeFault>* faults, Place* place,
                        MoveWatch watch) const {
   ModeLine line(machine_, line_, state, faults, place, watch);

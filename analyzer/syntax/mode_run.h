@@ -71,6 +71,8 @@ class ModeRun {
   bool check(ModeState* state, std::vector<ModeFault>* faults) const;
   bool act(ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr, MoveWatch watch = {},
            const ContourSub* contour = nullptr) const;
+  /// Whether M72 restores something, so that what would act behind it is lost; nothing if that is not known.
+  std::optional<bool> loses_rest(const ModeState& before) const;
   /// Like act(), a part of a line with remapped codes, which themselves do nothing here.
   bool act_part(const LinePart& part, ModeState* state, std::vector<ModeFault>* faults, Place* place = nullptr,
                 MoveWatch watch = {}) const;

@@ -84,7 +84,7 @@ modes::Speed size_of_speed(double value) {
 /// M19.
 bool orient(ModeLine& line, uint8_t word) {
   line.set(Mode::kTurning, modes::kStopped);
-  if (line.choose_spindle(0, "Spindle ($) number out of range in M19 Command", word)) return true;
+  if (line.refuses_spindle(0, "Spindle ($) number out of range in M19 Command", word)) return true;
   const double* const wait = line.value('q');
   return wait != nullptr && *wait <= 0 &&
       line.stop(StopKind::kModeConflict, "Q word with M19 requires a value > 0", line.at('q'), word);
@@ -96,7 +96,7 @@ bool spindle_mode(ModeLine& line) {
   const int code = line.code(GGroup::kSpindleMode);
   if (code < 0) return false;
   line.set(Mode::kSpindleMode, code == code::kG96 ? modes::kG96 : modes::kG97);
-  return line.choose_spindle(0, "Invalid spindle ($) number in Spindle Mode command", line.at(GGroup::kSpindleMode));
+  return line.choose_spindle("Invalid spindle ($) number in Spindle Mode command", line.at(GGroup::kSpindleMode));
 }
 
 bool feed_mode(ModeLine& line) {
@@ -104,7 +104,7 @@ bool feed_mode(ModeLine& line) {
   if (code < 0) return false;
   line.set(Mode::kFeedMode, code == code::kG93 ? modes::kG93 : code == code::kG94 ? modes::kG94 : modes::kG95);
   if (code != code::kG93) line.set(Mode::kFeed, modes::kNoFeed);
-  return line.choose_spindle(0, "Invalid spindle ($) number in Spindle Feed command", line.at(GGroup::kFeedMode));
+  return line.choose_spindle("Invalid spindle ($) number in Spindle Feed command", line.at(GGroup::kFeedMode));
 }
 
 bool feed(ModeLine& line) {
@@ -125,13 +125,14 @@ bool feed(ModeLine& line) {
 bool speed(ModeLine& line) {
   if (!line.has('s')) return false;
   const double* const value = line.value('s');
-  if (value == nullptr) {
-    line.set_open(Mode::kSpeed);
-  } else {
+  if (value != nullptr) {
     line.set_spindle(Mode::kSpeed, size_of_speed(*value));
-    line.now().speed_number = line.has_several_spindles() ? ModeSets::kAnyNumber : *value;
+    const bool only_one = line.machine().spindles <= 1 && line.is_for_spindle() == Answer::kYes;
+    if (only_one) line.now().speed_number = *value;
+  } else if (line.is_for_spindle() != Answer::kNo) {
+    line.set_open(Mode::kSpeed);
   }
-  return line.choose_spindle(-1, "Invalid spindle ($) number in Spindle speed command", line.at('s'));
+  return line.refuses_spindle(-1, "Invalid spindle ($) number in Spindle speed command", line.at('s'));
 }
 
 bool spindle(ModeLine& line) {
@@ -139,13 +140,13 @@ bool spindle(ModeLine& line) {
   switch (line.code(MGroup::kSpindle)) {
     case code::kM3:
       line.set_spindle(Mode::kTurning, modes::kClockwise);
-      return line.choose_spindle(-1, "Spindle ($) number out of range in M3 Command", word);
+      return line.refuses_spindle(-1, "Spindle ($) number out of range in M3 Command", word);
     case code::kM4:
       line.set_spindle(Mode::kTurning, modes::kCounterclockwise);
-      return line.choose_spindle(-1, "Spindle ($) number out of range in M4 Command", word);
+      return line.refuses_spindle(-1, "Spindle ($) number out of range in M4 Command", word);
     case code::kM5:
       line.set_spindle(Mode::kTurning, modes::kStopped);
-      return line.choose_spindle(-1, "Spindle ($) number out of range in M5 Command", word);
+      return line.refuses_spindle(-1, "Spindle ($) number out of range in M5 Command", word);
     case code::kM19: return orient(line, word);
     default: return false;
   }

@@ -93,7 +93,7 @@ bool stop_thread(ModeLine& line, StopKind kind, std::string message, uint8_t wor
 bool thread_spindle(ModeLine& line, std::string_view no_spindle, std::string_view not_turning) {
   constexpr BadMode kStopped{Mode::kTurning, value_bit(modes::kStopped)};
   if (line.holds({kNoRadius}) == Answer::kYes) {
-    return line.choose_spindle(0, no_spindle, line.mover()) ||
+    return line.choose_spindle(no_spindle, line.mover()) ||
         line.stop_in({kStopped}, StopKind::kSpindleStopped, not_turning, line.mover());
   }
   return (line.names_no_spindle(0) &&
@@ -141,7 +141,7 @@ bool straight(ModeLine& line, Motion motion) {
   Point end;
   owe_nothing(line);
   if (feed_of(line, motion) || places::end_point(line, &end) || machine_coordinates(line) || compensates_uvw(line) ||
-      places::follow_path(line, motion, end))
+      places::enters_nowhere(line, motion) || places::follow_path(line, motion, end))
     return true;
   places::visit(line, motion == Motion::kG0 ? MoveKind::kRapid : MoveKind::kFeed, end, places::named_axes(line));
   if (motion == Motion::kG1) keep_feed(line);
@@ -178,7 +178,9 @@ bool arc(ModeLine& line, Motion motion) {
 bool thread(ModeLine& line, Motion motion) {
   Point end;
   owe_nothing(line);
-  if (places::end_point(line, &end) || compensates_uvw(line) || places::follow_path(line, motion, end)) return true;
+  if (places::end_point(line, &end) || compensates_uvw(line) || places::enters_nowhere(line, motion) ||
+      places::follow_path(line, motion, end))
+    return true;
   if (motion == Motion::kG33 &&
       thread_spindle(line, "Invalid spindle ($) number in G33 move", "Spindle not turning in G33"))
     return true;

@@ -160,7 +160,7 @@ bool overrides(ModeLine& line) {
   const int code = line.code(MGroup::kOverrides);
   if (code < 0) return false;
   const uint8_t word = line.at(MGroup::kOverrides);
-  if (code == code::kM51 && line.choose_spindle(1, "Invalid spindle ($) number in M51 command", word)) return true;
+  if (code == code::kM51 && line.refuses_spindle(1, "Invalid spindle ($) number in M51 command", word)) return true;
   const Answer on = turns_on(line, code);
   constexpr const char* kEnable = "Cannot enable overrides with cutter radius compensation on";
   constexpr const char* kDisable = "Cannot disable overrides with cutter radius compensation on";

@@ -129,6 +129,11 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
     need(Mode::kDistance, line);
     need(Mode::kSystem, line);
   }
+  constexpr MotionSet kCompensated =
+      set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
+  if (words.has('x')) need(Mode::kDiameter, line);
+  if (contains(kCompensated, motion)) need(Mode::kCompensation, line);
+  if (contains(kCycles, motion)) need(Mode::kRetract, line);
   if (motion == Motion::kG2 || motion == Motion::kG3) need(Mode::kPlane, line);
   if (motion != Motion::kG0) need(Mode::kFeedMode, line);
 }
@@ -137,7 +142,9 @@ void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t la
   if (stopped_) return;
   feeds_ = feeds_ || effect.feeds || effect.alone;
   if (effect.moves) {
-    for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem}) need(mode, before + effect.first_move);
+    for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem, Mode::kCompensation})
+      need(mode, before + effect.first_move);
+    if ((effect.axes & letter_set("x")) != 0) need(Mode::kDiameter, before + effect.first_move);
     if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
     if (effect.first_arc != 0) need(Mode::kPlane, before + effect.first_arc);
   }
@@ -307,7 +314,8 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   }
   asks_ = asks(*words, after, alone);
   const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement, asks_);
-  if (ends_program(statement) && !statement.block_delete) places_.end();
+  // M72 may lose the end.
+  if (ends_program(statement) && !statement.block_delete && !stacks_modes(*words)) places_.end();
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
   if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());

@@ -15,6 +15,17 @@ inline const Statement* mode_line_of(const Syntax& syntax, StatementId line) {
   return asks.kind == LineKind::kModeLine && on_one_line(asks, syntax.statements[line]) ? &asks : nullptr;
 }
 
+/// Whether the line has M72, which loses the rest of it if it restores something: even the end of the program.
+inline bool may_lose_rest(const Syntax& syntax, StatementId line) {
+  constexpr double kM72 = 72;
+  const Statement* const asks = mode_line_of(syntax, line);
+  if (asks == nullptr) return false;
+  for (const ModeWord& word : syntax.words_of(*asks)) {
+    if (word.letter == 'm' && (!word.known || word.value == kM72)) return true;
+  }
+  return false;
+}
+
 /// Whether this question is about a line that begins with M98.
 inline bool asks_about_call(const Syntax& syntax, StatementId question) {
   const Statement& asks = syntax.statements[question];

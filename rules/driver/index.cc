@@ -48,9 +48,10 @@ Index::Index(const Program& program, const FlowResult& flow, const MachineWords&
     }
     const std::string_view code = rules::code_of(stop, program);
     if (stop.set_in != nullptr) {
-      // Lines that stop on some way because of one line that has set a mode are one mistake.
+      // Lines that may stop because of one line that has set a mode are one mistake. What surely stops a run is said of each
+      // line: a run that does not come to the first one stops at the second.
       const auto [first, added] = set_by.try_emplace({code, stop.set_in, stop.set_line}, stop.statement);
-      if (!added) {
+      if (!added && stop.unproven) {
         consequences.emplace(first->second, &stop);
         continue;
       }

@@ -33,6 +33,8 @@ constexpr std::array kMoves = {
     MoveUnder{Mode::kDiameter, modes::kG8, "has a radius as `X`"},
     MoveUnder{Mode::kRetract, modes::kG98, "retracts to where it began"},
     MoveUnder{Mode::kRetract, modes::kG99, "retracts to `R`"},
+    MoveUnder{Mode::kCompensation, modes::kG41, "is beside its path, on the left"},
+    MoveUnder{Mode::kCompensation, modes::kG42, "is beside its path, on the right"},
 };
 
 struct Asking {
@@ -56,6 +58,7 @@ constexpr std::array kAsking = {
     Asking{Mode::kDiameter, "_lathe_radius_mode"},
     Asking{Mode::kRetract, "_retract_old_z"},
     Asking{Mode::kRetract, "_retract_r_plane"},
+    Asking{Mode::kCompensation, "_ccomp"},
 };
 
 }  // namespace
@@ -107,6 +110,10 @@ void relate_mode(const Input& in, Finding& finding, const Hazard& hazard, uint8_
   const Source& source = *hazard.set_in->source;
   // M72 and the end of a sub behind M73 have no such word.
   const bool written = find_word(words_of(source, source.line(hazard.set_line)), code) != nullptr;
+  // G41.1 and G42.1 do what G41 and G42 do.
+  if (hazard.mode == Mode::kCompensation && !written) {
+    return relate_line(in, finding, *hazard.set_in, hazard.set_line, code + ".1 M72", "compensation begins here");
+  }
   relate_line(in, finding, *hazard.set_in, hazard.set_line, code + " M72",
               "`" + code + (written ? "` is set here" : "` comes back here"));
 }

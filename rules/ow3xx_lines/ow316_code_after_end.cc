@@ -3,6 +3,7 @@
 // comes back at that sub's end (measured).
 #include <algorithm>
 
+#include "analyzer/syntax/questions.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow316 {
@@ -61,7 +62,8 @@ void check(const Input& in, Reporter& out) {
        ++id) {
     const Statement& s = p.at(id);
     const bool ends =
-        (s.kind == LineKind::kProgramEnd || (s.kind == LineKind::kPercent && id > 0)) && in.flow.executed[id];
+        ((s.kind == LineKind::kProgramEnd && !may_lose_rest(p.syntax, id)) || (s.kind == LineKind::kPercent && id > 0)) &&
+        in.flow.executed[id];
     if (ends && p.region_of[id] == kMainRegion && p.block_of[id] == kNoBlock) end = id;
     if (in.flow.executed[id] && !ends && id > 0 && p.region_of[id] == kMainRegion) end = kNoStatement;
     if (end == kNoStatement) continue;

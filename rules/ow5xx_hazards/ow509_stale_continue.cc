@@ -1,10 +1,26 @@
 // OW509 stale-continue: a `continue` in a `do` … `while` after which a `break` or a `repeat` can run.
 // Depends on: all loops share one "continuing" flag, and only `endwhile` and `endrepeat` at the end
 // of a skip clear it.
+#include <algorithm>
+
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow509 {
 namespace {
+
+/// Whether the `continue` lies in the loop itself: then each pass may set the flag again.
+bool is_within(const Program& of_loop, StatementId end, const Program& p, StatementId jump) {
+  const BlockId block = of_loop.block_of[end];
+  return &of_loop == &p && block != kNoBlock && of_loop.blocks[block].opener < jump && jump < end;
+}
+
+/// Whether that is known of the loop with this end.
+bool never_ends(const Input& in, const Elsewhere& end) {
+  const BlockId block = end.program->block_of[end.statement];
+  return end.program == &in.program && block != kNoBlock && std::ranges::any_of(in.flow.hazards, [&](const Hazard& h) {
+    return h.kind == HazardKind::kEndlessLoop && h.statement == in.program.blocks[block].opener;
+  });
+}
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
@@ -12,9 +28,11 @@ void check(const Input& in, Reporter& out) {
     if (h.kind != HazardKind::kStaleContinue) continue;
     Elsewhere shown = place_of(in, h.other, h.other_elsewhere);
     if (shown.program == nullptr) shown = {&p, h.statement};
-    const std::string effect = shown.program->at(shown.statement).is(Keyword::kEndrepeat)
-        ? " runs its passes twice"
-        : " goes on after its `break`";
+    const bool repeats = shown.program->at(shown.statement).is(Keyword::kEndrepeat);
+    const std::string effect = !repeats ? " goes on after its `break`"
+        : is_within(*shown.program, shown.statement, p, h.statement) || never_ends(in, shown)
+        ? " begins its passes again, and never ends if they execute it each time"
+        : " runs its passes twice";
     Finding& f = out.add(p.at(h.statement).head_span(),
                          "`" + p.head(h.statement) + "` still has an effect later: the loop that ends on " +
                              line_words(in, shown) + effect);

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "rules/driver/words.h"
+#include "rules/driver/modes.h"
 
 namespace owlint::rules::ow706 {
 namespace {
@@ -91,6 +91,8 @@ void check(const Input& in, Reporter& out) {
     f.interpreter = stop.interpreter;
     explain(in, stop, at, f);
     relate_word(f, at);
+    if (stop.interpreter.ends_with("g53 incremental") && at.other_word.empty())
+      relate_setter(in, f, setter_of(in, stop, "G91", false));
     return &f;
   });
 }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "rules/driver/words.h"
+#include "rules/driver/modes.h"
 
 namespace owlint::rules::ow707 {
 namespace {
@@ -55,6 +55,15 @@ void explain(const Source& source, const WordStop& at, bool of_call, Release rel
   }
 }
 
+/// The line that has begun the cycle or thread that is in effect.
+void relate_motion(const Input& in, const FlowStop& stop, const WordStop& at, Finding& f) {
+  const bool thread = stop.interpreter.starts_with("F word used");
+  if ((!thread && !stop.interpreter.starts_with("Cannot put a")) || !at.other_word.empty()) return;
+  const std::string_view codes = thread ? "G33 G33.1" : "G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89";
+  const std::optional<Setter> setter = setter_of(in, stop, codes, false);
+  if (setter && !setter->restores()) relate_setter(in, f, setter, "is in effect from here on");
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop);
@@ -68,6 +77,7 @@ void check(const Input& in, Reporter& out) {
       f.help = std::move(habit->help);
     }
     relate_word(f, at);
+    relate_motion(in, stop, at, f);
     return &f;
   });
 }

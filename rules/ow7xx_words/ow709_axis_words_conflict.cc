@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "rules/driver/words.h"
+#include "rules/driver/modes.h"
 
 namespace owlint::rules::ow709 {
 namespace {
@@ -43,6 +43,19 @@ void explain(const WordStop& at, Finding& f) {
   }
 }
 
+/// The line that has set the mode which refuses the words.
+void relate_mode(const Input& in, const FlowStop& stop, Finding& f) {
+  std::optional<Setter> setter;
+  std::string_view does = "ends the motion mode here";
+  if (stop.interpreter.starts_with("Cannot use axis values without")) {
+    setter = setter_of(in, stop, "G80", false);
+  } else if (stop.interpreter.find("except in G17") != std::string::npos) {
+    setter = setter_of(in, stop, "G18 G19 G17.1 G18.1 G19.1", false);
+    does = "is set here";
+  }
+  if (setter && !setter->restores()) relate_setter(in, f, setter, does);
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop);
@@ -58,6 +71,7 @@ void check(const Input& in, Reporter& out) {
       }
     }
     relate_word(f, at);
+    relate_mode(in, stop, f);
     return &f;
   });
 }

@@ -19,15 +19,63 @@ constexpr std::array kSaid = {
     Said{"Cannot feed", "G73 G74 G81 G82 G83 G84 G85 G86 G87 G88 G89 *", "drills at feed 0", ""},
 };
 
-/// Whether a line above that of the setter has an `F`: else there was no feed that it could set to 0.
-bool has_feed_above(const Setter& setter) {
-  constexpr uint32_t kMostLines = 1000;
-  const Source& source = *setter.program->source;
-  const uint32_t last = setter.line > kMostLines ? setter.line - kMostLines : 0;
-  for (uint32_t line = setter.line - 1; line > last; --line) {
-    if (find_word(words_of(source, source.line(line)), "F") != nullptr) return true;
+constexpr uint32_t kMostLines = 1000;
+
+/// Whether a line above this one has the word.
+bool has_above(const Source& source, uint32_t below, std::string_view word) {
+  const uint32_t last = below > kMostLines ? below - kMostLines : 0;
+  for (uint32_t line = below - 1; line > last; --line) {
+    if (find_word(words_of(source, source.line(line)), word) != nullptr) return true;
   }
   return last > 0;
+}
+
+/// Whether there may have been a feed that the setter could set to 0: above it, or above the line that stops.
+bool has_feed_above(const Input& in, const Setter& setter, uint32_t stops) {
+  return has_above(*setter.program->source, setter.line, "F") ||
+      ((setter.program != &in.program || stops > setter.line) && has_above(*in.program.source, stops, "F"));
+}
+
+/// `F100`: what it sets is not 0. Of a computed feed that is not known.
+bool is_above_zero(const Setter& setter) {
+  const std::vector<WrittenWord> line = words_of(*setter.program->source, setter.span);
+  const WrittenWord* const word = find_word(line, "F");
+  return word != nullptr && word->value && *word->value > 0;
+}
+
+/// The only block around the line that sets the feed, but not around the one that stops; null if there is none, or more.
+const Block* block_of_setter(const Input& in, const Setter& setter, uint32_t stops) {
+  const Program& p = *setter.program;
+  const auto around = [&](const Block& block, uint32_t line) {
+    return block.end != kNoStatement && p.at(block.opener).line < line && line < p.at(block.end).line;
+  };
+  const Block* only = nullptr;
+  for (const Block& block : p.blocks) {
+    if (!around(block, setter.line) || (setter.program == &in.program && around(block, stops))) continue;
+    if (only != nullptr) return nullptr;
+    only = &block;
+  }
+  return only;
+}
+
+/// A feed is set, but not on this way.
+void explain_other_way(const Input& in, const Setter& setter, uint32_t stops, Finding& f) {
+  f.help = "write `F` and a feed rate on this line or before it";
+  const Program& p = *setter.program;
+  const Block* const block = block_of_setter(in, setter, stops);
+  const bool same_file = setter.program == &in.program;
+  const std::string place = where(in, setter);
+  if (block == nullptr && same_file && has_above(*p.source, setter.line + 1, "G93")) {
+    f.message += fmt::format(": in `G93`, `{}` {} does not set the feed", setter.word, place);
+    f.help = "write `G94` and `F` on this line or before it";
+  } else if (block != nullptr && same_file && p.parts[static_cast<BlockId>(block - p.blocks.data())].empty() &&
+             (block->kind == Keyword::kIf || block->kind == Keyword::kWhile || block->kind == Keyword::kRepeat)) {
+    f.message += fmt::format(": no `F` is set when `{}` on line {} {}", p.head(block->opener), p.at(block->opener).line,
+                             block->kind == Keyword::kRepeat ? "does not repeat" : "is false");
+  } else {
+    f.message += fmt::format(": `{}` {} sets one only on another way here", setter.word, place);
+  }
+  relate_setter(in, f, setter, "is here");
 }
 
 /// Why the feed is 0, and what to do about it.
@@ -40,16 +88,25 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
     f.help = "write `G94` and `F` on this line or before it";
     return;
   }
-  const std::optional<Setter> setter = setter_of(in, stop, "F G94 G95 G20 G21");
-  if (!setter || (setter->word.starts_with("G9") && !has_feed_above(*setter))) {
+  const std::optional<Setter> setter = setter_of(in, stop, "F G93 G94 G95 G20 G21");
+  const bool feed_mode = setter && setter->word.starts_with("G9");
+  if (!setter || (feed_mode && !has_feed_above(in, *setter, s.line))) {
     f.message += ": no `F` has been set on the way here";
     f.help = "write `F` and a feed rate on this line or before it";
     return;
   }
   const std::string place = where(in, *setter);
+  if (feed_mode && find_word(words_of(*setter->program->source, setter->span), "G93") != nullptr) {
+    f.message += fmt::format(": in `{}`, which is set {}, an `F` counts only for the move on its line", setter->word,
+                             place);
+    f.help = "write `G94` and `F` on this line or before it";
+    return relate_setter(in, f, setter);
+  }
   if (setter->restores()) {
     f.message += ": restoring the modes " + place + " has set it to 0";
     f.help = "write `F` again after it: restoring the feed mode sets the feed to 0";
+  } else if (is_above_zero(*setter)) {
+    return explain_other_way(in, *setter, s.line, f);
   } else if (setter->word.starts_with('F')) {
     f.message += fmt::format(": `{}` {} has set it", setter->word, place);
     f.help = "write a feed rate above 0";

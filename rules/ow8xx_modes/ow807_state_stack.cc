@@ -1,6 +1,9 @@
-// OW807 state-stack: M72 without M70 or M73, or modes that cannot be restored.
+// OW807 state-stack: M72 without M70 or M73, modes that cannot be restored, or words that M72 loses.
 // Depends on: what M70 and M73 save belongs to the call in which they run, M71 discards it. To restore it, LinuxCNC runs a line
 // that it makes of what differs; the end of a sub with M73 restores, too.
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "rules/driver/modes.h"
@@ -28,7 +31,39 @@ std::string_view remedy(std::string_view message) {
   return "set these modes back by hand before they are restored";
 }
 
+/// Whether a word acts behind M72: coolant, overrides, the machine's own codes, most G codes, moves and stops.
+bool acts_behind(const WrittenWord& word) {
+  constexpr std::string_view kAxisWords = "xyzabcuvw@^";
+  if (word.letter != 'g' && word.letter != 'm') return kAxisWords.find(word.letter) != std::string_view::npos;
+  if (!word.value) return true;
+  constexpr int kUserFirst = 100;
+  const int number = static_cast<int>(std::lround(*word.value));
+  if (word.letter == 'g') return number < 93 || number > 97;  // feed and spindle modes act before
+  const MCode* const code = m_code(number);
+  if (code == nullptr) return number >= kUserFirst;
+  return code->group == MGroup::kCoolant || code->group == MGroup::kOverrides || code->group == MGroup::kStop;
+}
+
+/// What stands on a line with M72 and acts behind it does nothing where M72 restores something.
+void check_lost(const Input& in, StatementId id, Reporter& out) {
+  const Statement& s = in.program.at(id);
+  const Source& source = *in.program.source;
+  const std::vector<WrittenWord> line = words_of(source, s.whole());
+  if (find_word(line, "M72") == nullptr) return;
+  const auto first = std::ranges::find_if(line, acts_behind);
+  if (first == line.end()) return;
+  const auto last = std::find_if(line.rbegin(), line.rend(), acts_behind);
+  const Span span{first->span.begin, last->span.end};
+  Finding& f = out.add(span, "`" + std::string(source.slice(span)) + "` does nothing where `M72` restores a mode: then LinuxCNC drops " +
+                                 "what acts behind it on its line");
+  f.help = "write it on a line of its own, below `M72`";
+}
+
 void check(const Input& in, Reporter& out) {
+  for (StatementId id = 0; id < in.program.size(); ++id) {
+    const bool runs = in.program.at(id).kind == LineKind::kModeLine && in.flow.executed[id] && !has_stop(in, id);
+    if (runs) check_lost(in, id, out);
+  }
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop, "M72");
     Finding& f = out.add(at.span, "");
@@ -54,23 +89,31 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW807",
     .name = "state-stack",
-    .summary = "`M72` without `M70` or `M73`, or modes that cannot be restored",
+    .summary = "`M72` without `M70` or `M73`, modes that cannot be restored, or words that `M72` loses",
     .group = Group::kModes,
     .level = Severity::kError,
     .page =
         {
             .what =
                 R"(`M72` when no `M70` or `M73` has saved the modes, or when `M71` has discarded them. Also `M72`, or the end
-of a sub with `M73`, when LinuxCNC cannot restore the saved modes.)",
+of a sub with `M73`, when LinuxCNC cannot restore the saved modes. Also a move, an end of the program or another
+word on the line of an `M72` that drops it.)",
             .why =
                 R"(What `M70` and `M73` save belongs to the current call: a sub cannot restore what its caller has saved, and
 what the sub has saved is gone when it ends. LinuxCNC stops with `Cannot restore context from invalid
 stack frame - missing M70/M73?`.
 
+<<<<<<< HEAD
 To restore the modes, LinuxCNC writes the codes for all differences on one line and runs it. If that
 is `G96` without `S`, or a plane while cutter compensation is on, it stops with
 `M7x: restore_settings failed executing: …`. If anything was restored, LinuxCNC ignores the rest of
 the `M72` line without a message. The motion (`G0`, `G1`) is not restored.
+=======
+To restore the modes, LinuxCNC makes a line of codes for all differences and runs it: `G96` without its `S`, or a
+plane while cutter compensation is on, stops with `M7x: restore_settings failed executing: …`. If
+anything was restored, LinuxCNC drops what acts behind `M72` on its line, without a message: coolant, G codes,
+moves, even `M2`. The motion (`G0`, `G1`) is not restored.
+>>>>>>> d45626ab9eb89dd7485181e6698fbde761432206
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -92,9 +135,16 @@ o100 call
 M2
 )",
             .fix =
+<<<<<<< HEAD
                 R"(Save and restore in the same sub. `M73` at the start of a sub saves, and restores by itself at its end.)",
             .level_reason = "Error if a run gets here with nothing saved: the program stops. owlint reports nothing on "
                             "lines that no run reaches.",
+=======
+                R"(Save and restore in the same sub. `M73` at the start of a sub saves, and restores by itself at its end. Write what
+comes after `M72` on a line of its own.)",
+            .level_reason = "Error if a run gets here with nothing saved: the program stops. Warning for words that "
+                            "`M72` drops. Where no run gets, owlint says nothing.",
+>>>>>>> d45626ab9eb89dd7485181e6698fbde761432206
             .interpreter = "Cannot restore context from invalid stack frame - missing M70/M73?",
             .options = "",
         },

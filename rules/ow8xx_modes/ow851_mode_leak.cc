@@ -75,6 +75,11 @@ constexpr std::array kTelling = {
     Telling{"origin", true, mask_of(Mode::kSystem)},
     Telling{"datum", true, mask_of(Mode::kSystem)},
     Telling{"zero", true, mask_of(Mode::kSystem)},
+    Telling{"comp", true, mask_of(Mode::kCompensation)},
+    Telling{"lead", true, mask_of(Mode::kCompensation)},
+    Telling{"entry", true, mask_of(Mode::kCompensation)},
+    Telling{"enter", true, mask_of(Mode::kCompensation)},
+    Telling{"retract", true, mask_of(Mode::kRetract)},
 };
 
 bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
@@ -150,8 +155,9 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A sub changes the distance mode, unit, plane, feed mode or coordinate system, and the caller then moves
-before it sets the mode again: after the call, the same words mean something else than before it.
+                R"(A sub changes the distance mode, unit, plane, feed mode, coordinate system, diameter mode or retract mode, or
+leaves cutter compensation on, and the caller then moves before it sets the mode again: after the call, the same
+words mean something else than before it. A remapped code that runs a sub counts as a call.
 
 A sub whose name says that it sets modes is not reported: `setup`, `metric`, `save_modes`, `set_g91`,
 `on_abort` and the like. Nor does owlint report a change that another call reverses, a change in a file

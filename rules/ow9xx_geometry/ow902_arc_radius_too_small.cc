@@ -17,12 +17,14 @@ constexpr double kNear = 0.1;
 std::string what_is_lacking(const WordStop& at, const ArcNumbers& arc) {
   const int decimals = telling_decimals(std::abs(arc.radius), arc.least_radius);
   std::string radius = subject(at);
+  if (arc.radius == 0) return radius + " is no radius: no arc has it";
   if (!at.value) radius += ", which is " + length(arc.radius, arc.inch, decimals) + ",";
   return fmt::format("{} does not reach the end of the arc: the end is {} away, so the radius must be {} or more",
                      radius, length(2 * arc.least_radius, arc.inch), length(arc.least_radius, arc.inch, decimals));
 }
 
 std::string how_to_reach(const ArcNumbers& arc) {
+  if (arc.radius == 0) return "write the radius of the arc, or its center instead";
   const std::string least = least_radius_word(arc);
   const double radius = std::abs(arc.radius);
   const double other_unit = arc.inch ? radius / kInch : radius * kInch;

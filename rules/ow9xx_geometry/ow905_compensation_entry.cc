@@ -10,7 +10,7 @@ namespace owlint::rules::ow905 {
 namespace {
 
 constexpr std::array kSaid = {
-    Said{"Length of cutter compensation entry", "G0 G1 * @ ^",
+    Said{"Length of cutter compensation entry", "G0 G1 G33 G33.1 G76 * @ ^",
          "is the first move with cutter compensation, but it is not longer than the tool's radius",
          "make the entry move longer than the radius of the tool; move along the tool axis before `G41` or `G42`"},
     Said{"Radius of cutter compensation entry", "G2 G3 *",

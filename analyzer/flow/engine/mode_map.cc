@@ -51,17 +51,10 @@ ModeMap::ModeMap(const Linked& linked, const Profile& profile, const Limits& lim
       analysis_(linked, profile, Detail::kBySize, nullptr, limits, kAllModes),
       collector_(std::make_unique<Collector>(analysis_)) {
   analysis_.run(*collector_);
+  setters_ = std::make_unique<ModeSetters>(analysis_);
 }
 
 ModeMap::~ModeMap() = default;
-
-void ModeMap::add_setters(const Seen& seen, StatementId next, ModeThere* there) const {
-  for (const RecordId record : seen.records) {
-    const ModeSetter setter = last_setter(analysis_, record, next, mask_of(there->mode));
-    const auto same = [&](const ModeSetter& one) { return one.file == setter.file && one.line == setter.line; };
-    if (setter.file != nullptr && std::ranges::none_of(there->set_on, same)) there->set_on.push_back(setter);
-  }
-}
 
 /// Lines without a statement of their own, from `first` on, before `last`.
 void ModeMap::carry_on(uint32_t first, uint32_t last, ModeState* state, std::vector<ModeThere>* modes) const {
@@ -75,12 +68,35 @@ void ModeMap::carry_on(uint32_t first, uint32_t last, ModeState* state, std::vec
     parser.parse(file.source->slice(span), span.begin, &statement);
     if (parser.words() == nullptr || statement.has_error()) continue;
     const ModeState before = *state;
+    state->now.assigned = 0;
     std::vector<ModeFault> faults;
     if (!ModeRun(machine, *parser.words()).run(state, &faults)) *state = before;
     for (ModeThere& there : *modes) {
-      if (state->now[there.mode] != before.now[there.mode]) there.set_on = {{&file, line}};
+      const bool sets = (state->now.assigned & mask_of(there.mode)) != 0;
+      const bool changes = state->now[there.mode] != before.now[there.mode];
+      if (changes || (sets && there.set_on.empty())) there.set_on = {{&file, line}};
     }
   }
+}
+
+/// Whether an M6 puts a tool into the spindle: the `T` on its line, or on the nearest line above it, is not 0.
+bool ModeMap::loads_tool(const ModeSetter& setter) const {
+  constexpr uint32_t kMostLines = 100;
+  const Program& file = *setter.file;
+  const MachineWords& machine = analysis_.machine().machine_words();
+  for (uint32_t line = setter.line; line > 0 && setter.line - line < kMostLines; --line) {
+    Syntax syntax;
+    LineParser parser(syntax, machine);
+    Statement statement;
+    const Span span = file.source->line(line);
+    parser.parse(file.source->slice(span), span.begin, &statement);
+    const WordLine* const words = parser.words();
+    if (words == nullptr) return false;
+    const MCode* const change = words->code(MGroup::kToolChange);
+    if (line == setter.line && (change == nullptr || change->number != code::kM6)) return false;
+    if (const uint8_t t = words->find('t'); t != kNoWord) return (*words)[t].known && (*words)[t].value >= 1;
+  }
+  return false;
 }
 
 /// Goes down the lines of the program, and knows the modes before each that it is asked for.
@@ -117,7 +133,12 @@ class ModeMap::Walk {
     ModeThere there = modes_[static_cast<size_t>(mode)];
     there.may = state_.now[mode];
     there.known = !state_.now.is_open(mode);
-    if (there.set_on.empty() && seen_ != nullptr) map_.add_setters(*seen_, next_, &there);
+    if (there.set_on.empty() && seen_ != nullptr)
+      there.set_on = map_.setters_->of(seen_->records, next_, mask_of(mode));
+    if (mode == Mode::kLoaded && !there.known && there.set_on.size() == 1 && map_.loads_tool(there.set_on.front())) {
+      there.may = value_bit(modes::kSomeTool);
+      there.known = true;
+    }
     return there;
   }
 

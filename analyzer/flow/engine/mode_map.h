@@ -40,12 +40,13 @@ class ModeMap {
   class Walk;
   struct Seen;
 
+  bool loads_tool(const ModeSetter& setter) const;
   void carry_on(uint32_t first, uint32_t last, ModeState* state, std::vector<ModeThere>* modes) const;
-  void add_setters(const Seen& seen, StatementId next, ModeThere* there) const;
 
   const Linked& linked_;
   Iteration analysis_;
   std::unique_ptr<Collector> collector_;
+  std::unique_ptr<ModeSetters> setters_;
 };
 
 }  // namespace owlint::flow

@@ -52,8 +52,9 @@ std::string places_of(const ModeThere& there, const Program& own) {
 std::string value_text(const ModeThere& there) {
   constexpr size_t kFew = 4;
   const std::vector<std::string> values = values_of(there);
-  if (!there.known && values.size() > kFew) return "as before the program";
-  return joined(values, "or") + (there.known ? "" : ", as before the program");
+  const bool inherited = !there.known && there.set_on.empty();
+  if (!there.known && values.size() > kFew) return inherited ? "as before the program" : "not known";
+  return joined(values, "or") + (inherited ? ", as before the program" : "");
 }
 
 bool is_worth_showing(const ModeThere& there) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/syntax/questions.h"
+
 namespace owlint::flow {
 namespace {
 
@@ -53,6 +55,8 @@ void ControlFlow::connect(NodeId id) {
   const Statement& s = program_.at(node.statement);
   if (s.kind == LineKind::kProgramEnd || s.kind == LineKind::kAbort) {
     node.next[0] = kExit;
+    // What M72 restores makes it lose the end.
+    if (may_lose_rest(program_.syntax, node.statement)) node.next[1] = after(id);
     return;
   }
   node.next[0] = after(id);

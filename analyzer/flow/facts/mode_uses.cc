@@ -136,7 +136,8 @@ void ModeUses::find_followed() {
   }
   if (follows_place()) {
     for (const Mode mode : {Mode::kMotion, Mode::kPlane, Mode::kUnits, Mode::kDistance, Mode::kArcDistance,
-                            Mode::kDiameter, Mode::kSystem, Mode::kRetract, Mode::kCompensation, Mode::kRadius}) {
+                            Mode::kDiameter, Mode::kSystem, Mode::kRetract, Mode::kCompensation, Mode::kRadius,
+                            Mode::kEntry}) {
       if (!is_single(reachable_[mode])) followed_ |= mask_of(mode);
     }
   }
@@ -171,6 +172,23 @@ ModeMask ModeUses::changed_at(StatementId id) const {
   if (follows(Mode::kSaved) && (changed & mask_of(Mode::kFeed)) != 0) changed |= ModeMask{1} << kFeedNumber;
   if (follows(Mode::kSaved) && (changed & mask_of(Mode::kSpeed)) != 0) changed |= ModeMask{1} << kSpeedNumber;
   return changed | (goes ? kPlaceBit : 0);
+}
+
+ModeMask ModeUses::set_at(StatementId id) const {
+  const Statement& s = program_.at(id);
+  WordLine words(machine_);
+  if (s.kind != LineKind::kModeLine || !read_words(program_.syntax, s, words)) return 0;
+  const MCode* const code = words.code(MGroup::kSpindle);
+  const bool restores = code != nullptr && code->number == code::kM72;
+  const Statement* const before = remaps_around(program_.syntax, id).before;
+  const RemappedCode* const behind = before == nullptr ? nullptr : code_of_remap(program_.syntax, *before, machine_);
+  const bool python = behind != nullptr && (behind->python_before || behind->python_behind);
+  if (restores || python || words.has_unknown_code()) return followed_;
+  ModeState after{reachable_, reachable_};
+  after.now.assigned = 0;
+  std::vector<ModeFault> faults;
+  run_part(id, words, &after, &faults);
+  return after.now.assigned & followed_;
 }
 
 ModeMask ModeUses::modes_changed_at(const Statement& s, StatementId id) const {

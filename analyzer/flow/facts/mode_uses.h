@@ -33,6 +33,8 @@ class ModeUses {
   bool refuses() const { return refuses_; }
   /// Of these, the ones that a statement, or the lines behind it, may change; kPlaceBit if they may go somewhere.
   ModeMask changed_at(StatementId id) const;
+  /// Of these, the ones that the words of a kModeLine set: not what the lines behind it do.
+  ModeMask set_at(StatementId id) const;
 
  private:
   void find_reachable();

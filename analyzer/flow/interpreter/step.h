@@ -253,6 +253,8 @@ struct AbstractMachine::Step {
   Evaluation line_computes() const;
   bool take_faults(std::span<const ModeFault> faults);
   bool restore_modes();
+  bool can_lose_end() const;
+  void pass_over_end();
   void user_code();
   void machine_check();
   void repeated_word(const LineError& repeated);

@@ -2,6 +2,7 @@
 #include "analyzer/flow/interpreter/step.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/questions.h"
+#include "analyzer/syntax/remaps.h"
 
 namespace owlint::flow {
 
@@ -115,6 +116,7 @@ void AbstractMachine::Step::modes() {
     if (line_computes().read_only != kNoName) return next_line();
     faults.clear();
   }
+  const std::optional<bool> loses_end = can_lose_end() ? run.loses_rest(after) : false;
   std::optional<Place> place;
   MoveWatch watch;
   if (goes) {
@@ -146,7 +148,27 @@ void AbstractMachine::Step::modes() {
   if (!take_faults(faults)) return;
   if (!s.for_place) m.modes_.set(state.parameters, after);
   if (place) m.modes_.set_place(state.parameters, *place);
-  next_line();
+  if (!loses_end) state.mixed = true;
+  if (loses_end.value_or(true)) pass_over_end();
+  if (!loses_end.value_or(false)) next_line();
+}
+
+/// Whether the program ends on the line of this question.
+bool AbstractMachine::Step::can_lose_end() const {
+  const StatementId next = here + 1;
+  if (context.contour || next >= m.program_.size()) return false;
+  const Statement& line = m.program_.at(next);
+  return on_one_line(line, s) && ends_program(line) && line.item_count == 0;
+}
+
+/// What M72 has restored makes it lose the end of the program.
+void AbstractMachine::Step::pass_over_end() {
+  State next = state;
+  next.position = here + 2;
+  next.branch = Branch::kNone;
+  next.looped = false;
+  if (next.defining == kNoName && !next.seek) m.leave_modes(next, here + 1);
+  out.successor(std::move(next));
 }
 
 /// Whether the words of a line that calls stop every run. Nothing of them is carried out.

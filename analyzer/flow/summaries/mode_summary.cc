@@ -39,6 +39,8 @@ class Builder {
 
  private:
   void need(const ModeNeed& need) {
+    // Every move depends on these, and hardly any sub means one of them.
+    if (need.mode == Mode::kDiameter || need.mode == Mode::kRetract || need.mode == Mode::kCompensation) return;
     if (!set_.contains(need.mode)) needs_.try_emplace(need.mode, need.line);
   }
   void set(Mode mode, uint8_t value, bool always) {

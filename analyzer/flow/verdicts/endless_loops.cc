@@ -58,6 +58,27 @@ void EndlessLoops::add(StatementId loop, bool is_left) {
   hazards_.add(std::move(hazard));
 }
 
+/// Whether the second of two loops on one way round runs within the first: of one sub the first one does, else what calls the
+/// other's sub.
+bool EndlessLoops::is_around(StatementId loop, StatementId inner) const {
+  const RegionId outer_sub = program_.region_of[loop], inner_sub = program_.region_of[inner];
+  if (outer_sub == inner_sub) return loop < inner;
+  std::vector<bool> seen(program_.regions.size());
+  std::vector<RegionId> todo{outer_sub};
+  seen[outer_sub] = true;
+  while (!todo.empty()) {
+    const RegionId caller = todo.back();
+    todo.pop_back();
+    for (const Call& call : program_.calls) {
+      if (call.caller != caller || call.target == kNoRegion || seen[call.target]) continue;
+      if (call.target == inner_sub) return true;
+      seen[call.target] = true;
+      todo.push_back(call.target);
+    }
+  }
+  return false;
+}
+
 /// By statement: how many before it some run passes, executing them, that comes to an end.
 std::vector<uint32_t> EndlessLoops::passed_well() const {
   std::vector<uint32_t> out(program_.size() + 1);
@@ -99,7 +120,9 @@ void EndlessLoops::find_closed() {
     trace_.for_edges([&](RecordId from, RecordId to) {
       if (!hanging[from] || round[from] == 0 || round[from] != round[to] || !goes_back(from, to) || removed(from, to))
         return;
-      outermost[round[from]] = std::min(outermost[round[from]], trace_.at(to).statement);
+      StatementId& loop = outermost[round[from]];
+      const StatementId other = trace_.at(to).statement;
+      if (loop == kNoStatement || is_around(other, loop)) loop = other;
     });
     bool grew = false;
     for (const StatementId loop : outermost) {

@@ -32,6 +32,7 @@ class EndlessLoops {
   void find_closed();
   void find_stuck();
   void add(StatementId loop, bool is_left);
+  bool is_around(StatementId loop, StatementId inner) const;
   std::vector<uint32_t> passed_well() const;
 
   const Iteration& analysis_;

@@ -7,7 +7,8 @@ namespace owlint::flow {
 namespace {
 
 // Of these a sub that does not put them back is a mistake more often than not.
-constexpr Mode kLeaking[] = {Mode::kUnits, Mode::kPlane, Mode::kDistance, Mode::kFeedMode, Mode::kSystem};
+constexpr Mode kLeaking[] = {Mode::kUnits,  Mode::kPlane,    Mode::kDistance, Mode::kFeedMode,
+                             Mode::kSystem, Mode::kDiameter, Mode::kRetract,  Mode::kCompensation};
 
 bool matters_by_path(Mode mode) { return mode == Mode::kUnits || mode == Mode::kDistance || mode == Mode::kPlane; }
 
@@ -40,6 +41,8 @@ void ModeHazards::came_back(const State& caller, const State& back) {
     const bool known =
         !before.open && !behind.open && is_single(before.may) && is_single(behind.may);
     if (!known || before.may == behind.may) continue;
+    // A sub that ends compensation does what it is for.
+    if (mode == Mode::kCompensation && behind.may == value_bit(modes::kG40)) continue;
     leaks_.try_emplace({caller.position, mode},
                        Leak{static_cast<uint8_t>(std::countr_zero(before.may)),
                             static_cast<uint8_t>(std::countr_zero(behind.may)), back.record});
@@ -57,7 +60,7 @@ const ModeNeed* ModeHazards::needed_in(RegionId region, StatementId from, Mode m
     const Statement& s = program_.at(id);
     if (s.kind == LineKind::kFileEnd || s.kind == LineKind::kProgramEnd) return nullptr;
     if (id != from && leaks_.contains({id, mode})) return nullptr;  // which may put it right
-    if (s.kind == LineKind::kModeLine && (uses.changed_at(id) & mask_of(mode)) != 0) return nullptr;
+    if (s.kind == LineKind::kModeLine && (uses.set_at(id) & mask_of(mode)) != 0) return nullptr;
     if (id != from && s.calls() && depth > 0) {
       const auto call = std::ranges::lower_bound(program_.calls, id, {}, &Call::statement);
       const bool known = call != program_.calls.end() && call->statement == id && call->target != kNoRegion;
@@ -88,7 +91,8 @@ bool ModeHazards::sets_before(StatementId call, Mode mode) const {
   const auto sets = [mode](const ModeChange& change) { return change.mode == mode; };
   if (region == kMainRegion && std::ranges::any_of(program_.syntax.first_changes, sets)) return true;
   for (StatementId id = call; id-- > 0 && (region == kMainRegion || program_.region_of[id] == region);) {
-    if (program_.region_of[id] == region && (uses.changed_at(id) & mask_of(mode)) != 0) return true;
+    if (program_.region_of[id] != region) continue;
+    if ((uses.set_at(id) & mask_of(mode)) != 0 || std::ranges::any_of(program_.syntax.changes_after(id), sets)) return true;
   }
   return false;
 }
