@@ -130,7 +130,7 @@ void AbstractMachine::Step::modes() {
     run.act_part({code_of(around.before), code_of(around.next)}, &after, &faults, at, watch);
   } else {
     if (words.has_remapped_code()) Evaluator::call_outside(state.parameters);
-    const std::optional<ContourSub> contour = place ? contour_sub() : std::nullopt;
+    const std::optional<ContourSub> contour = contour_sub();
     run.act(&after, &faults, at, watch, contour ? &*contour : nullptr);
   }
   if (s.for_place) std::erase_if(faults, [](const ModeFault& fault) { return !fault.by_place; });
