@@ -94,18 +94,23 @@ ContourOutcome ContourShape::prepare(const ContourWords& words) {
   if (const ContourOutcome made = make_corners(); !goes_on(made)) return made;
   std::erase_if(segments_, is_tiny);
   if (segments_.empty()) return kCrash;
-  ContourSegment& first = segments_.front();
-  if (first.end.real() > first.start.real()) first.start.real(first.end.real());
+  move_start();
   return all_monotonic(segments_) ? ContourOutcome{} : stopped(kNotMonotonic);
 }
 
-/// Whether what is finished goes towards smaller Z.
+/// Whether what is finished goes towards smaller Z. Only once it is turned its start may be moved for that (measured).
 bool ContourShape::passes_without_first() const {
-  if (segments_.size() < 2) return true;
   ContourShape rest = *this;
   rest.segments_.erase(rest.segments_.begin());
   rest.mirror();
+  if (turned_) rest.move_start();
   return all_monotonic(rest.segments_);
+}
+
+/// The start is never to the left of where the first segment ends.
+void ContourShape::move_start() {
+  ContourSegment& first = segments_.front();
+  if (first.end.real() > first.start.real()) first.start.real(first.end.real());
 }
 
 ContourOutcome ContourShape::make_corners() {

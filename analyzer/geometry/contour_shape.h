@@ -33,6 +33,7 @@ class ContourShape {
   void turn();
   void mirror();
   bool passes_without_first() const;
+  void move_start();
   ContourOutcome make_corners();
   ContourOutcome make_corner(size_t at);
   ContourOutcome shift_step(double by);

@@ -39,6 +39,11 @@ void ContourSub::add_blank_line() {
   ends.push_back(words.size());
 }
 
+Motion ContourSub::motion() const {
+  const int code = motion_code(words);
+  return code < 0 ? Motion::kG0 : g_code(code, Release::k2_10)->motion;
+}
+
 const char* ContourReader::read(const ContourSub& sub) {
   size_t begin = 0;
   for (const size_t end : sub.ends) {

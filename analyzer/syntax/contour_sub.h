@@ -24,6 +24,8 @@ struct ContourSub {
 
   /// A line without anything: the interpreter reads the one before it again (measured). One with a comment does nothing.
   void add_blank_line();
+  /// The motion mode behind it, if nothing is cut: the last code of its lines, else that of the rapid move to the start.
+  Motion motion() const;
 };
 
 /// Modes of the line that cuts the contour.

@@ -140,8 +140,9 @@ bool move(ModeLine& line, Motion motion) {
   return contains(kContours, motion) && steps::contour(line, motion);
 }
 
-/// The motion mode behind the line.
+/// The motion mode behind the line; a contour has set it itself.
 void leave(ModeLine& line) {
+  if (cuts_contour(line.words())) return;
   const MotionSet before = line.now()[Mode::kMotion];
   const MotionSet after = line.words().after(before) & all_modes();
   const GCode* const own = line.words().code(GGroup::kMotion);

@@ -31,16 +31,24 @@ std::optional<ContourWords> contour_words(const ModeLine& line, Motion motion) {
 /// Makes the moves, from a point on.
 class Cutting : public ContourMoves {
  public:
-  Cutting(ModeLine& line, PlanePoint at) : line_(line), at_(at), inch_(line.only(Mode::kUnits) == modes::kG20) {}
+  /// `feeds`: whether the moves are asked for their feed, of which the line tells.
+  Cutting(ModeLine& line, PlanePoint at, bool feeds)
+      : line_(line), at_(at), inch_(line.only(Mode::kUnits) == modes::kG20), fed_(!feeds) {}
 
   bool move(const ContourMove& move) override {
     using Kind = ContourMove::Kind;
     if (move.kind != Kind::kRapid && !feeds(move.kind == Kind::kFeed ? Motion::kG1 : Motion::kG2)) return false;
     if ((move.kind == Kind::kClockwise || move.kind == Kind::kCounterclockwise) && !fits(move)) return false;
     at_ = move.end;
+    last_ = move.kind;
     return true;
   }
   PlanePoint at() const { return at_; }
+  /// The motion mode behind the moves.
+  Motion motion() const {
+    constexpr Motion kOfKind[] = {Motion::kG0, Motion::kG1, Motion::kG2, Motion::kG3};
+    return kOfKind[static_cast<size_t>(last_)];
+  }
   /// Whether an arc has been refused, and its message.
   const std::optional<std::string>& refused() const { return refused_; }
 
@@ -69,9 +77,35 @@ class Cutting : public ContourMoves {
   ModeLine& line_;
   PlanePoint at_;
   bool inch_;
-  bool fed_ = false;
+  bool fed_;
+  ContourMove::Kind last_ = ContourMove::Kind::kRapid;
   std::optional<std::string> refused_;
 };
+
+/// What becomes of a contour that begins at one point.
+struct Cut {
+  ContourOutcome outcome;
+  std::string message;  ///< the interpreter's, if it stops for the contour
+  PlanePoint at;        ///< the end, if it comes to it
+  Motion motion;        ///< the mode behind it
+};
+
+Cut cut_from(ModeLine& line, const ContourModes& modes, const ContourWords& words, PlanePoint start, bool feeds) {
+  ContourReader reader(modes, start);
+  if (const char* const message = reader.read(*line.contour())) return {{ContourEnd::kStops}, message, start, {}};
+  Cutting moves(line, start, feeds);
+  const ContourOutcome outcome = cut_contour(reader.elements(), words, moves);
+  Cut cut{outcome, {}, moves.at(), moves.motion()};
+  if (cut.outcome.message != nullptr) cut.message = cut.outcome.message;
+  if (moves.refused()) cut.message = *moves.refused();
+  if (reader.elements().size() < 2) {
+    cut.at = reader.at();
+    cut.motion = line.contour()->motion();
+  }
+  return cut;
+}
+
+bool comes_to_end(const Cut& cut) { return cut.outcome.end == ContourEnd::kDone && !cut.outcome.unsure; }
 
 /// Rounding decides, or the place does.
 bool stops_cutting(ModeLine& line, Verdict verdict, bool unsure, std::string message) {
@@ -89,13 +123,13 @@ std::optional<ContourModes> contour_modes(const ModeLine& line) {
 }
 
 /// Behind the cut: the rapid move to its start takes words for positions, whatever the distance mode.
-void leave_contour(ModeLine& line, PlanePoint at) {
+void leave_contour(ModeLine& line, Coordinate along, Coordinate across) {
   Point end = line.place()->at;
   for (size_t i = 0; i < kAxisCount; ++i) {
     if (const auto word = axis_word(line, i)) end[i] = *word;
   }
-  end[kAlong] = Coordinate::of(at.first);
-  end[kAcross] = Coordinate::of(at.second);
+  end[kAlong] = along;
+  end[kAcross] = across;
   arrive(line, end);
 }
 
@@ -115,24 +149,26 @@ bool cut_contour(ModeLine& line, Motion motion) {
     return false;
   }
   const bool anywhere = along.is_known() && across.is_known();
-  const Verdict verdict = anywhere ? Verdict::kStops : Verdict::kFromStart;
-  const PlanePoint at{along.value, across.value};
-  ContourReader reader(*modes, at);
-  if (const char* const message = reader.read(*line.contour()))
-    return stop_by(line, verdict, kContour, message, line.mover());
-  Cutting moves(line, at);
-  const ContourOutcome outcome = cut_contour(reader.elements(), *words, moves);
-  if (outcome.end == ContourEnd::kStops && stops_cutting(line, verdict, outcome.unsure, outcome.message)) return true;
-  if (outcome.end == ContourEnd::kRefused) {
-    if (!moves.refused()) return true;
-    if (stops_cutting(line, verdict, outcome.unsure, *moves.refused())) return true;
-  }
-  const bool known = outcome.end == ContourEnd::kDone && !outcome.unsure && anywhere;
-  if (known) {
-    leave_contour(line, reader.elements().size() < 2 ? reader.at() : moves.at());
-  } else {
+  const Cut cut = cut_from(line, *modes, *words, {along.value, across.value}, true);
+  if (!cut.message.empty() &&
+      stops_cutting(line, anywhere ? Verdict::kStops : Verdict::kFromStart, cut.outcome.unsure, cut.message))
+    return true;
+  if (cut.outcome.end == ContourEnd::kRefused && cut.message.empty()) return true;
+  const bool is_lost = cut.outcome.end == ContourEnd::kCrashes || cut.outcome.end == ContourEnd::kNeverEnds;
+  if (is_lost && !cut.outcome.unsure && anywhere) return stop_by(line, Verdict::kStops, kContour, "", line.mover());
+  if (!comes_to_end(cut)) {
     lose_point(line);
+    return false;
   }
+  Cut other = cut;
+  if (!anywhere) other = cut_from(line, *modes, *words, {along.other, across.other}, false);
+  constexpr double kNowhere = Coordinate::unknown().other;
+  if (!comes_to_end(other)) {
+    other.at = {kNowhere, kNowhere};
+  } else if (cut.motion == other.motion) {
+    line.set_known(Mode::kMotion, set_of(cut.motion));
+  }
+  leave_contour(line, {cut.at.first, other.at.first}, {cut.at.second, other.at.second});
   return false;
 }
 

@@ -80,6 +80,15 @@ constexpr std::array kSaid = {
     Said{"K number is not", "K", "is not a whole number", "write the number of the knot as a whole number"},
 };
 
+/// No message of the interpreter, but a program that comes to no end.
+void tell_of_lost_contour(const Input& in, const FlowStop& stop, Finding& f) {
+  if (!stop.interpreter.empty()) return;
+  f.message = subject(word_stop(in, stop, kContours)) +
+      " cuts a contour on which LinuxCNC loses its way: it crashes or never ends, without a message";
+  f.help = "let the contour begin and end outside of the part, and end with a line instead of an arc";
+  f.never_ends = true;
+}
+
 /// `G70` or `G71` that cuts nothing: where other controllers have it, it chooses the unit.
 void doubt_unit(const Input& in, const FlowStop& stop, Finding& f) {
   const WordStop at = word_stop(in, stop, "G70 G71");
@@ -145,7 +154,11 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     doubt_unit(in, stop, f);
+<<<<<<< HEAD
     doubt_radius(in, stop, f);
+=======
+    tell_of_lost_contour(in, stop, f);
+>>>>>>> 37eebef80b7ad3ccace016f611a5ec2ccfc6f2f4
     relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
     note_start(stop, f);
     return &f;
@@ -176,7 +189,8 @@ after the end of the program.
 
 `G71` cuts from the right to the left, layer by layer: its contour may not turn back in Z (`G7X error: Not
 monotonic`), that of `G72` not in X. Whether an arc in the sub fits is found only when it is cut. LinuxCNC
-prints the last line of the sub below the message, whichever line it is about.
+prints the last line of the sub below the message, whichever line it is about. With some contours it
+crashes, or repeats one move for ever; it has no message for that.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90 G17

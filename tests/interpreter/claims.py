@@ -29,15 +29,20 @@ def said_by(finding):
 OF_LINUXCNC = frozenset(("OW412", "OW414", "OW415", "OW419", "OW421", "OW422", "OW424", "OW907"))
 
 
+def loses_contour(finding):
+    """Whether it says of a lathe contour that the interpreter crashes or never ends: for that there is no message."""
+    return finding["code"] == "OW908" and not finding.get("interpreter")
+
+
 class Claims:
     """What owlint's findings say about how a program ends, with that setting of block delete."""
 
     def __init__(self, findings, block_delete=False, text=""):
         self.contours = {number for number, line in enumerate(text.split("\n"), 1) if _CONTOUR.search(line)}
         met = [f for f in findings if f["reach"] != "never" and f["code"] not in OF_LINUXCNC and f.get("block_delete", "on" if block_delete else "off") == ("on" if block_delete else "off")]
-        self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES]
-        self.crashes = [f for f in met if f["code"] in CRASHES and f["stops"]]
-        self.endless = [f for f in met if f["code"] in ENDLESS]
+        self.stops = [f for f in met if f["stops"] and f["code"] not in ENDLESS | CRASHES and not loses_contour(f)]
+        self.crashes = [f for f in met if (f["code"] in CRASHES or loses_contour(f)) and f["stops"]]
+        self.endless = [f for f in met if f["code"] in ENDLESS or loses_contour(f)]
         self.foreign = any(f["code"] == "OW319" for f in met)  # for another controller: it stops, and nobody is told where
         self.always = [f for f in self.stops + self.crashes if f["reach"] == "always" and f["severity"] == "error"]
         # Errors of reading contradict a run to the end even where they stop only once another mistake is gone.

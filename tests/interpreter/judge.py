@@ -1,7 +1,7 @@
 """owlint's claims about a program held against what its runs showed.
 
 A claim is a finding with `stops` that is not of reach `never`; with OWORD_WARNONLY also OW503 (crashes) and OW504
-(never ends).  A program with lines that begin with `/` is run with block delete off and on, and a claim may be about one of
+(never ends). A contour on which the interpreter loses its way may be shown by a crash or by an endless run.  A program with lines that begin with `/` is run with block delete off and on, and a claim may be about one of
 the two.  A disagreement is one of
   miss          the interpreter stops where owlint claims nothing
   unwitnessed   no run ends where owlint claims a stop, or none with the numbers of an arc that it quotes
@@ -89,6 +89,8 @@ def hazards_of(findings):
 def _agrees(claim, end):
     """Is this end of a run the stop that the claim is about?"""
     outcome, codes, line = end
+    if claim.code == "OW908" and not claim.message:
+        return outcome in ("crash", "hang")
     if outcome != "error":
         return False
     if FILE_LACKS_SUB in codes:

@@ -5,6 +5,7 @@ Lines are drawn (place_lines.py) for where the machine would be if the text were
 themselves stay out of it: there always are a feed and a turning spindle, and no compensation. Behind a probe all axes are named: where it
 ends, only the machine knows.
 """
+from contour_lines import Contour
 from maker import CLOSERS, Line
 from mode_maker import ModeMaker
 from nominal import AXES, Nominal
@@ -17,6 +18,7 @@ class PlaceMaker(ModeMaker):
         self.lines = PlaceLines(rng)
         self.ends = {}              # by sub: where it begins and ends
         self.families = []          # subs with two arguments: the place of an arc, and its radius
+        self.contours = []          # subs of lathe contours: (label, Contour)
         self.numbers = False
 
     @property
@@ -51,6 +53,8 @@ class PlaceMaker(ModeMaker):
     def group(self):
         rng = self.rng
         kind = rng.random()
+        if self.contours and rng.random() < 0.5:
+            return self.contour_cut()
         if kind < 0.4:
             return self.counted()
         return self.family_call() if self.families and kind < 0.75 else self.passes()
@@ -79,6 +83,25 @@ class PlaceMaker(ModeMaker):
         lines.append(Line(plain="G91 G1 X%s" % near.text(by)))
         inside = rng.random() < 0.3
         return lines + [Line(plain="G90 " + arc)] * inside + [Line(label, "endrepeat")] + [Line(plain="G90 " + arc)] * (not inside)
+
+    def contour(self, label):
+        """The sub of a lathe contour."""
+        contour = Contour(self.rng)
+        self.contours.append((label, contour))
+        return [Line(label, "sub")] + [Line(plain=line) for line in contour.lines] + [Line(label, "endsub")]
+
+    def contour_cut(self):
+        """Cuts along one, from its start or, now and then, from wherever the machine is."""
+        rng, near = self.rng, self.near
+        label, contour = rng.choice(self.contours)
+        z, x = contour.start
+        begin = "G90 G21 G91.1 G18 G0 X%s Z%s" % (near.text(x), near.text(z))
+        near.incremental = near.centers_absolute = near.inch = near.diameter = False
+        near.plane, near.motion = 17, 0
+        near.go({"X": 0.0, "Y": 0.0, "Z": 0.0})
+        lines = [begin] if rng.random() < 0.9 else ["G18"]
+        lines += [contour.cut(label), "G17 G90 G0 X0 Y0 Z0"]
+        return [Line(plain=line) for line in lines]
 
     def family(self, label):
         """A sub with an arc at its first argument, of the size of its second."""
@@ -157,6 +180,8 @@ class PlaceMaker(ModeMaker):
         rng = self.rng
         if rng.random() < 0.25:
             return self.family(label)
+        if rng.random() < 0.3:
+            return self.contour(label)
         self.near = Nominal()
         self.near.at = {axis: float(rng.choice((0, 0, 1, 5, 10))) for axis in AXES}
         begins = self.near.copy()

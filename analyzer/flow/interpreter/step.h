@@ -246,6 +246,8 @@ struct AbstractMachine::Step {
   void run_python();
   void come_back_from(const Statement& remap);
   std::optional<ContourSub> contour_sub() const;
+  bool contour_line(std::string_view text, std::pair<StatementId, StatementId> statements, Parameters& inside,
+                    ContourSub* sub) const;
   StatementId contour_opener(NameId sub) const;
   bool refuses_words(const Statement& asks);
   bool is_mistake(StopKind kind, std::string_view message) const;

@@ -141,7 +141,7 @@ void AbstractMachine::Step::modes() {
     if (around.next == nullptr) m.modes_.drop_motion(state.parameters);
   } else {
     if (words.has_remapped_code()) Evaluator::call_outside(state.parameters);
-    const std::optional<ContourSub> contour = place ? contour_sub() : std::nullopt;
+    const std::optional<ContourSub> contour = contour_sub();
     run.act(&after, &faults, at, watch, contour ? &*contour : nullptr);
   }
   if (s.for_place) std::erase_if(faults, [](const ModeFault& fault) { return !fault.by_place; });

@@ -48,6 +48,22 @@ constexpr auto kLayers = ContourWords::Cut::kPocketsAtOnce;
 
 }  // namespace
 
+TEST_CASE("a finishing cut goes along X where it goes back in Z") {
+  CHECK(said(lines({{2, 30}, {-1, 10}, {-5, 13}, {-4.5, 13}}), words(ContourWords::Cut::kFinish)).empty());
+  CHECK(said(lines({{2, 30}, {-1, 10}, {-5, 13}, {-4.5, 12.5}}), words(ContourWords::Cut::kFinish)) ==
+        "G7X error: Not monotonic");
+}
+
+TEST_CASE("a single arc is finished only towards the axis") {
+  std::vector<ContourElement> elements = lines({{2, 30}, {1, 5}, {1, 7}});
+  elements[1].kind = ContourElement::Kind::kClockwise;
+  elements[1].by_radius = true;
+  elements[1].size = 2;
+  CHECK(said(elements, words(ContourWords::Cut::kFinish)) == "G7X error: Not monotonic");
+  elements[1].end = {1, 3};
+  CHECK(said(elements, words(ContourWords::Cut::kFinish)).empty());
+}
+
 TEST_CASE("a finishing cut follows the contour") {
   Recorded moves;
   const ContourOutcome outcome =
