@@ -38,6 +38,7 @@ void Calls::call(const State& at, State entry, const Context& callee, int repeat
 }
 
 void Calls::enter(const State& at, State entry, const Context& callee, int repeats) {
+  machine_.forget_dead_at_entry(entry, callee);
   bool joined = false;
   const ContextId id = context_for(callee, entry, &joined);
   Frame& frame = frames_[id];
@@ -45,10 +46,7 @@ void Calls::enter(const State& at, State entry, const Context& callee, int repea
   if (!joined && first && memo_ != nullptr) recall(id, at, entry);
   entry.context = id;
   entry.record = at.record;
-  const uint64_t caller_hash =
-      mix(at.hash(), (static_cast<uint64_t>(at.context) << 32) + static_cast<uint32_t>(repeats));
-  const bool is_new = frame.caller_hashes.insert(caller_hash).second;
-  if (is_new) frame.callers.push_back({at, repeats});
+  Caller* const caller = add_caller(frame, at, repeats);
   if (joined) {
     ++joined_states_;
     if (frame.joined_entry == nullptr || frame.joined_entry->position != entry.position ||
@@ -65,8 +63,26 @@ void Calls::enter(const State& at, State entry, const Context& callee, int repea
   } else if (!first) {
     trace_.link(at.record, frame.exits.front().record);
   }
-  for (size_t exit = 0; is_new && exit < frame.exits.size(); ++exit)
-    returns_.push_back({&frame.callers.back(), id, exit});
+  for (size_t exit = 0; caller != nullptr && exit < frame.exits.size(); ++exit)
+    returns_.push_back({caller, id, exit});
+}
+
+/// Whether one state holds all that another holds.
+bool Calls::holds(const State& all, const State& some) { return machine_.states().join(all, some).hash() == all.hash(); }
+
+/// Null for a caller that was there before. Where states at the call's line were joined and one more is joined with them, the
+/// result takes the place of the first join, so that calls come back to the last one only.
+Caller* Calls::add_caller(Frame& frame, const State& at, int repeats) {
+  const uint64_t place = mix((static_cast<uint64_t>(at.context) << 32) + static_cast<uint32_t>(repeats), at.position);
+  if (!frame.caller_hashes.insert(mix(at.hash(), place)).second) return nullptr;
+  if (!at.joined) return &frame.callers.emplace_back(Caller{at, repeats});
+  Caller*& last = frame.joined_callers[place];
+  if (last != nullptr && holds(at, last->state)) {
+    last->state = at;
+  } else {
+    last = &frame.callers.emplace_back(Caller{at, repeats});
+  }
+  return last;
 }
 
 /// Returns are made one after the other: one that repeats its call may add callers and returns.
@@ -114,36 +130,62 @@ bool Calls::leave(const State& at) {
   State exit = at;
   exit.position = 0;
   exit.context = 0;
-  if (separation_.joins(exit, frame.callers.front().state.position, frame.exits.size(), precision_.now().states)) {
-    ++joined_states_;
-    if (frame.joined_exit == nullptr) {
-      frame.joined_exit = std::make_unique<State>(exit);
-    } else {
-      *frame.joined_exit = machine_.states().join(*frame.joined_exit, exit);
-    }
-    exit = *frame.joined_exit;
-    exit.record = at.record;
-  }
   if (!frame.info.fanuc) exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
+  machine_.forget_dead_at_exit(exit, frame.info);
   exit.skip = kNoLabel;
   exit.seek = false;
+  exit.branch = Branch::kNone;
+  exit.looped = false;
   const uint64_t hash = exit.hash();
-  if (const auto known = std::ranges::find(frame.exit_hashes, hash); known != frame.exit_hashes.end()) {
-    trace_.link(at.record, frame.exits[static_cast<size_t>(known - frame.exit_hashes.begin())].record);
+  size_t number = static_cast<size_t>(std::ranges::find(frame.exit_hashes, hash) - frame.exit_hashes.begin());
+  if (number < frame.exits.size()) {
+    trace_.link(at.record, frame.exits[number].record);
     return true;
   }
-  frame.exits.push_back(std::move(exit));
-  frame.exit_hashes.push_back(hash);
-  for (const Caller& caller : frame.callers) returns_.push_back({&caller, at.context, frame.exits.size() - 1});
+  if (separation_.joins(exit, frame.callers.front().state.position, frame.exits.size(), precision_.now().states)) {
+    if (!join_exit(frame, std::move(exit))) return true;
+    number = frame.joined_exit;
+  } else {
+    frame.exits.push_back(std::move(exit));
+    frame.exit_hashes.push_back(hash);
+  }
+  for (const Caller& caller : frame.callers) returns_.push_back({&caller, at.context, number});
   come_back();
+  return true;
+}
+
+/// False if the exits that were joined before hold this one. All of them are one exit with a record of its own: callers come back
+/// from that only, however often something was joined.
+bool Calls::join_exit(Frame& frame, State exit) {
+  ++joined_states_;
+  if (frame.joined_exit == Frame::kNoExit) {
+    frame.joined_exit = frame.exits.size();
+    const RecordId from = exit.record;
+    exit.record = trace_.add({from, kNoStatement, Branch::kNone, false, false});
+    frame.exit_hashes.push_back(exit.hash());
+    frame.exits.push_back(std::move(exit));
+    return true;
+  }
+  State& all = frame.exits[frame.joined_exit];
+  trace_.link(exit.record, all.record);
+  State joined = machine_.states().join(all, exit);
+  const uint64_t hash = joined.hash();
+  if (hash == frame.exit_hashes[frame.joined_exit]) return false;
+  all = std::move(joined);
+  frame.exit_hashes[frame.joined_exit] = hash;
   return true;
 }
 
 /// A call that begins like none before in this analysis: its outcome may be known from an earlier one.
 void Calls::recall(ContextId context, const State& at, const State& entry) {
-  const CallOutcome* outcome = memo_->find(context, frames_[context].info, entry);
-  if (outcome == nullptr) return;
   Frame& frame = frames_[context];
+  State exit = entry;
+  exit.position = 0;
+  exit.context = 0;
+  exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
+  machine_.forget_dead_at_exit(exit, frame.info);
+  const CallOutcome* outcome = memo_->find(context, frame.info, entry, exit);
+  if (outcome == nullptr) return;
   frame.known = true;
   ++recalled_;
   precision_.count(outcome->steps);
@@ -152,14 +194,10 @@ void Calls::recall(ContextId context, const State& at, const State& entry) {
     if (outcome->lines[i]) trace_.mark_executed(opener + i);
   }
   trace_.leave_out(opener + 1, opener + static_cast<StatementId>(outcome->lines.size()));
-  State exit = entry;
-  exit.position = 0;
-  exit.context = 0;
   exit.flags.executed = outcome->executed;
   exit.flags.returned = outcome->returned;
   exit.joined = outcome->joined;
   exit.mixed = outcome->mixed;
-  exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
   exit.branch = Branch::kNone;
   exit.record = trace_.add({at.record, opener, Branch::kNone, true, false});
   frame.exit_hashes.push_back(exit.hash());

@@ -8,6 +8,7 @@
 #include <memory>
 #include <memory_resource>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -24,15 +25,18 @@ struct Caller {
 /// A call in one context.
 struct Frame {
   explicit Frame(std::pmr::memory_resource* memory)
-      : callers(memory), caller_hashes(memory), exits(memory), exit_hashes(memory) {}
+      : callers(memory), caller_hashes(memory), joined_callers(memory), exits(memory), exit_hashes(memory) {}
+
+  static constexpr size_t kNoExit = SIZE_MAX;
 
   Context info;
   bool outside = false;            ///< called from outside the file: its return ends the run
   std::pmr::list<Caller> callers;  ///< a list: returns that wait point into it
   std::pmr::unordered_set<uint64_t> caller_hashes;
+  std::pmr::unordered_map<uint64_t, Caller*> joined_callers;  ///< by where they are: the last one whose state is joined
   std::pmr::vector<State> exits;
   std::pmr::vector<uint64_t> exit_hashes;
-  std::unique_ptr<State> joined_exit;   ///< the join of those exits that were not kept apart
+  size_t joined_exit = kNoExit;         ///< among the exits: the join of those that were not kept apart
   std::unique_ptr<State> joined_entry;  ///< the same of the entries, if the context is one of many calls
   bool known = false;                   ///< its exit comes from a CallMemo, and its lines are not analysed
 };
@@ -85,6 +89,9 @@ class Calls {
 
   ContextId context_for(const Context& callee, const State& entry, bool* joined);
   void enter(const State& at, State entry, const Context& callee, int repeats);
+  Caller* add_caller(Frame& frame, const State& at, int repeats);
+  bool holds(const State& all, const State& some);
+  bool join_exit(Frame& frame, State exit);
   void recall(ContextId context, const State& at, const State& entry);
   void come_back();
   void resume(const Return& back);

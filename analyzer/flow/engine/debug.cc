@@ -78,7 +78,7 @@ class Watcher final : public Events {
       out << fmt::format("call {}: o<{}>, {} callers, {} exits{}{}\n", context,
                          analysis_.machine().name(frame.info.sub), frame.callers.size(), frame.exits.size(),
                          frame.joined_entry != nullptr ? ", entries joined" : "",
-                         frame.joined_exit != nullptr ? ", exits joined" : "");
+                         frame.joined_exit != Frame::kNoExit ? ", exits joined" : "");
     }
     const FlowStatistics statistics = analysis_.statistics();
     out << fmt::format("{} steps, {} states joined\n", statistics.steps, statistics.merges);

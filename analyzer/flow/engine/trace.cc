@@ -81,6 +81,8 @@ void Trace::finish() {
   pack(edges, records_.size(), false, previous_first_, previous_);
   std::vector<RecordId> ends;
   for (const auto& [at, key] : terminals_) ends.push_back(at);
+  ends_at_.assign(records_.size(), false);
+  for (const RecordId end : ends) ends_at_[end] = true;
   hanging_ = backward_from(ends);
   hanging_.flip();
 }
@@ -183,13 +185,14 @@ bool Trace::avoidable(StatementId statement) const {
   while (!todo.empty()) {
     const RecordId id = todo.back();
     todo.pop_back();
+    if (ends_at_[id]) return true;
     for (uint32_t i = next_first_[id]; i < next_first_[id + 1]; ++i) {
       if (seen[next_[i]] || hits(next_[i])) continue;
       seen[next_[i]] = true;
       todo.push_back(next_[i]);
     }
   }
-  return std::ranges::any_of(terminals_, [&](const auto& t) { return seen[t.first]; }) || has_cycle(seen);
+  return has_cycle(seen);
 }
 
 std::vector<Decision> Trace::path(RecordId stop, uint32_t key) const {

@@ -70,7 +70,7 @@ class Trace {
 
   /// Whether every run that ends, ends with `key`.
   bool only_end(uint32_t key) const;
-  /// Whether a run can end, or never end, without executing the statement. Looks at all records.
+  /// Whether a run can end, or never end, without executing the statement. Looks at records until it finds one that does.
   bool avoidable(StatementId statement) const;
   /// Whether some run ends at all.
   bool ends() const { return !terminals_.empty(); }
@@ -116,6 +116,7 @@ class Trace {
   std::vector<std::pair<RecordId, uint32_t>> terminals_;
   // Successors and predecessors, packed: those of record i are [first[i], first[i + 1]).
   std::vector<uint32_t> next_first_, next_, previous_first_, previous_;
+  std::vector<bool> ends_at_;  ///< by record: some run ends there
   std::vector<bool> hanging_;
   std::vector<bool> executed_;
   std::vector<std::pair<StatementId, StatementId>> left_out_;

@@ -1,7 +1,6 @@
 #include "analyzer/flow/interpreter/remembered_conditions.h"
 
 #include <algorithm>
-#include <span>
 
 #include "analyzer/machine/predefined.h"
 
@@ -135,10 +134,8 @@ void RememberedConditions::learn(Parameters& p, ConditionId condition, bool trut
 }
 
 void RememberedConditions::forget(Parameters& p, ParameterKey key) {
-  if (conditions_of_.empty()) return;
-  const auto found = conditions_of_.find(key);
-  if (found == conditions_of_.end()) return;
-  for (const uint32_t id : found->second) (is_global(key) ? p.global_outcomes : p.local_outcomes).set(pool_, id, 0);
+  for (const uint32_t id : conditions_of(key))
+    (is_global(key) ? p.global_outcomes : p.local_outcomes).set(pool_, id, 0);
 }
 
 void RememberedConditions::forget_answers(Parameters& p) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -24,6 +25,11 @@ class RememberedConditions {
   void set_coarse() { coarse_ = true; }
   ConditionId condition(ExprId expression) const {
     return expression < conditions_.size() ? conditions_[expression] : ConditionId{};
+  }
+  /// Those that read a parameter.
+  std::span<const uint32_t> conditions_of(ParameterKey key) const {
+    const auto found = conditions_of_.find(key);
+    return found == conditions_of_.end() ? std::span<const uint32_t>() : found->second;
   }
   static Outcome known(const Parameters& p, ConditionId condition);
   void learn(Parameters& p, ConditionId condition, bool truth);
