@@ -55,16 +55,6 @@ const WrittenWord* WordStop::find(char wanted) const {
 std::string shown(const Source& source, Span span) {
   constexpr size_t kMost = 40;
   std::string out;
-<<<<<<< HEAD
-  size_t in_comment = 0;
-  bool in_name = false;
-  for (const char c : source.slice(span)) {
-    if (c == '(') in_comment = 1;
-    in_name = (in_name || c == '<') && c != '>';
-    if (in_comment == 0 && c != ' ' && c != '\t' && c != '\r')
-      out += in_name ? c : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    if (c == ')') in_comment = 0;
-=======
   bool in_comment = false;
   bool in_name = false;  // which is shown as the program writes it
   for (const char c : source.slice(span)) {
@@ -74,7 +64,6 @@ std::string shown(const Source& source, Span span) {
       out += in_name ? c : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     if (c == ')') in_comment = false;
     if (c == '>') in_name = false;
->>>>>>> 830019b0871ced83d253111f5c1f3610b740cf58
   }
   if (out.size() <= kMost) return out;
   size_t cut = kMost - 1;

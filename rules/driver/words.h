@@ -34,11 +34,7 @@ struct WordStop {
 };
 WordStop word_stop(const Input& in, const FlowStop& stop);
 
-<<<<<<< HEAD
-/// A part of a line as messages show it: without blanks and comments, in capital letters but for names of parameters.
-=======
 /// A part of a line as messages show it: without blanks and comments, in capital letters but for the names of parameters.
->>>>>>> 830019b0871ced83d253111f5c1f3610b740cf58
 std::string shown(const Source& source, Span span);
 std::string capital(char letter);
 

@@ -358,21 +358,12 @@ extern const Rule kRule{
             .what =
                 R"(A mistake in the lines that LinuxCNC runs from the INI: `RS274NGC_STARTUP_CODE`, `ON_ABORT_COMMAND`,
 `MDI_COMMAND` of `[HALUI]` and of `[MDI_COMMAND_LIST]`. A `MACRO` of gmoccapy, touchy or QtVCP whose sub is
-<<<<<<< HEAD
-not found; a file of `NGCGUI_SUBFILE` that ngcgui refuses.)",
+not found, or reads more than the macro asks for; a file of `NGCGUI_SUBFILE` that ngcgui refuses. Subs
+that such a line calls are looked at, too.)",
             .why = R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and
 `M30`. With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands
 when their time comes, and stop with a message each time. `#` begins no comment there. LinuxCNC
 appends the reason to `ON_ABORT_COMMAND`, such as ` [1]`, so only a call works there.
-=======
-not found, or reads more than the macro asks for. Subs that such a line calls are looked at, too.
-A file of `NGCGUI_SUBFILE` that ngcgui refuses.)",
-            .why =
-                R"(The start-up code runs before LinuxCNC is up: any error in it ends the start, and so do `M2` and `M30`.
-With `M6`, `M61`, `M66` or a probe it waits for ever. The other lines run as MDI commands when their time
-comes, and stop with a message each time. `#` begins no comment there. To `ON_ABORT_COMMAND` LinuxCNC
-appends the reason, as ` [1]`, so that only a call can be there.
->>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
 
 The first word of a `MACRO` is the name of a sub. gmoccapy looks for the file as it is written,
 LinuxCNC in small letters. ngcgui reads a file in its own way: the file must have one sub, named

@@ -163,15 +163,10 @@ extern const Rule kRule{
     .page =
         {
             .what =
-<<<<<<< HEAD
                 R"(In the file that `PARAMETER_FILE` names: a line whose number is not greater than the one before it,
-is not from 1 to 5601, or has a decimal point. In a program: a parameter from `#31` on that counts
-on from run to run (`#500 = [#500 + 1]`, and nothing else sets it) and that the file does not list.)",
-=======
-                R"(A line of the file that `PARAMETER_FILE` names, whose number is not above the one before it, or not from 1
-to 5601; or whose number has a point, or its value a comma. In a program, a parameter from `#31` on
-that counts on from run to run (`#500 = [#500 + 1]`, and nothing else sets it) and that the file does not list.)",
->>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
+is not from 1 to 5601, or has a decimal point, or whose value has a comma. In a program: a parameter
+from `#31` on that counts on from run to run (`#500 = [#500 + 1]`, and nothing else sets it) and that
+the file does not list.)",
             .why =
                 R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text
 are ignored. The numbers must rise: at the first one that does not, LinuxCNC refuses to start, with

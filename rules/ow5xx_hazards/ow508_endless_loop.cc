@@ -135,20 +135,6 @@ bool is_always_true(const Program& p, StatementId opener) {
   return literal_value(p.syntax.exprs, p.syntax.values_of(p.at(test)).front(), &value) && value != 0;
 }
 
-<<<<<<< HEAD
-/// A `repeat` has no condition: something in it begins its passes again.
-void help_repeat(const Input& in, BlockId block, Finding& f) {
-  f.help =
-      "a `repeat` counts its passes by itself: look for what begins them again inside it, or leave it with `break`";
-  if (block == kNoBlock) return;
-  const Block& loop = in.program.blocks[block];
-  for (const Hazard& h : in.flow.hazards) {
-    if (h.kind != HazardKind::kStaleContinue || h.statement <= loop.opener || h.statement >= loop.end) continue;
-    f.help = fmt::format("`{}` on line {} begins the passes again: skip the rest of the `do` loop with an `if` instead",
-                         in.program.head(h.statement), in.program.at(h.statement).line);
-    return;
-  }
-=======
 /// The `continue` that makes a `repeat` begin again; null if none does.
 const Hazard* stale_continue(const Input& in, BlockId block) {
   if (block == kNoBlock || in.program.blocks[block].kind != Keyword::kRepeat) return nullptr;
@@ -157,7 +143,6 @@ const Hazard* stale_continue(const Input& in, BlockId block) {
     return h.kind == HazardKind::kStaleContinue && h.other == end && h.other_elsewhere.program == nullptr;
   });
   return found == in.flow.hazards.end() ? nullptr : &*found;
->>>>>>> d45626ab9eb89dd7485181e6698fbde761432206
 }
 
 void check(const Input& in, Reporter& out) {
@@ -193,16 +178,12 @@ void check(const Input& in, Reporter& out) {
     if (block != kNoBlock && p.blocks[block].end != kNoStatement)
       relate(f, p, p.blocks[block].end, "the loop goes back from here");
     f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
-<<<<<<< HEAD
-    if (s.is(Keyword::kRepeat)) help_repeat(in, block, f);
-=======
     if (s.is(Keyword::kRepeat)) f.help = "leave the loop: `repeat` has no other end than its last pass";
     if (const Hazard* stale = stale_continue(in, block)) {
       f.message += ": a `continue` in a `do` loop makes it begin its passes again";
       relate(in, f, place_of(in, stale->statement, {}), "this `continue` still has an effect at the end of the passes");
       f.help = "skip the rest of the `do` loop with an `if` instead";
     }
->>>>>>> d45626ab9eb89dd7485181e6698fbde761432206
     if (const std::optional<Wait> wait = waits_for_equal(p, h.statement)) f.help = past_value(*wait);
     if (is_always_true(p, h.statement))
       f.help =

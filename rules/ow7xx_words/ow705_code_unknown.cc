@@ -43,15 +43,11 @@ void user_code(const Input& in, int number, Finding& f) {
     f.unproven = true;
     return;
   }
-<<<<<<< HEAD
-  std::vector<std::string> names;
-  for (const IniFolder& folder : in.profile.setup->folders) {
-    if (folder.key == "PROGRAM_PREFIX" || folder.key == "USER_M_PATH") names.push_back("`" + folder.text + "`");
-=======
+  const std::vector<const IniFolder*> searched = user_code_folders(*in.profile.setup);
   std::string folders;
-  for (const IniFolder* const folder : user_code_folders(*in.profile.setup)) {
-    folders += (folders.empty() ? "`" : ", `") + folder->text + "`";
-    const std::string path = joined_path(folder->path, m_name(number));
+  for (size_t i = 0; i < searched.size(); ++i) {
+    folders += (i == 0 ? "`" : i + 1 == searched.size() ? " or `" : ", `") + searched[i]->text + "`";
+    const std::string path = joined_path(searched[i]->path, m_name(number));
     if (f.unproven || !in.profile.setup->search_path->files().is_folder(path)) continue;
     f.message = "`" + m_name(number) + "` runs a program of the machine, but " + path +
         " is a folder: LinuxCNC stops without a message";
@@ -59,19 +55,12 @@ void user_code(const Input& in, int number, Finding& f) {
     f.interpreter.clear();
     f.habit_severity.reset();
     return;
->>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
   }
-  std::string folders;
-  for (size_t i = 0; i < names.size(); ++i) folders += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
   if (in.profile.setup->user_code(number) == UserCode::kUnknown) {
-<<<<<<< HEAD
-    f.help = "check on the machine that this program is in " + folders;
-=======
     // All of them are the same question to the machine.
     f.message = fmt::format("`{}` runs a program of the machine, whose folders are not here", m_name(number));
     f.group = "codes in " + folders;
-    f.help = "check on the machine that " + folders + " has it";
->>>>>>> 830019b0871ced83d253111f5c1f3610b740cf58
+    f.help = "check on the machine that this program is in " + folders;
     f.unproven = f.uncertain = true;
     return;
   }

@@ -103,17 +103,11 @@ word on the line of an `M72` that drops it.)",
 what the sub has saved is gone when it ends. LinuxCNC stops with `Cannot restore context from invalid
 stack frame - missing M70/M73?`.
 
-<<<<<<< HEAD
 To restore the modes, LinuxCNC writes the codes for all differences on one line and runs it. If that
 is `G96` without `S`, or a plane while cutter compensation is on, it stops with
-`M7x: restore_settings failed executing: …`. If anything was restored, LinuxCNC ignores the rest of
-the `M72` line without a message. The motion (`G0`, `G1`) is not restored.
-=======
-To restore the modes, LinuxCNC makes a line of codes for all differences and runs it: `G96` without its `S`, or a
-plane while cutter compensation is on, stops with `M7x: restore_settings failed executing: …`. If
-anything was restored, LinuxCNC drops what acts behind `M72` on its line, without a message: coolant, G codes,
-moves, even `M2`. The motion (`G0`, `G1`) is not restored.
->>>>>>> d45626ab9eb89dd7485181e6698fbde761432206
+`M7x: restore_settings failed executing: …`. If anything was restored, LinuxCNC drops what acts behind
+`M72` on its line, without a message: coolant, G codes, moves, even `M2`. The motion (`G0`, `G1`) is not
+restored.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90
@@ -135,16 +129,10 @@ o100 call
 M2
 )",
             .fix =
-<<<<<<< HEAD
-                R"(Save and restore in the same sub. `M73` at the start of a sub saves, and restores by itself at its end.)",
-            .level_reason = "Error if a run gets here with nothing saved: the program stops. owlint reports nothing on "
-                            "lines that no run reaches.",
-=======
                 R"(Save and restore in the same sub. `M73` at the start of a sub saves, and restores by itself at its end. Write what
 comes after `M72` on a line of its own.)",
             .level_reason = "Error if a run gets here with nothing saved: the program stops. Warning for words that "
-                            "`M72` drops. Where no run gets, owlint says nothing.",
->>>>>>> d45626ab9eb89dd7485181e6698fbde761432206
+                            "`M72` drops. owlint reports nothing on lines that no run reaches.",
             .interpreter = "Cannot restore context from invalid stack frame - missing M70/M73?",
             .options = "",
         },

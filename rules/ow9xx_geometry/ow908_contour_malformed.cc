@@ -154,11 +154,8 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     doubt_unit(in, stop, f);
-<<<<<<< HEAD
     doubt_radius(in, stop, f);
-=======
     tell_of_lost_contour(in, stop, f);
->>>>>>> 37eebef80b7ad3ccace016f611a5ec2ccfc6f2f4
     relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
     note_start(stop, f);
     return &f;

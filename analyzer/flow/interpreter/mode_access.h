@@ -45,12 +45,9 @@ class ModeAccess {
   bool restores(const Parameters& p) const;
 
  private:
-<<<<<<< HEAD
   bool has_said(const Parameters& p, Mode mode) const;
   void say(Parameters& p, ModeMask modes);
-=======
   uint32_t motion_key() const { return saved_keys_ + kPlaceNumber; }
->>>>>>> 6a55a0aa20fb3e259468a1c5f367df9a52c36462
   uint32_t saved_key(Mode mode) const { return saved_keys_ + static_cast<uint32_t>(mode); }
 
   const ModeUses& uses_;
