@@ -157,8 +157,8 @@ bool has_checksum(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kBadCharacter || !number || line.text[line.statement.block_delete ? 1 : 0] != 'n')
     return false;
   const std::string written = without_edges(line.written(line.at, line.end));
-  f.message = "`" + written + "` is a checksum of printers: LinuxCNC has none";
-  f.help = "remove it; a calculation is written in brackets, such as `X[2 *3]`";
+  f.message = "`" + written + "` looks like a checksum of a 3D printer, which LinuxCNC does not read";
+  f.help = "remove it; a calculation is written in brackets, such as `X[2 * 3]`";
   const uint64_t star = line.text.offset(line.at);
   const std::string_view before = line.program.source->slice({line.statement.offset, star});
   const std::string_view tight = before.substr(0, before.find_last_not_of(" \t") + 1);

@@ -51,9 +51,9 @@ void explain_place(const Input& in, const FlowStop& stop, Finding& f) {
     const double radius = at_start ? arc.start_radius : arc.end_radius;
     constexpr double kNothing = 1e-9;
     if (radius > kNothing) {
-      f.message = fmt::format("{} is too small an arc: its center is {} from its {}, at least {} is needed", arc_word,
-                              length(radius, arc.inch, telling_decimals(radius, 0)), at_start ? "start" : "end",
-                              length(arc.tolerance.least_radius, arc.inch, kLeastDecimals));
+      f.message = fmt::format("{} is too small for an arc: its center is {} from its {}, and at least {} is needed",
+                              arc_word, length(radius, arc.inch, telling_decimals(radius, 0)),
+                              at_start ? "start" : "end", length(arc.tolerance.least_radius, arc.inch, kLeastDecimals));
     } else {
       f.message = arc_word + " has its center at its " + (at_start ? "start" : "end") + ", so it has no radius";
     }

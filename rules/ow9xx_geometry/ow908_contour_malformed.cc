@@ -108,6 +108,8 @@ struct SmallArc {
 };
 std::optional<SmallArc> small_arc(const Input& in, StatementId cycle) {
   const Program& p = in.program;
+  const uint64_t offset = p.at(cycle).offset;
+  while (cycle + 1 < p.size() && p.at(cycle).kind != LineKind::kContour && p.at(cycle + 1).offset == offset) ++cycle;
   const Statement& s = p.at(cycle);
   if (s.kind != LineKind::kContour || s.label == kNoName) return std::nullopt;
   const auto lines = p.by_label[s.label];
