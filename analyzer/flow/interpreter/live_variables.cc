@@ -126,10 +126,8 @@ void LiveVariables::number_variables() {
     for (const Write& write : sub.accesses.all_writes()) add(write.key);
   }
   const auto saved_modes = kLocalNames + static_cast<uint32_t>(syntax.names.size());
-  for (uint32_t mode = 0; mode <= kPlaceNumber; ++mode) {
-    variables_.add(Variables::kGlobals, kModeKeys + mode);
-    variables_.add(Variables::kLocals, saved_modes + mode);
-  }
+  for (uint32_t key = kModeKeys; key <= kLastModeKey; ++key) variables_.add(Variables::kGlobals, key);
+  for (uint32_t mode = 0; mode <= kPlaceNumber; ++mode) variables_.add(Variables::kLocals, saved_modes + mode);
   for (const NameId name : {syntax.names.find("_value"), syntax.names.find("_value_returned")}) {
     if (name != kNoName) add(key_of_name(syntax, name));
   }
@@ -141,7 +139,7 @@ void LiveVariables::number_variables() {
     const bool numbered = map == Variables::kGlobals ? key <= kLastNumber
                                                      : map == Variables::kLocals && key < kFirstGlobalNumber;
     if (numbered) set_bit(numbers_.data(), number);
-    const bool of_modes = map == Variables::kGlobals ? key >= kModeKeys && key <= kPlaceKey
+    const bool of_modes = map == Variables::kGlobals ? key >= kModeKeys && key <= kLastModeKey
                                                      : map == Variables::kLocals && key >= saved_modes;
     if (of_modes) set_bit(always_.data(), number);
   });
