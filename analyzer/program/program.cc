@@ -143,12 +143,9 @@ bool comes_from_elsewhere(const Program& program) {
 bool is_as_read(const Program& program, Expected expected) {
   const Syntax& syntax = program.syntax;
   switch (expected) {
-    case Expected::kAnything:
-      return true;
-    case Expected::kNoG91:
-      return !syntax.lacks_sums || (!syntax.may_set_g91 && !comes_from_elsewhere(program));
-    case Expected::kUsual:
-      return !syntax.unusual && !syntax.asks_place && !comes_from_elsewhere(program);
+    case Expected::kAnything: return true;
+    case Expected::kNoG91: return !syntax.lacks_sums || (!syntax.may_set_g91 && !comes_from_elsewhere(program));
+    case Expected::kUsual: return !syntax.unusual && !syntax.asks_place && !comes_from_elsewhere(program);
   }
   return false;
 }

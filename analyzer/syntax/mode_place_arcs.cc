@@ -129,9 +129,9 @@ bool Arc::stops_by_center(bool absolute) {
   numbers.end_radius = arc.end_radius;
   numbers.allowed = arc.allowed;
   const StopKind kind = arc.fault == ArcFault::kZeroRadius ? StopKind::kArcWords : StopKind::kArcRadiiDiffer;
-  return stop_by(line_, verdict, kind, said(arc, center, verdict != Verdict::kUnsure && (same_end || !unknown_), absolute),
-                 line_.mover(), kNoWord,
-                 deciding(absolute), numbers);
+  return stop_by(line_, verdict, kind,
+                 said(arc, center, verdict != Verdict::kUnsure && (same_end || !unknown_), absolute), line_.mover(),
+                 kNoWord, deciding(absolute), numbers);
 }
 
 bool Arc::stops_by_radius(double radius) {

@@ -128,8 +128,8 @@ bool repeats_none(ModeLine& line) {
 
 bool taps(ModeLine& line) {
   const bool g18 = line.holds({{Mode::kPlane, value_bit(modes::kG18)}}) == Answer::kYes;
-  return line.choose_spindle(
-      g18 ? "Invalid E-number in G74/G84 cycle" : "Invalid spindle ($) number in G74/G84 cycle", line.mover());
+  return line.choose_spindle(g18 ? "Invalid E-number in G74/G84 cycle" : "Invalid spindle ($) number in G74/G84 cycle",
+                             line.mover());
 }
 
 bool pecks_nothing(ModeLine& line) {

@@ -20,8 +20,8 @@ uint8_t value_of(const ModeSets& sets, Mode mode) {
 bool asks_inputs(const WordLine& words) {
   const GCode* const motion = words.code(GGroup::kMotion);
   const MCode* const input = words.code(MGroup::kInputsOutputs);
-  return (motion != nullptr && motion->tenths >= code::kG38_2 && motion->tenths <= code::kG38_5) ||
-      (input != nullptr && input->number == code::kM66);
+  if (input != nullptr && input->number == code::kM66) return true;
+  return motion != nullptr && motion->tenths >= code::kG38_2 && motion->tenths <= code::kG38_5;
 }
 
 bool may_set_g91(const WordLine& words) {
@@ -97,12 +97,9 @@ void ModesInEffect::note_set(Mode mode, uint8_t value, uint32_t line) {
 void ModesInEffect::set(Mode mode, uint8_t value, uint32_t line) {
   ModeSets& now = state_.now;
   const bool same = now[mode] == value_bit(value) && !now.is_open(mode);
-  // Of feeds and speeds there are many.
-  if (double* const number = now.number(mode)) {
-    *number = ModeSets::kAnyNumber;
-  } else if (same) {
-    return;
-  }
+  double* const number = now.number(mode);  // of feeds and speeds there are many
+  if (number == nullptr && same) return;
+  if (number != nullptr) *number = ModeSets::kAnyNumber;
   now[mode] = value_bit(value);
   now.open &= ~mask_of(mode);
   note(mode, value, line);
@@ -243,7 +240,7 @@ void ModesInEffect::set_feed(const WordLine& words, ModeSets* after) {
   after->open &= ~mask_of(Mode::kFeed);
 }
 
-/// Runs come from elsewhere, or a line that is deleted may have done anything or nothing.
+/// Runs come from elsewhere.
 void ModesInEffect::forget() {
   state_ = anything_;
   settled_ = unused_ = 0;
@@ -289,7 +286,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     }
     return keep;
   }
-  if (may_set_g91(*words)) out_.may_set_g91 = true;
+  out_.may_set_g91 = out_.may_set_g91 || may_set_g91(*words);
   if (asks_inputs(*words)) {
     out_.input_lines.push_back(statement.line);
     if (!out_.statements.empty()) out_.statements.back().asks_inputs = true;

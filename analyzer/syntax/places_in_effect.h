@@ -18,7 +18,11 @@ namespace owlint {
 class PlacesInEffect {
  public:
   PlacesInEffect(Syntax& out, const MachineWords& machine, Expected expected)
-      : out_(out), machine_(machine), expected_(expected), limits_(machine), place_(Place::started(machine.units_per_mm)) {
+      : out_(out),
+        machine_(machine),
+        expected_(expected),
+        limits_(machine),
+        place_(Place::started(machine.units_per_mm)) {
     if (machine.start != nullptr) assumed_ = *machine.start;
     if (machine.has_limits) visitor_ = &limits_;
     if (machine.measures_extents) visitor_ = extents_.get();

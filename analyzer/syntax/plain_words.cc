@@ -161,7 +161,8 @@ PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to) {
   PlainWords words;
   while (from < to) {
     from = read_plain_words(bytes, from, &words);
-    for_bits(words.letters & kAxes, [&](size_t letter) { moves.add(letter, plain_number(words.texts[letter], words.end)); });
+    for_bits(words.letters & kAxes,
+             [&](size_t letter) { moves.add(letter, plain_number(words.texts[letter], words.end)); });
   }
   return moves;
 }

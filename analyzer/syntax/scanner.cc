@@ -1,5 +1,4 @@
-// The scanner: runs over the raw bytes once and hands to the line parser only the lines that can matter.
-// Everything else - motion, blank lines, comments - is not stored.
+// The scanner: runs over the bytes once and hands to the line parser only the lines that can matter; the others are not stored.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -61,7 +60,7 @@ LineView look(std::string_view line) {
 }
 
 /// Whether a character, made small, is `b`.
-bool same_letter(char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; }
+bool same_letter(char a, char b) { return small_letter(a) == b; }
 
 /// Where `owlint:` is on a line, in capitals or not. Few comments have a colon.
 size_t find_directive(std::string_view line) {
@@ -74,8 +73,7 @@ size_t find_directive(std::string_view line) {
   return std::string_view::npos;
 }
 
-/// Finds `owlint:` in the comments of a line. It is a fixed word, so a plain search is enough; the parser of
-/// directives looks closer.
+/// Finds `owlint:` in the comments of a line. It is a fixed word: the parser of directives looks closer.
 void note_directive(std::string_view line, uint64_t offset, uint32_t number, bool code, bool on_oword, Syntax& out) {
   const size_t at = find_directive(line);
   if (at == std::string_view::npos) return;
@@ -239,8 +237,7 @@ class Reader {
   void pass(const Found& found) {
     size_t from = found.plain_begin;
     uint32_t line = before_ + found.plain_before;
-    size_t next =
-        modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect, found.plain_last_lines);
+    size_t next = modes_.follow(bytes_, from, found.begin, line + 1, found.plain_effect, found.plain_last_lines);
     if (next == found.begin) return modes_.pass(found.plain_effect, before_, out_.last_code);
     Proven proven = found.proven;
     const auto pass_until = [&](size_t end) {

@@ -216,7 +216,8 @@ struct Syntax {
   std::vector<ModeChange> first_changes;   ///< by plain lines before the first statement
   std::vector<uint32_t> input_lines;       ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
   std::vector<Directive> directives;
-  std::vector<uint64_t> command_lines;  ///< offsets of lines with a comment that begins like a command (comment_command.h)
+  std::vector<uint64_t>
+      command_lines;                ///< offsets of lines with a comment that begins like a command (comment_command.h)
   std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
   ExprPool exprs;
   Names names;
@@ -253,8 +254,8 @@ struct Syntax {
 enum class Expected : uint8_t {
   kAnything,  ///< nothing
   kNoG91,     ///< where the lines do not say the distance mode, it is G90: a PlaceChange then needs no `sum`
-  kUsual      ///< modes that few programs leave are as at the start (kUsualModes), and behind the first O-word nobody asks where
-              ///< the machine stands: plain lines run there, and no PlaceChange is needed
+  kUsual  ///< modes that few programs leave are as at the start (kUsualModes), and behind the first O-word nobody asks where
+          ///< the machine stands: plain lines run there, and no PlaceChange is needed
 };
 
 /// Reads a whole file as a program for this machine. Any bytes are accepted; nothing is reported here, only recorded.

@@ -20,8 +20,8 @@ A line may have one code of each group, and at most four M codes ([OW706](rules/
 ([OW707](rules/OW707.md)); a motion in effect from an earlier line counts too, if the line moves. The words that a code needs must be on
 its own line ([OW708](rules/OW708.md)). `F`, `S` and `T` need no code; the table leaves them out.
 
-*Axes* are `X Y Z A B C U V W`, as far as the machine has them, and `@` and `^` with a motion. The drilling cycles (G73, G74, G81 to G89)
-refuse `A`, `B` and `C`; G33 and G33.1 refuse `F`.
+*Axes* are `X Y Z A B C U V W`, as far as the machine has them, and `@` and `^` with a motion. The drilling cycles (G73,
+G74, G81 to G89) refuse `A`, `B` and `C`; G33 and G33.1 refuse `F`.
 )";
 
 constexpr std::string_view kBelow = R"(

@@ -61,8 +61,8 @@ void check(const Input& in, Reporter& out) {
   for (StatementId id = first == in.index.ends.end() ? static_cast<StatementId>(p.size()) : *first; id < p.size();
        ++id) {
     const Statement& s = p.at(id);
-    const bool ends =
-        ((s.kind == LineKind::kProgramEnd && !may_lose_rest(p.syntax, id)) || (s.kind == LineKind::kPercent && id > 0)) &&
+    const bool ends = ((s.kind == LineKind::kProgramEnd && !may_lose_rest(p.syntax, id)) ||
+                       (s.kind == LineKind::kPercent && id > 0)) &&
         in.flow.executed[id];
     if (ends && p.region_of[id] == kMainRegion && p.block_of[id] == kNoBlock) end = id;
     if (in.flow.executed[id] && !ends && id > 0 && p.region_of[id] == kMainRegion) end = kNoStatement;

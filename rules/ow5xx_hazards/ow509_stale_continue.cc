@@ -18,8 +18,8 @@ bool is_within(const Program& of_loop, StatementId end, const Program& p, Statem
 bool never_ends(const Input& in, const Elsewhere& end) {
   const BlockId block = end.program->block_of[end.statement];
   return end.program == &in.program && block != kNoBlock && std::ranges::any_of(in.flow.hazards, [&](const Hazard& h) {
-    return h.kind == HazardKind::kEndlessLoop && h.statement == in.program.blocks[block].opener;
-  });
+           return h.kind == HazardKind::kEndlessLoop && h.statement == in.program.blocks[block].opener;
+         });
 }
 
 void check(const Input& in, Reporter& out) {

@@ -97,8 +97,8 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
   }
   const std::string place = where(in, *setter);
   if (feed_mode && find_word(words_of(*setter->program->source, setter->span), "G93") != nullptr) {
-    f.message += fmt::format(": in `{}`, which is set {}, an `F` counts only for the move on its line", setter->word,
-                             place);
+    f.message +=
+        fmt::format(": in `{}`, which is set {}, an `F` counts only for the move on its line", setter->word, place);
     f.help = "write `G94` and `F` on this line or before it";
     return relate_setter(in, f, setter);
   }

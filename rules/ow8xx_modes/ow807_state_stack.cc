@@ -54,8 +54,10 @@ void check_lost(const Input& in, StatementId id, Reporter& out) {
   if (first == line.end()) return;
   const auto last = std::find_if(line.rbegin(), line.rend(), acts_behind);
   const Span span{first->span.begin, last->span.end};
-  Finding& f = out.add(span, "`" + std::string(source.slice(span)) + "` does nothing where `M72` restores a mode: then LinuxCNC drops " +
-                                 "what acts behind it on its line");
+  Finding& f = out.add(span,
+                       "`" + std::string(source.slice(span)) +
+                           "` does nothing where `M72` restores a mode: then LinuxCNC drops " +
+                           "what acts behind it on its line");
   f.help = "write it on a line of its own, below `M72`";
 }
 

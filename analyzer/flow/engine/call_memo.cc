@@ -24,7 +24,8 @@ const CallOutcome* CallMemo::find(ContextId context, const Context& callee, cons
   const CallOutcome* outcome = known_.find(*key);
   if (outcome != nullptr && precision_.lasts(outcome->steps)) return outcome;
   if (context >= recorded_.size()) recorded_.resize(context + 1);
-  recorded_[context] = std::make_unique<Recorded>(Recorded{std::move(*key), entry.position, unchanged, precision_.level(), 0, false, {}});
+  recorded_[context] = std::make_unique<Recorded>(
+      Recorded{std::move(*key), entry.position, unchanged, precision_.level(), 0, false, {}});
   return nullptr;
 }
 

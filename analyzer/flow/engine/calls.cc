@@ -63,12 +63,13 @@ void Calls::enter(const State& at, State entry, const Context& callee, int repea
   } else if (!first) {
     trace_.link(at.record, frame.exits.front().record);
   }
-  for (size_t exit = 0; caller != nullptr && exit < frame.exits.size(); ++exit)
-    returns_.push_back({caller, id, exit});
+  for (size_t exit = 0; caller != nullptr && exit < frame.exits.size(); ++exit) returns_.push_back({caller, id, exit});
 }
 
 /// Whether one state holds all that another holds.
-bool Calls::holds(const State& all, const State& some) { return machine_.states().join(all, some).hash() == all.hash(); }
+bool Calls::holds(const State& all, const State& some) {
+  return machine_.states().join(all, some).hash() == all.hash();
+}
 
 /// Null for a caller that was there before. Where states at the call's line were joined and one more is joined with them, the
 /// result takes the place of the first join, so that calls come back to the last one only.

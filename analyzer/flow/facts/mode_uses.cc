@@ -135,9 +135,9 @@ void ModeUses::find_followed() {
     if (code.argspec.find('^') != std::string_view::npos) followed_ |= mask_of(Mode::kSpeed);
   }
   if (follows_place()) {
-    for (const Mode mode : {Mode::kMotion, Mode::kPlane, Mode::kUnits, Mode::kDistance, Mode::kArcDistance,
-                            Mode::kDiameter, Mode::kSystem, Mode::kRetract, Mode::kCompensation, Mode::kRadius,
-                            Mode::kEntry}) {
+    for (const Mode mode :
+         {Mode::kMotion, Mode::kPlane, Mode::kUnits, Mode::kDistance, Mode::kArcDistance, Mode::kDiameter,
+          Mode::kSystem, Mode::kRetract, Mode::kCompensation, Mode::kRadius, Mode::kEntry}) {
       if (!is_single(reachable_[mode])) followed_ |= mask_of(mode);
     }
   }

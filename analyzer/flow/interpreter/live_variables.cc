@@ -98,8 +98,12 @@ bool LiveVariables::is_whole(RegionId region) const {
 
 void LiveVariables::find_subs(const Structure& structure) {
   for (RegionId r = 0; r < program_.regions.size(); ++r) {
-    Sub sub{ControlFlow(program_, structure, r, lines_[r]), table_->lines(lines_.first(r), lines_[r].size()),
-            lines_.first(r), false, {}, {}};
+    Sub sub{ControlFlow(program_, structure, r, lines_[r]),
+            table_->lines(lines_.first(r), lines_[r].size()),
+            lines_.first(r),
+            false,
+            {},
+            {}};
     sub.known = sub.flow.known() && !sub.flow.nodes().empty() && is_whole(r);
     subs_.push_back(std::move(sub));
   }
@@ -136,8 +140,8 @@ void LiveVariables::number_variables() {
   variables_.for_each([&](Variables::Map map, uint32_t key, uint32_t number) {
     const bool global = map == Variables::kGlobals || map == Variables::kGlobalOutcomes;
     if (global) set_bit(globals_.data(), number);
-    const bool numbered = map == Variables::kGlobals ? key <= kLastNumber
-                                                     : map == Variables::kLocals && key < kFirstGlobalNumber;
+    const bool numbered =
+        map == Variables::kGlobals ? key <= kLastNumber : map == Variables::kLocals && key < kFirstGlobalNumber;
     if (numbered) set_bit(numbers_.data(), number);
     const bool of_modes = map == Variables::kGlobals ? key >= kModeKeys && key <= kLastModeKey
                                                      : map == Variables::kLocals && key >= saved_modes;

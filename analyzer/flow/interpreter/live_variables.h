@@ -111,7 +111,7 @@ class LiveVariables {
   Variables variables_;
   size_t words_ = 0;
   Set always_, globals_, numbers_;
-  Set read_, passed_;  ///< by line, in the order of `lines_`; at the end the first one has all that is live
+  Set read_, passed_;              ///< by line, in the order of `lines_`; at the end the first one has all that is live
   std::vector<uint32_t> line_of_;  ///< by statement: in that order; empty if nothing is known
 };
 

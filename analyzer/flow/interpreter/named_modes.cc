@@ -32,7 +32,8 @@ void ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bo
     if (!shown || !uses_.follows(shown->mode())) return;
     const Mode mode = shown->mode();
     const bool said = has_said(p, mode);
-    ModeValues values = said ? mode_values(values_, mode, p.globals.get(mode_key(mode))) : ModeValues{all_values(mode), true};
+    ModeValues values =
+        said ? mode_values(values_, mode, p.globals.get(mode_key(mode))) : ModeValues{all_values(mode), true};
     const ValueSet left = shown->with(values.may, op, number, outcome);
     if (left == 0 || left == values.may) return;
     values.may = left;

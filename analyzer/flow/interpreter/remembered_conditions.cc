@@ -75,7 +75,8 @@ Test describe_test(const Syntax& syntax, ExprId condition, Reads& reads) {
     default: break;
   }
   const uint64_t zero = mix(static_cast<uint64_t>(Operator::kNumber) + 1, std::hash<double>()(0.0));
-  return {mix(mix(static_cast<uint64_t>(Operator::kEq) + 1, describe(syntax, condition, reads)), zero), condition, true};
+  return {mix(mix(static_cast<uint64_t>(Operator::kEq) + 1, describe(syntax, condition, reads)), zero), condition,
+          true};
 }
 
 }  // namespace

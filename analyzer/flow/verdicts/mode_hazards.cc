@@ -38,8 +38,7 @@ void ModeHazards::came_back(const State& caller, const State& back) {
   for (const Mode mode : kLeaking) {
     if (!uses.follows(mode)) continue;
     const ModeValues before = values(caller, mode), behind = values(back, mode);
-    const bool known =
-        !before.open && !behind.open && is_single(before.may) && is_single(behind.may);
+    const bool known = !before.open && !behind.open && is_single(before.may) && is_single(behind.may);
     if (!known || before.may == behind.may) continue;
     // A sub that ends compensation does what it is for.
     if (mode == Mode::kCompensation && behind.may == value_bit(modes::kG40)) continue;
@@ -92,7 +91,8 @@ bool ModeHazards::sets_before(StatementId call, Mode mode) const {
   if (region == kMainRegion && std::ranges::any_of(program_.syntax.first_changes, sets)) return true;
   for (StatementId id = call; id-- > 0 && (region == kMainRegion || program_.region_of[id] == region);) {
     if (program_.region_of[id] != region) continue;
-    if ((uses.set_at(id) & mask_of(mode)) != 0 || std::ranges::any_of(program_.syntax.changes_after(id), sets)) return true;
+    if ((uses.set_at(id) & mask_of(mode)) != 0 || std::ranges::any_of(program_.syntax.changes_after(id), sets))
+      return true;
   }
   return false;
 }

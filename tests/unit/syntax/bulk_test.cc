@@ -186,10 +186,10 @@ TEST_CASE("what may matter is never passed over", "[bulk]") {
   };
   for (const char* line :
        {"o100 sub", "  O1 if [1]", "G1 X1 (o", "M2",    "m30",   "%",      "N10 M98 P1", "/G0 X1",
-        "#1=2",     "G0 X[1]",     "100 sub",   " 5",    "sub",   "if [1]", "G1 X1\rG0",  "\xEF\xBB\xBFG1",
-        "G1 X\xE4", "G0 X1;(",   "$(x)",      "X1 X2", "G1 G0", "G1 I1",  "U1",         "G4",
-        "X",        "X.",          "X1..",      "F-1",   "G5",    "G1.5",   "X1 2",       "R5",
-        "N",        "N1. X1",      "G1 X1 F0",  "A1",    "S0",    "F100",   "G2 X1 R5"}) {
+        "#1=2",     "G0 X[1]",     "100 sub",  " 5",    "sub",   "if [1]", "G1 X1\rG0",  "\xEF\xBB\xBFG1",
+        "G1 X\xE4", "G0 X1;(",     "$(x)",     "X1 X2", "G1 G0", "G1 I1",  "U1",         "G4",
+        "X",        "X.",          "X1..",     "F-1",   "G5",    "G1.5",   "X1 2",       "R5",
+        "N",        "N1. X1",      "G1 X1 F0", "A1",    "S0",    "F100",   "G2 X1 R5"}) {
     INFO(line);
     CHECK(stops_at(std::string("G1 X1\n") + line + "\nG1 X2\n", all) == 6);
   }
