@@ -26,11 +26,12 @@ size_t common(std::string_view a, std::string_view b) {
   return static_cast<size_t>(differ.in1 - a.begin());
 }
 
-/// What a message begins with, if that is something that a program has written: "`M110`".
-std::string_view subject_of(std::string_view message) {
-  if (!message.starts_with('`')) return {};
-  const size_t close = message.find('`', 1);
-  return close == std::string_view::npos ? std::string_view() : message.substr(0, close + 1);
+/// The code that a message begins with: "`M110`". Empty if it begins with anything else.
+std::string_view code_in(std::string_view message) {
+  if (!message.starts_with("`M") && !message.starts_with("`G")) return {};
+  const size_t end = message.find_first_not_of("0123456789.", 2);
+  const bool is_code = end != std::string_view::npos && end > 2 && message[end] == '`';
+  return is_code ? message.substr(0, end + 1) : std::string_view();
 }
 
 struct Group {
@@ -40,8 +41,8 @@ struct Group {
   Severity worst;
   std::set<const Source*> files;
   std::vector<Related> others;
-  std::vector<std::string> subjects;  ///< of the messages, each once
-  std::string found_in;               ///< the folder of the file that may be meant; empty: there is none
+  std::vector<std::string> codes;  ///< of the messages, each once
+  std::string found_in;            ///< the folder of the file that may be meant; empty: there is none
 };
 
 class CommonFaults {
@@ -82,15 +83,12 @@ class CommonFaults {
                             Group{report, place, 1, f.severity, {}, {}, {}, {}});
     Group& group = entry->second;
     group.files.insert(source.get());
-    const std::string subject(subject_of(f.message));
-    const bool known = subject.empty() || std::ranges::find(group.subjects, subject) != group.subjects.end();
-    if (!known) group.subjects.push_back(subject);
+    const std::string_view code = code_in(f.message);
+    if (!code.empty() && std::ranges::find(group.codes, code) == group.codes.end()) group.codes.emplace_back(code);
     if (first) return false;
     ++group.places;
     group.worst = std::max(group.worst, f.severity);
-    const bool other = !subject.empty() && subject != group.subjects.front();
-    if (group.others.size() < kMaxPlaces)
-      group.others.push_back({f.span, other ? subject + " is here" : "here as well", source});
+    if (group.others.size() < kMaxPlaces) group.others.push_back({f.span, "here as well", source});
     return true;
   }
 
@@ -100,13 +98,13 @@ class CommonFaults {
     Finding& f = report.findings[group.finding];
     f.severity = group.worst;
     if (group.places >= kHabit && group.files.size() > 1 && f.habit_severity) f.severity = *f.habit_severity;
-    if (group.subjects.size() > 1) {
+    if (group.codes.size() > 1) {
       constexpr size_t kNamed = 2;
-      const size_t named = std::min(group.subjects.size() - 1, kNamed);
-      const size_t more = group.subjects.size() - 1 - named;
+      const size_t named = std::min(group.codes.size() - 1, kNamed);
+      const size_t more = group.codes.size() - 1 - named;
       f.message +=
           fmt::format("; the same of {}{}",
-                      fmt::join(group.subjects.begin() + 1, group.subjects.begin() + 1 + static_cast<ptrdiff_t>(named),
+                      fmt::join(group.codes.begin() + 1, group.codes.begin() + 1 + static_cast<ptrdiff_t>(named),
                                 more == 0 && named == 2 ? " and " : ", "),
                       more > 0 ? fmt::format(" and {} more", more) : "");
     }

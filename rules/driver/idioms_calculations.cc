@@ -182,8 +182,8 @@ bool has_slash_inside(const RefusedLine& line, Finding& f) {
   if (end && !of_code) return false;
   f.message = "`/` in the middle of a line: block delete works only at its beginning";
   const std::string behind = without_edges(line.written(line.at + 1, line.end));
-  if (behind.empty()) {
-    f.help = "remove it";
+  if (behind.find_first_not_of("0123456789") == std::string::npos) {
+    f.help = "write `/` first on the line, or remove it";
   } else if (are_words(line, line.at + 1)) {
     f.help = "write `/" + behind + "` on a line of its own";
   } else {
