@@ -166,7 +166,6 @@ bool follow_path(ModeLine& line, Motion motion, const Point& end) {
 
 bool enters_nowhere(ModeLine& line, Motion motion) {
   constexpr BadMode kToCome{Mode::kEntry, value_bit(modes::kToCome)};
-  constexpr BadMode kNoRadius{Mode::kRadius, value_bit(modes::kNoRadius)};
   const PathPlane* const plane = plane_of(line);
   if (plane == nullptr || line.words().has_polar_words() || line.holds({kCompensationOn, kToCome}) != Answer::kYes)
     return false;
@@ -175,12 +174,9 @@ bool enters_nowhere(ModeLine& line, Motion motion) {
     if (!word) continue;
     if (line.only(Mode::kDistance) != modes::kG91 || !word->is_known() || word->value != 0) return false;
   }
-  // A thread stops in any case: without a radius for another reason.
-  if (motion == Motion::kG76 &&
-      line.stop_in({kNoRadius}, StopKind::kCompensation,
-                   "Cannot use G76 threading cycle with cutter radius compensation on", line.mover()))
-    return true;
-  if (line.holds({kCompensationMoves}) != Answer::kYes) return false;
+  // G76 with a tool of which nothing is known stops in any case: without a radius for other reasons.
+  const bool any_radius = motion == Motion::kG76 && line.now().is_open(Mode::kRadius);
+  if (line.holds({kCompensationMoves}) != Answer::kYes && !any_radius) return false;
   line.stop(StopKind::kCompensationEntry,
             "Length of cutter compensation entry move is not greater than the tool radius", line.mover(), kNoWord,
             mask_of(Mode::kCompensation) | mask_of(Mode::kRadius) | mask_of(Mode::kEntry));

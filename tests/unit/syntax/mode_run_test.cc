@@ -83,6 +83,7 @@ TEST_CASE("a spindle number is one of the machine's", "[modes]") {
   CHECK(several.program("M3 $1 / S1 $1") == "");
   CHECK(several.doubts("G33 Z1 K1") == "certain: Spindle not turning in G33");
   CHECK(several.program("M51 $1 / M5") == "");
+  CHECK(several.doubts("G33 Z1 K1") == "certain: Spindle not turning in G33");
   CHECK(several.doubts("G33 Z1 K1 $1") == "Spindle not turning in G33");
   Interpreter unsure{.machine = {.remapped = {}, .unsure = true}};
   CHECK(unsure.doubts("M3 $1") == "believed: Spindle ($) number out of range in M3 Command");
