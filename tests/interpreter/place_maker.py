@@ -163,11 +163,13 @@ class PlaceMaker(ModeMaker):
 
     def block(self, room, depth, loops, in_sub):
         lines = []
-        for line in super(ModeMaker, self).block(room, depth, loops, in_sub):
+        inner = super(ModeMaker, self).block(room, depth, loops, in_sub)
+        for line, behind in zip(inner, [*inner[1:], None]):
             if line.keyword == "call" and line.label in self.ends and self.rng.random() < 0.6:
                 lines.append(Line(plain=self.to(self.ends[line.label][0])))
             lines.append(line)
-            while self.rng.random() < 0.5:
+            unbroken = any(behind is one for one in self.together)
+            while not unbroken and self.rng.random() < 0.5:
                 lines += self.some()
         if self.rng.random() < 0.15:
             lines += self.group()
