@@ -97,7 +97,7 @@ bool arc(ModeLine& line, Motion motion, const Point& end);
 void begin_path(ModeLine& line, bool right, double radius, int orientation);
 bool follow_path(ModeLine& line, Motion motion, const Point& end);
 /// The first straight move has no length in the plane, wherever the tool stands: no word of its axes, or only 0 in G91.
-bool enters_nowhere(ModeLine& line, Motion motion);
+bool enters_nowhere(ModeLine& line);
 bool follow_path_by_arc(ModeLine& line, Motion motion, const Point& end);
 bool pause_path(ModeLine& line);
 bool end_path(ModeLine& line);

@@ -164,7 +164,7 @@ bool follow_path(ModeLine& line, Motion motion, const Point& end) {
   return stops(line, place.path.line(*to, mover), line.mover());
 }
 
-bool enters_nowhere(ModeLine& line, Motion motion) {
+bool enters_nowhere(ModeLine& line) {
   constexpr BadMode kToCome{Mode::kEntry, value_bit(modes::kToCome)};
   const PathPlane* const plane = plane_of(line);
   if (plane == nullptr || line.words().has_polar_words() || line.holds({kCompensationOn, kToCome}) != Answer::kYes)
@@ -174,9 +174,7 @@ bool enters_nowhere(ModeLine& line, Motion motion) {
     if (!word) continue;
     if (line.only(Mode::kDistance) != modes::kG91 || !word->is_known() || word->value != 0) return false;
   }
-  // G76 with a tool of which nothing is known stops in any case: without a radius for other reasons.
-  const bool any_radius = motion == Motion::kG76 && line.now().is_open(Mode::kRadius);
-  if (line.holds({kCompensationMoves}) != Answer::kYes && !any_radius) return false;
+  if (line.holds({kCompensationMoves}) != Answer::kYes) return false;
   line.stop(StopKind::kCompensationEntry,
             "Length of cutter compensation entry move is not greater than the tool radius", line.mover(), kNoWord,
             mask_of(Mode::kCompensation) | mask_of(Mode::kRadius) | mask_of(Mode::kEntry));

@@ -143,7 +143,7 @@ bool straight(ModeLine& line, Motion motion) {
   Point end;
   owe_nothing(line);
   if (feed_of(line, motion) || places::end_point(line, &end) || machine_coordinates(line) || compensates_uvw(line) ||
-      places::enters_nowhere(line, motion) || places::follow_path(line, motion, end))
+      places::enters_nowhere(line) || places::follow_path(line, motion, end))
     return true;
   places::visit(line, motion == Motion::kG0 ? MoveKind::kRapid : MoveKind::kFeed, end, places::named_axes(line));
   if (motion == Motion::kG1) keep_feed(line);
@@ -180,7 +180,7 @@ bool arc(ModeLine& line, Motion motion) {
 bool thread(ModeLine& line, Motion motion) {
   Point end;
   owe_nothing(line);
-  if (places::end_point(line, &end) || compensates_uvw(line) || places::enters_nowhere(line, motion) ||
+  if (places::end_point(line, &end) || compensates_uvw(line) || places::enters_nowhere(line) ||
       places::follow_path(line, motion, end))
     return true;
   if (motion == Motion::kG33 &&

@@ -26,8 +26,8 @@ bool asks_inputs(const WordLine& words) {
 
 bool may_set_g91(const WordLine& words) {
   const GCode* const distance = words.code(GGroup::kDistance);
-  return (distance != nullptr && distance->tenths != code::kG90) || words.has_unknown_code() ||
-      words.has_remapped_code();
+  if (distance != nullptr && distance->tenths != code::kG90) return true;
+  return words.has_unknown_code() || words.has_remapped_code();
 }
 
 /// See moved().

@@ -60,7 +60,7 @@ LineView look(std::string_view line) {
 }
 
 /// Whether a character, made small, is `b`.
-bool same_letter(char a, char b) { return small_letter(a) == b; }
+bool same_letter(char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; }
 
 /// Where `owlint:` is on a line, in capitals or not. Few comments have a colon.
 size_t find_directive(std::string_view line) {
