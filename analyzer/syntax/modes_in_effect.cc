@@ -116,7 +116,6 @@ void ModesInEffect::need(Mode mode, uint32_t line) {
   if (!first) out_.statements.back().needs_modes = true;
 }
 
-/// What a line means depends on some modes, whether it stops or not.
 void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
   const MotionSet motions = words.depends_on_motion() ? state_.now[Mode::kMotion] : all_modes();
   const Motion motion = words.motion(static_cast<Motion>(std::countr_zero(motions)));

@@ -29,17 +29,14 @@ OPEN = {
     "reading": {"m98-line-with-a-named-assignment.ngc", "param-assign-51-on-a-line-overruns.ngc", "print-66-parameters-overrun.ngc"},
     # What M72 does to its line and to an offset of a tool, the feed that waits behind a compensated move, RETAIN_G43, and which of
     # two spindles is meant.
-    "modes": {"ctx-m72-comp-with-tool-offset.ngc", "ctx-m72-loses-an-m2-on-its-line.ngc",
+    "modes": {"ctx-m72-comp-with-tool-offset.ngc",
               "feed-g20-loses-a-feed-queued-by-compensation.ngc", "ini-retain-g43-comp-refused-while-offset-is-on.ngc",
-              "ini-retain-g43-g49-does-not-help.ngc", "ini-spindles2-g84-dollar-with-s.ngc",
-              "ini-spindles2-g95-without-dollar-is-spindle-0.ngc", "ini-spindles2-other-spindle-stopped.ngc"},
+              "ini-retain-g43-g49-does-not-help.ngc", "ini-spindles2-g84-dollar-with-s.ngc"},
     # Contours, what never ends, and where a probe has stopped.
     "geometry": {"cycle-g83-q-tiny-never-ends.ngc", "g76-large-r-takes-k-over-j-to-the-r-passes.ngc",
-                 "g7x-arc-centered-on-its-start-crashes.ngc", "g7x-contour-bad-word.ngc",
+                 "g7x-contour-bad-word.ngc",
                  "position-after-g38-is-not-the-end-point.ngc", "units-switch-with-comp-on-forgets-queued-feed.ngc",
-                 "spline-g5-order-p-q-after-polar.ngc", "g7x-g71-half-circle-never-ends.ngc", "g7x-g72-of-an-arc-in-x-never-ends.ngc",
-                 "g7x-never-ends.ngc", "g7x-one-move-with-chamfer-crashes.ngc"},
-}
+                 "spline-g5-order-p-q-after-polar.ngc"}}
 SKIPPED = 77                # what ctest takes for "not run"
 
 
