@@ -48,10 +48,9 @@ Index::Index(const Program& program, const FlowResult& flow, const MachineWords&
     }
     const std::string_view code = rules::code_of(stop, program);
     if (stop.set_in != nullptr) {
-      // Lines that may stop because of one line that has set a mode are one mistake. What surely stops a run is said of each
-      // line: a run that does not come to the first one stops at the second.
+      // Lines that stop on some way because of one line that has set a mode are one mistake: the first one names the others.
       const auto [first, added] = set_by.try_emplace({code, stop.set_in, stop.set_line}, stop.statement);
-      if (!added && stop.unproven) {
+      if (!added) {
         consequences.emplace(first->second, &stop);
         continue;
       }
