@@ -34,6 +34,12 @@ std::string_view code_in(std::string_view message) {
   return is_code ? message.substr(0, end + 1) : std::string_view();
 }
 
+/// What is left out, or called, in many places.
+struct Habit {
+  size_t places = 0;
+  std::set<const Source*> files;
+};
+
 struct Group {
   size_t report;
   size_t finding;
@@ -43,6 +49,7 @@ struct Group {
   std::vector<Related> others;
   std::vector<std::string> codes;  ///< of the messages, each once
   std::string found_in;            ///< the folder of the file that may be meant; empty: there is none
+  const Habit* habit = nullptr;
 };
 
 class CommonFaults {
@@ -78,9 +85,15 @@ class CommonFaults {
   /// Whether a finding is one more place of a group.
   bool joins(size_t report, size_t place, Finding& f) {
     const std::shared_ptr<const Source>& source = reports_[report].source;
-    const auto [entry, first] =
-        groups_.try_emplace({std::string(folder_of_run(file_key(source->path()))), std::string(f.code), f.group},
-                            Group{report, place, 1, f.severity, {}, {}, {}, {}});
+    const std::string folder(folder_of_run(file_key(source->path())));
+    Habit& habit = habits_[{folder, std::string(f.code), f.group}];
+    ++habit.places;
+    habit.files.insert(source.get());
+    // Of what an INI lacks each finding has its own words: only copies are one.
+    std::string same = f.group;
+    if (!f.missing.empty()) same = fmt::format("{}\n{}\n{}\n{}", f.group, severity_text(f.severity), f.message, f.help);
+    const auto [entry, first] = groups_.try_emplace({folder, std::string(f.code), std::move(same)},
+                                                    Group{report, place, 1, f.severity, {}, {}, {}, {}, &habit});
     Group& group = entry->second;
     group.files.insert(source.get());
     const std::string_view code = code_in(f.message);
@@ -97,7 +110,8 @@ class CommonFaults {
     FileReport& report = reports_[group.report];
     Finding& f = report.findings[group.finding];
     f.severity = group.worst;
-    if (group.places >= kHabit && group.files.size() > 1 && f.habit_severity) f.severity = *f.habit_severity;
+    if (group.habit->places >= kHabit && group.habit->files.size() > 1 && f.habit_severity)
+      f.severity = *f.habit_severity;
     if (group.codes.size() > 1) {
       constexpr size_t kNamed = 2;
       const size_t named = std::min(group.codes.size() - 1, kNamed);
@@ -174,6 +188,7 @@ class CommonFaults {
   std::span<FileReport> reports_;
   const std::vector<std::string>& folders_;
   std::map<std::string, std::vector<const std::string*>, std::less<>> by_name_;  // paths, by file name
+  std::map<std::tuple<std::string, std::string, std::string>, Habit> habits_;    // by folder, code, group
   std::map<std::tuple<std::string, std::string, std::string>, Group> groups_;    // by folder, code, group
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include <fmt/format.h>
-
 #include "rules/driver/lint.h"
 #include "rules/driver/missing_files.h"
 #include "rules/driver/variants.h"
@@ -57,8 +55,7 @@ ByFile lint_one_version(const Profile& profile, const LintOptions& options, Libr
     rules::fold_missing_files(input, report.findings);
     decide(policy, report.findings);  // what was folded changes it
     for (Finding& f : report.findings) {
-      // Copies of one configuration have the same mistakes. What is not the same in each of them is said of each.
-      f.group = fmt::format("{} {} {}", severity_text(f.severity), f.message, f.help);
+      if (f.group.empty()) f.group = f.message;  // copies of one configuration have the same mistakes
     }
   }
   return reports;

@@ -68,16 +68,15 @@ std::string listed(const std::vector<std::string>& names) {
 /// Which findings are folded into others.
 using Folded = std::vector<bool>;
 
-/// That LinuxCNC does not start without Python is no part of what others say.
+/// LinuxCNC does not start without the file.
 bool is_about_python(const Finding& f) { return f.code == "OW423" && f.stops; }
-bool speaks_alone(const Finding& f) { return is_about_python(f) && !f.unproven; }
 
 /// The finding that speaks for the others: if there is one, that about Python; one about a HAL file only alone.
 Finding* speaker_of(std::vector<Finding>& findings) {
   Finding* best = nullptr;
   const auto rank = [](const Finding& f) { return is_about_python(f) ? 0 : f.code == "OW415" ? 2 : 1; };
   for (Finding& f : findings) {
-    if (!f.missing.empty() && !speaks_alone(f) && (best == nullptr || rank(f) < rank(*best))) best = &f;
+    if (!f.missing.empty() && (best == nullptr || rank(f) < rank(*best))) best = &f;
   }
   return best;
 }
@@ -92,7 +91,7 @@ Folded say_part(const SetupInput& in, const std::vector<NamedFile>& elsewhere, s
   };
   for (size_t i = 0; i < findings.size(); ++i) {
     Finding& f = findings[i];
-    if (f.missing.empty() || speaks_alone(f)) continue;
+    if (f.missing.empty()) continue;
     add(f.missing);
     if (&f == speaker) continue;
     folded[i] = true;
@@ -101,7 +100,6 @@ Folded say_part(const SetupInput& in, const std::vector<NamedFile>& elsewhere, s
     speaker->stops = speaker->stops || f.stops;
     speaker->weight = std::min(speaker->weight, f.weight);
   }
-  if (speaker == nullptr) return folded;
   for (const NamedFile& file : elsewhere) {
     const std::string_view value = in.setup.text.value(*file.line);
     const auto& source = in.setup.text.source(*file.line);
@@ -111,6 +109,8 @@ Folded say_part(const SetupInput& in, const std::vector<NamedFile>& elsewhere, s
   }
   speaker->message =
       fmt::format("{} files and folders that this INI names are not here: {}", names.size(), listed(names));
+  if (is_about_python(*speaker))
+    speaker->message += fmt::format("; LinuxCNC does not start without `{}`", speaker->missing);
   speaker->help =
       "correct the names; if this folder has only a part of the configuration, check the INI on the machine";
   speaker->reach = Reach::kMaybe;

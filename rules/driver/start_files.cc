@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "analyzer/text/paths.h"
 #include "rules/driver/stops.h"
@@ -17,6 +18,7 @@ class StartFiles {
 
   void run() {
     if (!is_whole_machine(in_)) return;
+    beside_ = has_files_beside();
     check_hal_files();
     check_program("DISPLAY", kDisplays);
     check_program("TASK", kTasks);
@@ -93,8 +95,26 @@ class StartFiles {
   }
 
  private:
+  /// Whether a file is here that the INI names: else this is only a part of the configuration.
+  bool has_files_beside() const {
+    constexpr std::pair<std::string_view, std::string_view> kKeys[] = {
+        {"HAL", "HALFILE"},     {"HAL", "POSTGUI_HALFILE"}, {"EMCIO", "TOOL_TABLE"}, {"RS274NGC", "PARAMETER_FILE"},
+        {"PYTHON", "TOPLEVEL"}, {"DISPLAY", "DISPLAY"}};
+    return std::ranges::any_of(kKeys, [&](const auto& key) {
+      return std::ranges::any_of(lines_of(text_, key.first), [&](const IniLine* line) {
+        return text_.name(*line) == key.second && line->kind == IniLine::Kind::kKey &&
+            in_.library.files().is_file(beside(text_.value(*line)));
+      });
+    });
+  }
+
+  std::string beside(std::string_view value) const {
+    return normal_path(joined_path(folder_of(in_.setup.path), value.substr(0, value.find_first_of(" \t"))));
+  }
+
   /// HAL files are beside the INI, or in LinuxCNC's library.
   void check_hal_files() {
+    if (!beside_) return;
     static constexpr std::string_view kLibrary[] = {"axis_manualtoolchange.hal",
                                                     "basic_sim.tcl",
                                                     "check_config.tcl",
@@ -160,6 +180,7 @@ class StartFiles {
       return;
     const std::string message = "Can't execute " + std::string(key) + " program " + name;
     if (name.find('/') != std::string::npos) {
+      if (!beside_) return;
       if (in_.library.files().exists(normal_path(joined_path(folder_of(in_.setup.path), name)))) return;
       Finding& f = add_at(in_, out_, *line, span_of(*line, value.substr(0, name.size())),
                           "there is no program `" + name + "`: LinuxCNC does not start");
@@ -181,6 +202,7 @@ class StartFiles {
   const SetupInput& in_;
   Reporter& out_;
   const IniText& text_;
+  bool beside_ = false;
 };
 
 }  // namespace

@@ -35,6 +35,7 @@ void missing_axis(const Input& in, const FlowStop& stop, char letter, const std:
         ? "name the machine's INI (`--ini`), so that owlint knows its axes"
         : "name an INI that has `[TRAJ]` with `COORDINATES` (`--ini`), so that owlint knows the machine's axes";
     f.unproven = true;
+    f.uncertain = in.profile.setup != nullptr && asks_for_machine(in.program, stop.statement);
     return;
   }
   f.unproven = stop.reach != Reach::kAlways;  // a macro for several machines asks which axes there are
