@@ -58,10 +58,5 @@ TEST_CASE("passing over calm lines loses nothing", "[calm]") {
 }
 
 TEST_CASE("passing over calm lines of damaged programs loses nothing", "[calm]") {
-  std::mt19937 random(20261124);
-  const auto all = test::all_programs();
-  for (int i = 0; i < 4000; ++i) {
-    const auto& [name, text] = all[std::uniform_int_distribution<size_t>(0, all.size() - 1)(random)];
-    check_alike(name, test::damaged(text, random));
-  }
+  test::for_damaged_programs(20261124, check_alike);
 }

@@ -59,10 +59,5 @@ TEST_CASE("lines of plain motion are passed without a loss", "[bulk]") {
 }
 
 TEST_CASE("lines of plain motion in damaged programs are passed without a loss", "[bulk]") {
-  std::mt19937 random(20261129);
-  const auto all = test::all_programs();
-  for (int i = 0; i < 4000; ++i) {
-    const auto& [name, text] = all[std::uniform_int_distribution<size_t>(0, all.size() - 1)(random)];
-    check_alike(name, test::damaged(text, random));
-  }
+  test::for_damaged_programs(20261129, check_alike);
 }

@@ -106,3 +106,44 @@ TEST_CASE("a counted repetition calls again from the same line", "[engine]") {
   CHECK(calling.take().position == 4);
   CHECK(calling.take().position == 5);
 }
+
+TEST_CASE("exits that are joined are one exit", "[engine]") {
+  Calling calling(test::at_most(1, 1));
+  const ContextId one = calling.call(4, 1);
+  const auto leave_with = [&](uint8_t executed) {
+    calling.last.flags.executed = executed;
+    calling.leave(one);
+  };
+  leave_with(kNo);
+  CHECK(calling.take().position == 5);
+  leave_with(kYes);  // the first one that is joined
+  CHECK(calling.take().position == 5);
+  leave_with(kStale);
+  CHECK(calling.take().flags.executed == (kYes | kStale));
+  CHECK(calling.calls[one].exits.size() == 2);
+  leave_with(kYes | kStale);  // is in the joined one
+  CHECK(calling.worklist.empty());
+}
+
+TEST_CASE("a call comes back to the last join of its callers only", "[engine]") {
+  Calling calling;
+  const ContextId one = calling.call(4, 1);
+  const auto call_with = [&](uint8_t breaking, bool joined) {
+    State at;
+    at.position = 5;
+    at.joined = joined;
+    at.flags.breaking = breaking;
+    at.record = calling.trace.add({kNoRecord, 5, Branch::kNone, true, false});
+    State entry;
+    const ValueId passed = calling.machine.evaluator().values().intern(1.0);
+    calling.machine.evaluator().pass(entry.parameters, std::span(&passed, 1));
+    calling.calls.call(at, entry, calling.calls[one].info, 1);
+    CHECK(calling.take().context == one);
+    return calling.calls[one].callers.size();
+  };
+  CHECK(call_with(kNo, true) == 2);
+  CHECK(call_with(kNo | kYes, true) == 2);
+  CHECK(calling.calls[one].callers.back().state.flags.breaking == (kNo | kYes));
+  CHECK(call_with(kNo | kStale, true) == 3);  // does not hold what the one before does
+  CHECK(call_with(kNo, false) == 4);
+}
