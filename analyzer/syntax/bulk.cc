@@ -229,7 +229,7 @@ void PlainLines::pass_alike(size_t to, Passed* out) {
 }
 
 void PlainLines::forget(Like& like, Passed* out) {
-  if (like.key != 0) out->last.add(like.key & kAxisLetters & PlainLine::kLetters, like.last);
+  if (like.key != 0) out->last.add(like.key & PlainLine::kAxes, like.last);
   like.key = 0;
 }
 

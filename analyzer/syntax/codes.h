@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -61,6 +62,9 @@ enum class Motion : uint8_t {
 using MotionSet = uint64_t;
 constexpr MotionSet set_of(Motion motion) { return MotionSet{1} << static_cast<int>(motion); }
 constexpr bool contains(MotionSet set, Motion motion) { return (set & set_of(motion)) != 0; }
+inline constexpr MotionSet kStraightMotions = set_of(Motion::kG0) | set_of(Motion::kG1);
+inline constexpr MotionSet kArcMotions = set_of(Motion::kG2) | set_of(Motion::kG3);
+inline constexpr MotionSet kPlainMotions = kStraightMotions | kArcMotions;
 inline constexpr MotionSet kAnyMotion = (set_of(Motion::kNone) << 1) - 1;
 
 /// Numbers of codes by name: `code::kG5_1` is 51, as G codes are counted in tenths, `code::kM3` is 3.
@@ -160,6 +164,11 @@ constexpr uint32_t letter_set(std::string_view letters) {
   uint32_t set = 0;
   for (const char letter : letters) set |= 1U << letter_index(letter);
   return set;
+}
+/// Calls `apply` with the index of each letter.
+template <typename Do>
+void for_letters(uint32_t letters, const Do& apply) {
+  for (; letters != 0; letters &= letters - 1) apply(static_cast<size_t>(std::countr_zero(letters)));
 }
 inline constexpr uint32_t kAxisLetters = letter_set("xyzabcuvw");
 inline constexpr uint32_t kPolarLetters = letter_set("@^");

@@ -126,12 +126,10 @@ ModeFault with_modes(const WordLine& words, Fault fault, const ModeSets& now) {
 }
 
 bool move(ModeLine& line, Motion motion) {
-  constexpr MotionSet kStraight = set_of(Motion::kG0) | set_of(Motion::kG1);
-  constexpr MotionSet kArcs = set_of(Motion::kG2) | set_of(Motion::kG3);
   constexpr MotionSet kNurbs = set_of(Motion::kG5_2) | set_of(Motion::kG6_2);
   constexpr MotionSet kThreads = set_of(Motion::kG33) | set_of(Motion::kG33_1) | set_of(Motion::kG76);
-  if (contains(kStraight, motion)) return steps::straight(line, motion);
-  if (contains(kArcs, motion)) return steps::arc(line, motion);
+  if (contains(kStraightMotions, motion)) return steps::straight(line, motion);
+  if (contains(kArcMotions, motion)) return steps::arc(line, motion);
   if (contains(kSplines, motion)) return steps::spline(line, motion);
   if (contains(kNurbs, motion)) return steps::nurbs(line, motion);
   if (contains(kThreads, motion)) return steps::thread(line, motion);

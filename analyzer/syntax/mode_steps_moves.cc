@@ -10,8 +10,6 @@ namespace {
 constexpr BadMode kUvwPlanes{Mode::kPlane,
                              value_bit(modes::kG17_1) | value_bit(modes::kG18_1) | value_bit(modes::kG19_1)};
 constexpr BadMode kNoRadius{Mode::kRadius, value_bit(modes::kNoRadius)};
-constexpr MotionSet kMotionsOfCut =
-    set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
 constexpr BadMode kInverseTime{Mode::kFeedMode, value_bit(modes::kG93)};
 
 /// Behind a straight move.
@@ -228,7 +226,7 @@ bool contour(ModeLine& line, Motion motion) {
   places::lose_moves(line, axis_set(0) | axis_set(2));  // it goes to and fro along its contour
   // The last move of the cut decides; if nothing is cut, the sub does.
   line.set_open(Mode::kMotion,
-                kMotionsOfCut | (line.contour() == nullptr ? all_modes() : set_of(line.contour()->motion())));
+                kPlainMotions | (line.contour() == nullptr ? all_modes() : set_of(line.contour()->motion())));
   if (line.holds({kCompensationOn}) == Answer::kNo) {
     owe_nothing(line);
     if (places::cut_contour(line, motion)) return true;

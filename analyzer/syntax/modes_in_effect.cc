@@ -125,10 +125,8 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
     need(Mode::kDistance, line);
     need(Mode::kSystem, line);
   }
-  constexpr MotionSet kCompensated =
-      set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
   if (words.has('x')) need(Mode::kDiameter, line);
-  if (contains(kCompensated, motion)) need(Mode::kCompensation, line);
+  if (contains(kPlainMotions, motion)) need(Mode::kCompensation, line);
   if (contains(kCycles, motion)) need(Mode::kRetract, line);
   if (motion == Motion::kG2 || motion == Motion::kG3) need(Mode::kPlane, line);
   if (motion != Motion::kG0) need(Mode::kFeedMode, line);
@@ -295,7 +293,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   ModeState after = state_;
   stopped_ = !ModeRun(machine_, *words).run(&after, &faults_);
   set_feed(*words, &after.now);
-  if ((after.now.assigned & ~anything_.now.open) != 0 && leaves_usual(anything_.now, after.now)) out_.unusual = true;
+  out_.unusual = out_.unusual || leaves_usual(anything_.now, after.now);
   leave_out_asked();
   // What M72 writes depends on modes that only the flow knows.
   const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;

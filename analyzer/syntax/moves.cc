@@ -52,7 +52,7 @@ bool has_no_tool(const Moves& moves, size_t axis) {
 }  // namespace
 
 double unit_in_effect(const ModeSets& modes) {
-  if (!std::has_single_bit(modes[Mode::kUnits])) return std::numeric_limits<double>::quiet_NaN();
+  if (!is_single(modes[Mode::kUnits])) return std::numeric_limits<double>::quiet_NaN();
   return modes[Mode::kUnits] == value_bit(modes::kG20) ? kMillimetresInInch : 1;
 }
 

@@ -9,11 +9,6 @@
 namespace owlint {
 namespace {
 
-constexpr uint32_t kAxesOfPlainLines = letter_set("xyzabc");
-constexpr MotionSet kPlainMoves = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
-constexpr MotionSet kStraightMoves = set_of(Motion::kG0) | set_of(Motion::kG1);
-constexpr MotionSet kArcMoves = set_of(Motion::kG2) | set_of(Motion::kG3);
-
 /// The only value of a mode.
 uint8_t only_value(const ModeSets& sets, Mode mode) { return static_cast<uint8_t>(std::countr_zero(sets[mode])); }
 
@@ -44,11 +39,6 @@ bool has_code_for_the_flow(const WordLine& words) {
   const MCode* const store = words.code(MGroup::kSpindle);
   return (non_modal != nullptr && non_modal->tenths != code::kG4) || words.code(MGroup::kToolChange) != nullptr ||
       (store != nullptr && store->number >= code::kM70 && store->number <= code::kM73) || words.has_polar_words();
-}
-
-template <typename Do>
-void for_letters(uint32_t letters, const Do& apply) {
-  for (; letters != 0; letters &= letters - 1) apply(static_cast<size_t>(std::countr_zero(letters)));
 }
 
 bool has_computed_place(const WordLine& words) {
@@ -113,7 +103,7 @@ bool PlacesInEffect::needs_sums(const ModeSets& before) {
 }
 
 bool PlacesInEffect::is_plain_move(const WordLine& words, Motion motion) const {
-  return contains(kPlainMoves | set_of(Motion::kNone), motion) && !has_code_for_the_flow(words) &&
+  return contains(kPlainMotions | set_of(Motion::kNone), motion) && !has_code_for_the_flow(words) &&
       assumed_.now[Mode::kCompensation] == value_bit(modes::kG40);
 }
 
@@ -130,7 +120,7 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   const Motion motion = words.motion(static_cast<Motion>(only_value(assumed_.now, Mode::kMotion)));
   if (left_ && expected_ == Expected::kUsual) {
     const bool moves = words.has_axis_words() || words.has_polar_words();
-    const bool straight = contains(kStraightMoves, motion) || (!moves && !contains(kContours, motion));
+    const bool straight = contains(kStraightMotions, motion) || (!moves && !contains(kContours, motion));
     if (!straight || words.has_polar_words()) out_.asks_place = out_.unusual = true;
     return false;
   }
@@ -155,11 +145,11 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   if (machine_.retains_offset && side != nullptr) out_.asks_place = true;
   note_limits(words);
   // A whole circle comes back: only who asks how far it goes has to know of it.
-  const bool curves = contains(kArcMoves, motion);
+  const bool curves = contains(kArcMotions, motion);
   const bool moves = words.has_axis_words() || words.has_polar_words() || (machine_.measures_extents && curves);
   const bool plain = is_plain_move(words, motion) && !computed && !block_delete && !unknown && !chooses_tool;
   const bool needs_no_question =
-      contains(kStraightMoves | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
+      contains(kStraightMotions | set_of(Motion::kNone), motion) || (!stops && questions_ == kMostQuestions);
   if (plain && needs_no_question && !asked) {
     PlainMoves line;
     PlainWords written;
@@ -192,7 +182,7 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   if (!asked) ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
   if (stops || pauses || cuts || words.has_polar_words() ||
-      (moves && (compensates || !contains(kStraightMoves, motion))))
+      (moves && (compensates || !contains(kStraightMotions, motion))))
     out_.asks_place = true;
   return true;
 }
@@ -277,11 +267,11 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     const size_t next = read_plain_words(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if (compensates && words.letters != 0) break;
-    const uint32_t axes = words.letters & kAxesOfPlainLines;
-    const bool arc = contains(kArcMoves, motion) && words.letters != 0;
+    const uint32_t axes = words.letters & PlainLine::kAxes;
+    const bool arc = contains(kArcMotions, motion) && words.letters != 0;
     if (arc) {
-      words.convert(kAxesOfPlainLines | letter_set("ijkr"));
-      settle(kAxesOfPlainLines);
+      words.convert(PlainLine::kAxes | letter_set("ijkr"));
+      settle(PlainLine::kAxes);
       const bool asks = left_ ? questions_ < kMostQuestions : !arc_passes(words);
       if (asks) break;
     }
@@ -299,7 +289,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     }
     from = next;
   }
-  settle(kAxesOfPlainLines);
+  settle(PlainLine::kAxes);
   place_.keeps_height = false;
   if (left_) note(passed, &reaches, before, alone);
   return from;

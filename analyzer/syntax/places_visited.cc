@@ -19,10 +19,7 @@ MoveKind kind_of_motion(Motion motion) {
 
 template <typename Do>
 void for_axes(uint32_t letters, const Do& apply) {
-  for (letters &= kAxisLetters; letters != 0; letters &= letters - 1) {
-    const auto letter = static_cast<size_t>(std::countr_zero(letters));
-    apply(letter, axis_of_letter(letter));
-  }
+  for_letters(letters & kAxisLetters, [&](size_t letter) { apply(letter, axis_of_letter(letter)); });
 }
 
 }  // namespace

@@ -8,7 +8,6 @@ namespace {
 
 constexpr uint32_t kXyzWords = letter_set("xyz");
 constexpr uint32_t kRotaryWords = letter_set("abc");
-constexpr uint32_t kAxisWords = kXyzWords | kRotaryWords;
 constexpr uint32_t kCenterWords = letter_set("ijk");
 constexpr uint32_t kRadius = letter_set("r");
 constexpr uint32_t kArcWords = kCenterWords | kRadius;
@@ -125,23 +124,23 @@ class PlainReader {
     return !is_digit(*at_) && *at_ != '.';
   }
 
-  bool comment() {
+  /// The text of a comment; false if it is a command.
+  bool prose() {
     commented_ = true;
     const char* const from = ++at_;
     while (is_prose(*at_)) ++at_;
-    if (*at_ != ')' || comment_command({from, at_}) != nullptr) return false;
+    return comment_command({from, at_}) == nullptr;
+  }
+
+  bool comment() {
+    if (!prose() || *at_ != ')') return false;
     ++at_;
     skip_blanks();
     return !is_digit(*at_) && *at_ != '.';
   }
 
   /// The rest of the line.
-  bool last_comment() {
-    commented_ = true;
-    const char* const from = ++at_;
-    while (is_prose(*at_)) ++at_;
-    return comment_command({from, at_}) == nullptr && line_ends();
-  }
+  bool last_comment() { return prose() && line_ends(); }
 
   const char* at_;
   uint32_t words_ = 0;
@@ -210,16 +209,16 @@ void PlainLine::take(uint32_t number, Proven* proven, PlainEffect* effect) const
     proven->code = static_cast<int8_t>(code_);
     effect->motion = static_cast<Motion>(code_);
   }
-  effect->axes |= words_ & kAxisWords;
+  effect->axes |= words_ & PlainLine::kAxes;
   effect->feed |= has_feed();
   effect->speed |= (words_ & kSpeed) != 0;
-  if ((words_ & kAxisWords) != 0) {
+  if ((words_ & PlainLine::kAxes) != 0) {
     effect->moves = true;
     effect->alone |= proven->code == Proven::kNoCode;
     if (effect->first_move == 0) effect->first_move = number;
   }
   // A full circle has no axis word.
-  const bool arc = proven->code > 1 && (words_ & (kAxisWords | kArcWords)) != 0;
+  const bool arc = proven->code > 1 && (words_ & (PlainLine::kAxes | kArcWords)) != 0;
   if (arc && effect->first_arc == 0) effect->first_arc = number;
   effect->straight |= proven->code == 0 || proven->code == 1;
   effect->feeds |= proven->code > 0;

@@ -53,7 +53,8 @@ struct PlainEffect {
 class PlainLine {
  public:
   /// Letters that a plain line may have, but for N.
-  static constexpr uint32_t kMoveLetters = letter_set("xyzabcijkrg");
+  static constexpr uint32_t kAxes = letter_set("xyzabc");
+  static constexpr uint32_t kMoveLetters = kAxes | letter_set("ijkrg");
   static constexpr uint32_t kLetters = kMoveLetters | letter_set("fs");
 
   /// What is on it besides blanks.

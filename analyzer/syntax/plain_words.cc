@@ -9,8 +9,6 @@
 namespace owlint {
 namespace {
 
-constexpr uint32_t kAxes = letter_set("xyzabc");
-
 /// Bytes that are looked at: letters have their index and 1, line feeds and comments are kOther, what is in a word is 0.
 constexpr uint8_t kOther = UINT8_MAX;
 constexpr std::array<uint8_t, 256> make_looks() {
@@ -29,11 +27,6 @@ const char* behind_comment(const char* at) {
   const char end = *at == '(' ? ')' : '\n';
   while (*at != end) ++at;
   return end == ')' ? at + 1 : at;
-}
-
-template <typename Do>
-void for_bits(uint32_t bits, const Do& apply) {
-  for (; bits != 0; bits &= bits - 1) apply(static_cast<size_t>(std::countr_zero(bits)));
 }
 
 // Both numbers are exact, so their quotient is rounded once.
@@ -129,7 +122,7 @@ double plain_number(const char* at, const char* end) {
 }
 
 void PlainWords::convert(uint32_t which) {
-  for_bits(letters & which, [this](size_t letter) { values[letter] = plain_number(texts[letter], end); });
+  for_letters(letters & which, [this](size_t letter) { values[letter] = plain_number(texts[letter], end); });
 }
 
 size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words) {
@@ -161,8 +154,8 @@ PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to) {
   PlainWords words;
   while (from < to) {
     from = read_plain_words(bytes, from, &words);
-    for_bits(words.letters & kAxes,
-             [&](size_t letter) { moves.add(letter, plain_number(words.texts[letter], words.end)); });
+    for_letters(words.letters & PlainLine::kAxes,
+                [&](size_t letter) { moves.add(letter, plain_number(words.texts[letter], words.end)); });
   }
   return moves;
 }
@@ -187,7 +180,7 @@ void PlainReach::add(const PlainReach& other, const std::array<double, kAxes>& b
 PlainMoves last_plain_moves(std::string_view bytes, uint32_t axes, const LastLines& last) {
   PlainMoves moves;
   PlainWords words;
-  for_bits(axes, [&](size_t letter) {
+  for_letters(axes, [&](size_t letter) {
     read_plain_words(bytes, last[letter], &words);
     moves.add(letter, plain_number(words.texts[letter], words.end));
   });

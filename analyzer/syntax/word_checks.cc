@@ -41,7 +41,6 @@ class WordLine::Outcome {
 namespace {
 
 constexpr uint32_t kCenterLetters = letter_set("ijk");
-constexpr MotionSet kArcs = set_of(Motion::kG2) | set_of(Motion::kG3);
 constexpr MotionSet kNurbs = set_of(Motion::kG5_2) | set_of(Motion::kG6_2);
 constexpr MotionSet kMotionless = set_of(Motion::kG80) | set_of(Motion::kNone);
 using enum GGroup;
@@ -103,7 +102,7 @@ Motion WordLine::motion(Motion mode) const {
   if (code_ != Motion::kNone) return code_;
   if (has_taker()) return Motion::kNone;
   if (has_axis_words() || has_polar_words()) return has_code(GGroup::kToolLength, code::kG43_1) ? Motion::kNone : mode;
-  return (letters_ & kCenterLetters) != 0 && contains(kArcs, mode) ? mode : Motion::kNone;
+  return (letters_ & kCenterLetters) != 0 && contains(kArcMotions, mode) ? mode : Motion::kNone;
 }
 
 MotionSet WordLine::after(MotionSet before) const {
@@ -191,7 +190,7 @@ bool WordLine::non_modal(const Modes& before, Outcome& out) const {
   const uint8_t moving = word_of(GGroup::kMotion);
   if (code->tenths == code::kG4) {
     if (given(letter_set("p")) == 0 && out.stop(StopKind::kWordMissing, "Dwell time missing with g4", at)) return true;
-    return contains(kArcs, code_) &&
+    return contains(kArcMotions, code_) &&
         out.stop(StopKind::kCodesConflict, "G4 not allowed with G2 or G3 because they both use P", at, moving);
   }
   if (code->tenths == code::kG10) return g10(out);

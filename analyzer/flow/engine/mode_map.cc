@@ -56,21 +56,38 @@ ModeMap::ModeMap(const Linked& linked, const Profile& profile, const Limits& lim
 
 ModeMap::~ModeMap() = default;
 
+namespace {
+
+/// One line of a file, read by itself.
+class LineAlone {
+ public:
+  LineAlone(const Program& file, uint32_t line, const MachineWords& machine) : parser_(syntax_, machine) {
+    const Span span = file.source->line(line);
+    parser_.parse(file.source->slice(span), span.begin, &statement_);
+  }
+  /// Null if it has none.
+  const WordLine* words() const { return parser_.words(); }
+  bool has_error() const { return statement_.has_error(); }
+
+ private:
+  Syntax syntax_;
+  LineParser parser_;
+  Statement statement_;
+};
+
+}  // namespace
+
 /// Lines without a statement of their own, from `first` on, before `last`.
 void ModeMap::carry_on(uint32_t first, uint32_t last, ModeState* state, std::vector<ModeThere>* modes) const {
   const Program& file = *linked_.files()[0].program;
   const MachineWords& machine = analysis_.machine().machine_words();
   for (uint32_t line = first; line < last && line <= file.syntax.lines; ++line) {
-    Syntax syntax;
-    LineParser parser(syntax, machine);
-    Statement statement;
-    const Span span = file.source->line(line);
-    parser.parse(file.source->slice(span), span.begin, &statement);
-    if (parser.words() == nullptr || statement.has_error()) continue;
+    const LineAlone alone(file, line, machine);
+    if (alone.words() == nullptr || alone.has_error()) continue;
     const ModeState before = *state;
     state->now.assigned = 0;
     std::vector<ModeFault> faults;
-    if (!ModeRun(machine, *parser.words()).run(state, &faults)) *state = before;
+    if (!ModeRun(machine, *alone.words()).run(state, &faults)) *state = before;
     for (ModeThere& there : *modes) {
       const bool sets = (state->now.assigned & mask_of(there.mode)) != 0;
       const bool changes = state->now[there.mode] != before.now[there.mode];
@@ -85,12 +102,8 @@ bool ModeMap::loads_tool(const ModeSetter& setter) const {
   const Program& file = *setter.file;
   const MachineWords& machine = analysis_.machine().machine_words();
   for (uint32_t line = setter.line; line > 0 && setter.line - line < kMostLines; --line) {
-    Syntax syntax;
-    LineParser parser(syntax, machine);
-    Statement statement;
-    const Span span = file.source->line(line);
-    parser.parse(file.source->slice(span), span.begin, &statement);
-    const WordLine* const words = parser.words();
+    const LineAlone alone(file, line, machine);
+    const WordLine* const words = alone.words();
     if (words == nullptr) return false;
     const MCode* const change = words->code(MGroup::kToolChange);
     if (line == setter.line && (change == nullptr || change->number != code::kM6)) return false;

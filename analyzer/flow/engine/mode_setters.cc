@@ -51,23 +51,14 @@ ModeSetter last_setter(const Iteration& analysis, RecordId record, StatementId n
   return setter_before(analysis, modes);
 }
 
-ModeSetters::ModeSetters(const Iteration& analysis) : analysis_(analysis), first_(analysis.trace()->size() + 1) {
-  Trace& trace = *analysis.trace();
-  trace.finish();
-  std::vector<std::pair<RecordId, RecordId>> edges;  // backwards
-  trace.for_edges([&](RecordId from, RecordId to) {
-    // Where a call comes back, its own last line comes before, not the call.
-    const Trace::Record& back = trace.at(to);
-    const bool past_the_call = back.after_call && from == back.parent && trace.at(from).statement != kNoStatement &&
-        analysis.program().at(trace.at(from).statement).calls();
-    if (!past_the_call) edges.emplace_back(to, from);
-  });
-  std::ranges::sort(edges);
-  for (const auto& [to, from] : edges) {
-    ++first_[to + 1];
-    previous_.push_back(from);
-  }
-  for (size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+ModeSetters::ModeSetters(const Iteration& analysis) : analysis_(analysis) { analysis.trace()->finish(); }
+
+/// Where a call comes back, its own last line comes before, not the call.
+bool ModeSetters::leads_past_call(RecordId from, RecordId to) const {
+  const Trace& trace = *analysis_.trace();
+  const Trace::Record& back = trace.at(to);
+  const StatementId call = trace.at(from).statement;
+  return back.after_call && from == back.parent && call != kNoStatement && analysis_.program().at(call).calls();
 }
 
 std::vector<ModeSetter> ModeSetters::of(std::span<const RecordId> records, StatementId next, ModeMask modes) const {
@@ -95,10 +86,15 @@ std::vector<ModeSetter> ModeSetters::of(std::span<const RecordId> records, State
       if (setter.file != nullptr) continue;
       to = here;
     }
-    if (first_[record] == first_[record + 1]) add(setter_before(analysis_, modes));
     // The lines behind a condition that is false are skipped.
-    if (trace.at(record).branch == Branch::kFalse) to = kNoStatement;
-    for (uint32_t i = first_[record]; i < first_[record + 1]; ++i) go(previous_[i], to);
+    const StatementId behind = trace.at(record).branch == Branch::kFalse ? kNoStatement : to;
+    bool begins = true;
+    for (const RecordId from : trace.previous(record)) {
+      if (leads_past_call(from, record)) continue;
+      begins = false;
+      go(from, behind);
+    }
+    if (begins) add(setter_before(analysis_, modes));
   }
   if (!todo.empty() && !records.empty()) found = {last_setter(analysis_, records.front(), next, modes)};
   std::erase_if(found, [](const ModeSetter& setter) { return setter.file == nullptr; });

@@ -29,10 +29,9 @@ class ModeSetters {
   std::vector<ModeSetter> of(std::span<const RecordId> records, StatementId next, ModeMask modes) const;
 
  private:
+  bool leads_past_call(RecordId from, RecordId to) const;
+
   const Iteration& analysis_;
-  // Predecessors, packed: those of record i are [first_[i], first_[i + 1]).
-  std::vector<uint32_t> first_;
-  std::vector<RecordId> previous_;
 };
 
 }  // namespace owlint::flow

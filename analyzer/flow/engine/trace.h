@@ -103,6 +103,11 @@ class Trace {
     }
   }
 
+  /// The records that lead to one. After finish().
+  std::span<const RecordId> previous(RecordId record) const {
+    return std::span(previous_).subspan(previous_first_[record], previous_first_[record + 1] - previous_first_[record]);
+  }
+
  private:
   static std::vector<uint32_t> ways_round(const std::vector<uint32_t>& first, const std::vector<uint32_t>& next);
   bool has_cycle(const std::vector<bool>& within) const;

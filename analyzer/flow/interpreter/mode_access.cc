@@ -28,14 +28,13 @@ double number_by_line(const ModeChange& change) {
 
 /// The only value of a mode, as a line says it or as it is in effect; else kAny.
 uint8_t value_of(const ModeSets& modes, Mode mode, uint8_t said) {
-  if (said != ModeChange::kAny || !std::has_single_bit(modes[mode])) return said;
+  if (said != ModeChange::kAny || !is_single(modes[mode])) return said;
   return static_cast<uint8_t>(std::countr_zero(modes[mode]));
 }
 
 /// Whether lines that are not carried out one by one go somewhere.
 bool is_lost(const PlaceChange& change, const ModeSets& modes) {
-  constexpr MotionSet kPlain = set_of(Motion::kG0) | set_of(Motion::kG1) | set_of(Motion::kG2) | set_of(Motion::kG3);
-  const bool other = change.alone && (modes[Mode::kMotion] & ~kPlain) != 0;
+  const bool other = change.alone && (modes[Mode::kMotion] & ~kPlainMotions) != 0;
   return change.lost || other || value_of(modes, Mode::kCompensation, change.compensation) != modes::kG40;
 }
 
@@ -182,8 +181,7 @@ void ModeAccess::tell(const Parameters& p, const PlaceChange& change, MoveWatch 
     Moves moves;
     moves.kind = rapid ? MoveKind::kRapid : MoveKind::kFeed;
     moves.place = &place;
-    if (std::has_single_bit(modes[Mode::kSystem]))
-      moves.system = static_cast<uint8_t>(std::countr_zero(modes[Mode::kSystem]));
+    if (is_single(modes[Mode::kSystem])) moves.system = static_cast<uint8_t>(std::countr_zero(modes[Mode::kSystem]));
     moves.unit = unit_in_effect(modes);
     moves.end_at(place.at, watch.line);
     for (size_t axis = 0; axis < kAxisCount; ++axis) {

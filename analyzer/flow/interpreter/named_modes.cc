@@ -13,7 +13,7 @@ bool ModeAccess::has_said(const Parameters& p, Mode mode) const {
 
 void ModeAccess::say(Parameters& p, ModeMask modes) {
   for (ModeMask set = modes & uses_.named(); set != 0; set &= set - 1)
-    p.globals.set(pool_, kPlaceKey + 1 + static_cast<uint32_t>(std::countr_zero(set)), values_.intern(1));
+    p.globals.set(pool_, said_key(static_cast<Mode>(std::countr_zero(set))), values_.intern(1));
 }
 
 std::optional<double> ModeAccess::named(const Parameters& p, std::string_view name) const {
