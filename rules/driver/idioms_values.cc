@@ -146,8 +146,9 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
     }
     i += character.length;
   }
-  if (!edits.empty())
-    line.propose(f, edits.size() == 1 ? f.help : "type ordinary characters", std::move(edits), surely_meant);
+  if (edits.empty()) return true;
+  const std::string what = edits.size() == 1 ? f.help : "type ordinary characters";
+  line.propose(f, what, std::move(edits), surely_meant);
   return true;
 }
 
