@@ -93,9 +93,11 @@ class Tester:
     # --- the kinds of runs ---
 
     def own_programs(self):
-        for arguments in ([], ["--feature", "0x20"], ["--extend-select", "OW", "--linuxcnc", "all"]):
-            self.run("all programs %s" % arguments, ROOT, arguments, ALL, validate=True)
+        self.run("all programs", ROOT, [], ALL, validate=True)
         files = programs(*ALL)
+        # Schemas take long: a part of the programs has every form that these findings may have.
+        for arguments in (["--feature", "0x20"], ["--extend-select", "OW", "--linuxcnc", "all"]):
+            self.run("every fifth program %s" % arguments, ROOT, arguments, files[::5], validate=True)
         for path in files[::max(1, len(files) // 12)]:
             self.run(path, ROOT, [], [path])
 
