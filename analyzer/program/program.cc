@@ -62,6 +62,13 @@ std::string Program::head(StatementId id) const {
   return text;
 }
 
+RegionId Program::find_sub(std::string_view label) const {
+  for (RegionId r = kMainRegion + 1; r < regions.size(); ++r) {
+    if (regions[r].opener != kNoStatement && regions[r].name != kNoName && name(regions[r].name) == label) return r;
+  }
+  return kNoRegion;
+}
+
 BlockId Program::open_above(RegionId region, StatementId place) const {
   const auto begins = [](const Block& block) { return std::pair(block.region, block.opener); };
   const auto below = std::ranges::lower_bound(blocks, std::pair(region, place), {}, begins);

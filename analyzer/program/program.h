@@ -83,6 +83,8 @@ struct Program {
   std::string head(StatementId id) const;
   /// The innermost block of a region that is open above a place: the lines before statement `place`.
   BlockId open_above(RegionId region, StatementId place) const;
+  /// The first definition of a sub; kNoRegion if there is none.
+  RegionId find_sub(std::string_view label) const;
   /// The block's keyword and label, `o100 if`.
   std::string head_of(const Block& block) const { return head(block.opener); }
 };

@@ -62,14 +62,6 @@ bool stops_each_run(const Finding& f) {
   return f.stops && f.reach == Reach::kAlways && !f.unproven && !f.uncertain && f.block_delete.empty();
 }
 
-RegionId region_of(const Program& program, const std::string& sub) {
-  for (RegionId r = 1; r < program.regions.size(); ++r) {
-    const Region& region = program.regions[r];
-    if (region.opener != kNoStatement && region.name != kNoName && program.name(region.name) == sub) return r;
-  }
-  return kNoRegion;
-}
-
 class SureLines {
  public:
   SureLines(const SetupInput& in, std::vector<CommandRuns::SubLine>& out) : in_(in), out_(out) {}
@@ -81,7 +73,7 @@ class SureLines {
     const auto found = in_.setup.search_path->find(sub);
     if (!found || depth > kDeepest) return false;
     const std::shared_ptr<const Program> program = in_.library.load_called(found->path, in_.profile);
-    const RegionId region = region_of(*program, sub);
+    const RegionId region = program->find_sub(sub);
     if (region == kNoRegion) return false;
     for (StatementId id = program->regions[region].opener + 1; id < program->size() && out_.size() < kMost; ++id) {
       const Statement& s = program->at(id);

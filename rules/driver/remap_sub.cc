@@ -7,14 +7,6 @@
 namespace owlint::rules {
 namespace {
 
-RegionId region_of(const Program& program, const std::string& sub) {
-  for (RegionId r = 1; r < program.regions.size(); ++r) {
-    const Region& region = program.regions[r];
-    if (region.opener != kNoStatement && region.name != kNoName && program.name(region.name) == sub) return r;
-  }
-  return kNoRegion;
-}
-
 /// Whether the file itself decides whether a name is there.
 bool may_lack(const Program& program, NameId name) {
   const Syntax& syntax = program.syntax;
@@ -44,7 +36,7 @@ RemapSub remap_sub(const SetupInput& in, std::string_view ngc) {
   if (path.empty()) return out;
   const std::string name = small_letters(ngc);
   out.program = in.library.load_called(path, in.profile);
-  out.region = region_of(*out.program, name.substr(name.rfind('/') + 1));
+  out.region = out.program->find_sub(name.substr(name.rfind('/') + 1));
   if (out.region == kNoRegion) return out;
   const Program& p = *out.program;
   const flow::DataFlow data(p);

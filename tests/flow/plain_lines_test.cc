@@ -37,7 +37,7 @@ std::string findings(const std::string& text, bool errors_alone = false) {
   return out;
 }
 
-void check_alike(const std::string& name, const std::string& text) {
+void check_read_alike(const std::string& name, const std::string& text) {
   const auto compare = [&](const std::string& expected, const std::string& found) {
     if (found == expected) return;
     INFO(name << '\n' << text);
@@ -55,9 +55,9 @@ void check_alike(const std::string& name, const std::string& text) {
 }  // namespace
 
 TEST_CASE("lines of plain motion are passed without a loss", "[bulk]") {
-  for (const auto& [name, text] : test::all_programs()) check_alike(name, text);
+  for (const auto& [name, text] : test::all_programs()) check_read_alike(name, text);
 }
 
 TEST_CASE("lines of plain motion in damaged programs are passed without a loss", "[bulk]") {
-  test::for_damaged_programs(20261129, check_alike);
+  test::for_damaged_programs(20261129, check_read_alike);
 }
