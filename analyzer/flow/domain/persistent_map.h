@@ -20,12 +20,10 @@ inline uint64_t mix(uint64_t key, uint64_t value) {
 
 class PersistentMap {
  public:
-  static constexpr uint32_t kLeaf = 16;  ///< keys in one leaf
-
   struct Node {
     union {
-      std::array<Node*, kLeaf> children{};  // of inner nodes
-      std::array<uint32_t, kLeaf> values;   // of leaves; all zero means empty for both
+      std::array<Node*, 16> children{};  // of inner nodes
+      std::array<uint32_t, 16> values;   // of leaves; all zero means empty for both
     };
     uint32_t batch = 0;  // the batch in which it was made; 0: none
   };
@@ -87,12 +85,6 @@ class PersistentMap {
     visit_node(root_, height_, 0, visit);
   }
 
-  /// Removes pairs. `wanted(leaf)`: which of the keys from `kLeaf * leaf` on are kept, one bit each.
-  template <typename Wanted>
-  void keep(Pool& pool, const Wanted& wanted) {
-    if (root_ != nullptr) root_ = keep_in(pool, root_, height_, 0, wanted);
-  }
-
   /// Equal content has equal hashes, in whatever order it was written. merge() takes maps with equal hashes for equal; different
   /// ones are by accident with odds of 2^-64 for each pair (see State::hash()).
   uint64_t hash() const { return hash_; }
@@ -136,27 +128,6 @@ class PersistentMap {
   void rehash(uint32_t key, uint32_t old, uint32_t value) {
     if (old != 0) hash_ -= mix(key, old);
     if (value != 0) hash_ += mix(key, value);
-  }
-
-  template <typename Wanted>
-  Node* keep_in(Pool& pool, Node* node, int level, uint32_t prefix, const Wanted& wanted) {
-    Node* out = node;
-    const uint32_t kept = level > 0 ? 0 : wanted(prefix);
-    for (uint32_t i = 0; i < kLeaf; ++i) {
-      if (level > 0) {
-        Node* const child = node->children[i];
-        if (child == nullptr) continue;
-        Node* const left = keep_in(pool, child, level - 1, prefix * kLeaf + i, wanted);
-        if (left == child) continue;
-        if (out == node) out = pool.copy(node);
-        out->children[i] = left;
-      } else if (node->values[i] != 0 && (kept >> i & 1) == 0) {
-        if (out == node) out = pool.copy(node);
-        rehash(prefix * kLeaf + i, node->values[i], 0);
-        out->values[i] = 0;
-      }
-    }
-    return out;
   }
 
   // Recursion depth is the height of the tree, at most 7.

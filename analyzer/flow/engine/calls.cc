@@ -38,7 +38,6 @@ void Calls::call(const State& at, State entry, const Context& callee, int repeat
 }
 
 void Calls::enter(const State& at, State entry, const Context& callee, int repeats) {
-  machine_.forget_dead_at_entry(entry, callee);
   bool joined = false;
   const ContextId id = context_for(callee, entry, &joined);
   Frame& frame = frames_[id];
@@ -132,7 +131,6 @@ bool Calls::leave(const State& at) {
   exit.position = 0;
   exit.context = 0;
   if (!frame.info.fanuc) exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
-  machine_.forget_dead_at_exit(exit, frame.info);
   exit.skip = kNoLabel;
   exit.seek = false;
   exit.branch = Branch::kNone;
@@ -184,7 +182,6 @@ void Calls::recall(ContextId context, const State& at, const State& entry) {
   exit.position = 0;
   exit.context = 0;
   exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
-  machine_.forget_dead_at_exit(exit, frame.info);
   const CallOutcome* outcome = memo_->find(context, frame.info, entry, exit);
   if (outcome == nullptr) return;
   frame.known = true;

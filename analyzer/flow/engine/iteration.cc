@@ -62,7 +62,6 @@ void Iteration::successor(State state) { worklist_.add(machine_.skip_ahead(std::
 /// Takes in a state that arrives at its line. New ones are executed at once; where there are many already they are
 /// joined, and the join waits until all that arrive together are in it.
 void Iteration::arrive(State state) {
-  machine_.forget_dead(state, calls_[state.context].info);
   Partition& partition = partitions_.at(state);
   const uint64_t hash = state.hash();
   if (const RecordId known = partition.find(hash); known != kNoRecord) {

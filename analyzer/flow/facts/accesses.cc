@@ -6,30 +6,6 @@
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
-namespace {
-
-// Depth is bounded by the length of a line.
-template <typename Visit>
-void for_reads(const Syntax& syntax, ExprId id, const Visit& visit) {
-  const Expr& expr = syntax.exprs[id];
-  switch (expr.op) {
-    case Operator::kNumber: return;
-    case Operator::kNamed:
-    case Operator::kExistsNamed: return visit(key_of_name(syntax, expr.name()));
-    case Operator::kParameter:
-    case Operator::kExistsNumbered: {
-      const ParameterKey key = key_of_number(syntax, expr.left());
-      visit(key);
-      if (key != kComputedKey) return;
-      break;
-    }
-    default: break;
-  }
-  for_each_operand(expr, [&](ExprId operand) { for_reads(syntax, operand, visit); });
-}
-
-}  // namespace
-
 ParameterKey key_of_name(const Syntax& syntax, NameId name) {
   return is_global_name(syntax.names.text(name)) ? (kGlobalNames + name) | kGlobalKey : kLocalNames + name;
 }
@@ -82,18 +58,24 @@ Accesses AccessTable::lines(size_t first, size_t count) const {
   return out;
 }
 
-void add_reads(const Syntax& syntax, ExprId id, std::vector<ParameterKey>& reads) {
-  for_reads(syntax, id, [&](ParameterKey key) { reads.push_back(key); });
-}
-
+// Depth is bounded by the length of a line.
 void AccessTable::read(const Syntax& syntax, ExprId id) {
-  for_reads(syntax, id, [this](ParameterKey key) {
-    if (key == kComputedKey) {
+  const Expr& expr = syntax.exprs[id];
+  switch (expr.op) {
+    case Operator::kNumber: return;
+    case Operator::kNamed:
+    case Operator::kExistsNamed: reads_.push_back(key_of_name(syntax, expr.name())); return;
+    case Operator::kParameter:
+    case Operator::kExistsNumbered:
+      if (const ParameterKey key = key_of_number(syntax, expr.left()); key != kComputedKey) {
+        reads_.push_back(key);
+        return;
+      }
       any_.back() = 1;
-    } else {
-      reads_.push_back(key);
-    }
-  });
+      break;
+    default: break;
+  }
+  for_each_operand(expr, [&](ExprId operand) { read(syntax, operand); });
 }
 
 void AccessTable::add(const Program& program, StatementId id) {

@@ -24,8 +24,6 @@ ParameterKey key_of_number(const Syntax& syntax, ExprId number);
 inline bool assigns(const Item& item) { return item.target_name != kNoName || item.target != kNoExpr; }
 ParameterKey key_of_target(const Syntax& syntax, const Item& item);
 ParameterId parameter_of(ParameterKey key);
-/// Adds what an expression reads; kComputedKey for a parameter whose number is computed.
-void add_reads(const Syntax& syntax, ExprId id, std::vector<ParameterKey>& reads);
 
 /// An assignment to a parameter.
 struct Write {

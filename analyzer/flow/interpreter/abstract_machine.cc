@@ -32,7 +32,6 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       effects_(program_, structure_.regular, mode_uses_, limits) {
   if (remapped_codes_.run_python()) evaluator_.distrust_globals();
   evaluator_.set_modes(&modes_);
-  if (!profile.warn_only()) live_.emplace(program_, structure_, remembered_, limits);
   labels_.emplace_back(kNoName, kNoName);
   index();
 }
@@ -232,25 +231,6 @@ FullLabel AbstractMachine::full_label(NameId scope, NameId label) {
   const auto [entry, added] = label_ids_.try_emplace(key, static_cast<FullLabel>(labels_.size()));
   if (added) labels_.emplace_back(scope, label);
   return entry->second;
-}
-
-void AbstractMachine::forget_dead(State& state, const Context& context) {
-  if (!live_) return;
-  // Such a run is not yet, or not really, in the sub around its line.
-  if (state.seek || state.defining != kNoName || context.fanuc || context.contour || state.position >= program_.size())
-    return;
-  const RegionId region = program_.region_of[state.position];
-  if (context.depth == 0 ? region != kMainRegion : program_.regions[region].name != context.sub) return;
-  if (state.skip != kNoLabel && !is_target(state, context)) return;
-  live_->keep_before(state.position, state.parameters, pool_);
-}
-
-void AbstractMachine::forget_dead_at_entry(State& entry, const Context& callee) {
-  if (live_ && !callee.fanuc && !callee.contour) live_->keep_at_entry(callee.sub, entry.parameters, pool_);
-}
-
-void AbstractMachine::forget_dead_at_exit(State& exit, const Context& callee) {
-  if (live_ && !callee.fanuc && !callee.contour) live_->keep_at_exit(callee.sub, exit.parameters, pool_);
 }
 
 State AbstractMachine::resume(const State& caller, const State& exit, const Context& callee, bool merged) {

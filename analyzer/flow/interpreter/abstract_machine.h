@@ -19,7 +19,6 @@
 #include "analyzer/flow/interpreter/calm.h"
 #include "analyzer/flow/interpreter/dependence.h"
 #include "analyzer/flow/interpreter/evaluator.h"
-#include "analyzer/flow/interpreter/live_variables.h"
 #include "analyzer/flow/interpreter/mode_access.h"
 #include "analyzer/flow/interpreter/mode_watch.h"
 #include "analyzer/flow/interpreter/place_watch.h"
@@ -131,12 +130,6 @@ class AbstractMachine {
   /// `merged`: the exit stands for the calls of several callers.
   State resume(const State& caller, const State& exit, const Context& callee, bool merged);
 
-  /// Forgets what no run reads that goes on from a state: in it lie no differences that matter.
-  void forget_dead(State& state, const Context& context);
-  /// The same where a call of a sub begins, and where it comes back.
-  void forget_dead_at_entry(State& entry, const Context& callee);
-  void forget_dead_at_exit(State& exit, const Context& callee);
-
   /// Whether a skipping state is at the line that it skips to.
   bool is_target(const State& state, const Context& context) const;
 
@@ -222,7 +215,6 @@ class AbstractMachine {
   bool reads_break_;  // only a `do` loop reads the flag that `break` sets
   Structure structure_;
   EffectsOfSubs effects_;
-  std::optional<LiveVariables> live_;
   std::optional<CalmStretches> calm_;                  // exists from set_coarse() on
   std::vector<std::pair<NameId, NameId>> labels_;      // FullLabel -> scope, label
   std::unordered_map<uint64_t, FullLabel> label_ids_;  // by scope and label, but for subs

@@ -66,15 +66,6 @@ TEST_CASE("a persistent map does what a map does", "[map]") {
           maps.push_back(merged);
           break;
         }
-        case 2: {
-          const auto kept = static_cast<uint16_t>(random());
-          maps[at].map.keep(pool, [&](uint32_t leaf) { return static_cast<uint16_t>(leaf % 2 == 0 ? kept : 0xFFFF); });
-          std::erase_if(maps[at].model, [&](const auto& pair) {
-            const uint32_t leaf = pair.first / PersistentMap::kLeaf;
-            return leaf % 2 == 0 && (kept >> pair.first % PersistentMap::kLeaf & 1) == 0;
-          });
-          break;
-        }
         default: maps[at].set(pool, random_key(random), random() % 4);
       }
       const uint32_t probe = random_key(random);
