@@ -40,9 +40,15 @@ std::string arguments_in_comment(const Program& p, StatementId id) {
     if (text.empty()) return written;
     const size_t close = text.find(')');
     if (text[0] != '(' || close == std::string_view::npos) return {};
-    const std::string value = "[" + std::string(text.substr(1, close - 1)) + "]";
-    if (!surely_runs("#1=" + value)) return {};
-    written += (written.empty() ? "" : " ") + value;
+    std::string_view values = text.substr(1, close - 1);
+    while (!values.empty()) {
+      values.remove_prefix(std::min(values.find_first_not_of(" \t"), values.size()));
+      const size_t comma = std::min(values.find(','), values.size());
+      const std::string value = "[" + std::string(values.substr(0, comma)) + "]";
+      if (!surely_runs("#1=" + value)) return {};
+      written += (written.empty() ? "" : " ") + value;
+      values.remove_prefix(std::min(comma + 1, values.size()));
+    }
     text.remove_prefix(close + 1);
   }
 }

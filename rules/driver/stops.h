@@ -89,8 +89,8 @@ bool bounds_sub(const Statement& statement);
 /// Whether an O-word without a keyword has the label of a sub, in the program or in a file, and is not the program's own
 /// number: then its `call` was forgotten.
 bool lacks_call(const Input& in, StatementId statement);
-/// The arguments of a call that has them in round brackets, where they are a comment, as they must be written: `[1] [2]`.
-/// Empty if there are no such comments, or one of them is no value.
+/// The arguments of a call that has them in round brackets, `(1) (2)` or `(1, 2)`, where they are a comment, as they must be
+/// written: `[1] [2]`. Empty if there are no such comments, or one of them is no value.
 std::string arguments_in_comment(const Program& program, StatementId call);
 /// The last part of a file's path.
 std::string file_name(const Source& source);

@@ -233,9 +233,8 @@ def main(argv):
     stale = []
     ran = 0
     if rs274.available:
-        known = {} if options.record else {
-            p: recorded[p.name, p.digest, p.recorded_mode] for p in programs
-            if (p.name, p.digest, p.recorded_mode) in recorded and int(p.digest, 16) % options.portion != 0}
+        known = {p: recorded[p.name, p.digest, p.recorded_mode] for p in programs
+                 if (p.name, p.digest, p.recorded_mode) in recorded and int(p.digest, 16) % options.portion != 0}
         measured = measure([p for p in programs if p not in known])
         ran = len(measured)
         outcomes = {p: known[p] if p in known else measured[p] for p in programs}
