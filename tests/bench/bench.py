@@ -150,7 +150,7 @@ class Bench:
         wc = ["sh", "-c", "find '%s' -name '*.ngc' -print0 | xargs -0 wc -l" % tree]
         reference, owlint = self.time([wc, self.check(tree, jobs=2)])
         memory = peak_memory(self.check(tree, jobs=2))
-        self.add("%d files of 4 KiB, `--jobs 2`" % count, "%.2f x `find ... | xargs wc -l` (%.2f s)" % (owlint / reference, owlint), owlint / reference,
+        self.add("%d files of 4 KiB, `--jobs 2`" % count, "%.2f x `find ... \\| xargs wc -l` (%.2f s)" % (owlint / reference, owlint), owlint / reference,
                  "at most 2 x", seconds=owlint, reference_seconds=reference, memory_mib=memory)
         shutil.rmtree(tree)
 
