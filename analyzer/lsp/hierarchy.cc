@@ -28,9 +28,7 @@ Json item(const Document& document, RegionId region) {
 RegionId region_named(const Document& document, const std::string& name) {
   const Program& p = document.program();
   if (name.empty()) return kMainRegion;
-  for (RegionId r = 1; r < p.regions.size(); ++r) {
-    if (p.regions[r].opener != kNoStatement && p.name(p.regions[r].name) == name) return r;
-  }
+  if (const RegionId sub = p.find_sub(name); sub != kNoRegion) return sub;
   throw ResponseError{ErrorCode::kRequestFailed, "this sub no longer exists"};
 }
 

@@ -10,6 +10,11 @@
 #include "rules/driver/machine_rules.h"
 
 namespace owlint::rules {
+
+std::string path_beside(const SetupInput& in, std::string_view value) {
+  return normal_path(joined_path(folder_of(in.setup.path), value.substr(0, value.find_first_of(" \t"))));
+}
+
 namespace {
 
 constexpr size_t kFewest = 2;       // one file that is not here is a wrong name
@@ -18,9 +23,8 @@ constexpr size_t kShown = 3;        // in a message
 
 /// Where the file of a value is looked for; empty if that is not beside the INI: on the machine, or in LinuxCNC's own folders.
 std::string place_beside(const SetupInput& in, std::string_view value) {
-  value = value.substr(0, value.find_first_of(" \t"));  // arguments of a HAL file follow
   if (value.empty() || value.starts_with('/') || value.starts_with('~') || value.starts_with("LIB:")) return {};
-  return normal_path(joined_path(folder_of(in.setup.path), value));
+  return path_beside(in, value);
 }
 
 struct NamedFile {

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "analyzer/text/paths.h"
+#include "rules/driver/missing_files.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
@@ -28,9 +28,7 @@ class StartFiles {
   bool hal_loads_kinematics() const {
     for (const IniLine* line : lines_of(text_, "HAL")) {
       if (text_.name(*line) != "HALFILE" || line->kind != IniLine::Kind::kKey) continue;
-      const std::string_view value = text_.value(*line);
-      const std::string path =
-          normal_path(joined_path(folder_of(in_.setup.path), value.substr(0, value.find_first_of(" \t"))));
+      const std::string path = path_beside(in_, text_.value(*line));
       std::string error;
       const auto source = in_.library.files().is_file(path) ? in_.library.files().read(path, &error) : nullptr;
       if (source == nullptr) continue;
@@ -103,13 +101,9 @@ class StartFiles {
     return std::ranges::any_of(kKeys, [&](const auto& key) {
       return std::ranges::any_of(lines_of(text_, key.first), [&](const IniLine* line) {
         return text_.name(*line) == key.second && line->kind == IniLine::Kind::kKey &&
-            in_.library.files().is_file(beside(text_.value(*line)));
+            in_.library.files().is_file(path_beside(in_, text_.value(*line)));
       });
     });
-  }
-
-  std::string beside(std::string_view value) const {
-    return normal_path(joined_path(folder_of(in_.setup.path), value.substr(0, value.find_first_of(" \t"))));
   }
 
   /// HAL files are beside the INI, or in LinuxCNC's library.
@@ -152,7 +146,7 @@ class StartFiles {
       if (name.empty() || name.find_first_of("$~:") != std::string::npos || name.starts_with('/') ||
           name.starts_with("..") || std::ranges::find(kLibrary, name) != std::end(kLibrary))
         continue;
-      if (in_.library.files().exists(normal_path(joined_path(folder_of(in_.setup.path), name)))) continue;
+      if (in_.library.files().exists(path_beside(in_, name))) continue;
       Finding& f =
           add_at(in_, out_, *line, span_of(*line, value.substr(0, name.size())),
                  "there is no file `" + name + "` beside this INI, nor in LinuxCNC's library: LinuxCNC does not start");
@@ -181,7 +175,7 @@ class StartFiles {
     const std::string message = "Can't execute " + std::string(key) + " program " + name;
     if (name.find('/') != std::string::npos) {
       if (!beside_) return;
-      if (in_.library.files().exists(normal_path(joined_path(folder_of(in_.setup.path), name)))) return;
+      if (in_.library.files().exists(path_beside(in_, name))) return;
       Finding& f = add_at(in_, out_, *line, span_of(*line, value.substr(0, name.size())),
                           "there is no program `" + name + "`: LinuxCNC does not start");
       f.help = "put the program there, or correct the name";

@@ -91,7 +91,7 @@ class Checker {
       return;
     }
     const std::shared_ptr<const Program> program = in_.library.load_called(found->path, in_.profile);
-    if (defines(*program, called)) return check_macro_run(line, called, span);
+    if (program->find_sub(called) != kNoRegion) return check_macro_run(line, called, span);
     Finding& f =
         add(line, span, "the macro calls `" + label_text(called) + "`, but " + found->path + " has no such sub");
     f.help = "name the sub in the file like the file";
@@ -123,12 +123,6 @@ class Checker {
       f.help = "write a word for each behind the macro's name: the operator is asked for their values";
       f.related = found.related;
     }
-  }
-
-  static bool defines(const Program& program, const std::string& sub) {
-    return std::ranges::any_of(program.regions, [&](const Region& region) {
-      return region.opener != kNoStatement && region.name != kNoName && program.name(region.name) == sub;
-    });
   }
 
   /// Files of which ngcgui makes pages.

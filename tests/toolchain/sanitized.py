@@ -27,12 +27,6 @@ CHECKS = (["--extend-select", "OW"], ["--linuxcnc", "all", "--format", "sarif"],
 ONE_FILE = (["graph", "--format", "json"], ["modes"], ["extents", "--format", "json"], ["debug-flow"])
 
 
-def write(path, data):
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "wb") as f:
-        f.write(data)
-
-
 def gather(folder):
     """Writes the programs below a folder -> the paths of those that can be given to a command, from there."""
     programs = []

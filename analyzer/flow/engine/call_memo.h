@@ -21,9 +21,8 @@ class CallMemo {
   CallMemo(KnownCalls& known, const Linked& linked, const AbstractMachine& machine, const Precision& precision)
       : known_(known), keys_(linked, machine), program_(linked.program()), precision_(precision) {}
 
-  /// The outcome of a call; null if it is not known. Then the call is recorded, if it is one that can be kept. `unchanged`: what
-  /// comes back if the call changes nothing.
-  const CallOutcome* find(ContextId context, const Context& callee, const State& entry, const State& unchanged);
+  /// The outcome of a call; null if it is not known. Then the call is recorded, if it is one that can be kept.
+  const CallOutcome* find(ContextId context, const Context& callee, const State& entry);
   /// A state in a call is executed.
   void count_step(ContextId context);
   /// Something in a call is reported, so its outcome cannot be kept.
@@ -37,8 +36,7 @@ class CallMemo {
  private:
   struct Recorded {
     std::string key;
-    StatementId opener;
-    State unchanged;
+    State entry;
     size_t level;
     uint64_t steps = 0;
     bool disturbed = false;

@@ -178,11 +178,7 @@ bool Calls::join_exit(Frame& frame, State exit) {
 /// A call that begins like none before in this analysis: its outcome may be known from an earlier one.
 void Calls::recall(ContextId context, const State& at, const State& entry) {
   Frame& frame = frames_[context];
-  State exit = entry;
-  exit.position = 0;
-  exit.context = 0;
-  exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
-  const CallOutcome* outcome = memo_->find(context, frame.info, entry, exit);
+  const CallOutcome* outcome = memo_->find(context, frame.info, entry);
   if (outcome == nullptr) return;
   frame.known = true;
   ++recalled_;
@@ -192,6 +188,10 @@ void Calls::recall(ContextId context, const State& at, const State& entry) {
     if (outcome->lines[i]) trace_.mark_executed(opener + i);
   }
   trace_.leave_out(opener + 1, opener + static_cast<StatementId>(outcome->lines.size()));
+  State exit = entry;
+  exit.position = 0;
+  exit.context = 0;
+  exit.parameters.locals = exit.parameters.local_outcomes = PersistentMap();
   exit.flags.executed = outcome->executed;
   exit.flags.returned = outcome->returned;
   exit.joined = outcome->joined;

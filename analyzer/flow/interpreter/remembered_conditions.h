@@ -26,11 +26,6 @@ class RememberedConditions {
   ConditionId condition(ExprId expression) const {
     return expression < conditions_.size() ? conditions_[expression] : ConditionId{};
   }
-  /// Those that read a parameter.
-  std::span<const uint32_t> conditions_of(ParameterKey key) const {
-    const auto found = conditions_of_.find(key);
-    return found == conditions_of_.end() ? std::span<const uint32_t>() : found->second;
-  }
   static Outcome known(const Parameters& p, ConditionId condition);
   void learn(Parameters& p, ConditionId condition, bool truth);
   /// A parameter is assigned.
@@ -39,6 +34,12 @@ class RememberedConditions {
   void forget_answers(Parameters& p);
 
  private:
+  /// Those that read a parameter.
+  std::span<const uint32_t> conditions_of(ParameterKey key) const {
+    const auto found = conditions_of_.find(key);
+    return found == conditions_of_.end() ? std::span<const uint32_t>() : found->second;
+  }
+
   PersistentMap::Pool& pool_;
   std::vector<ConditionId> conditions_;  // by condition, as far as there are any
   std::unordered_map<ParameterKey, std::vector<uint32_t>> conditions_of_;
