@@ -1,4 +1,5 @@
 // A browser that may go nowhere, and pages of real audits for it.
+import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -64,6 +65,19 @@ export function dataOf(file) {
   return data;
 }
 
+/** The address of a program in the top folder or, by its name, in another one. */
+export function programIn(data, name, query = "") {
+  const paths = data.index.files.path;
+  return `#/program/${paths.includes(name) ? paths.indexOf(name) : paths.findIndex((path) => path.endsWith(`/${name}`))}${query}`;
+}
+
+/** Of a program with a finding of a rule that has a safe fix, the finding chosen. */
+export function fixableIn(data, code) {
+  const { file: files, rule, fix, line } = data.index.findings;
+  const i = rule.findIndex((r, at) => data.index.rules[r].code === code && fix[at] === 2);
+  return `#/program/${files[i]}?line=${line[i]}`;
+}
+
 let browser;
 
 export async function start() {
@@ -88,9 +102,23 @@ export async function open(file, route = "#/", options = {}) {
   page.on("request", (request) => { if (!request.url().startsWith(`file://${file}`) && !request.url().startsWith("data:")) page.troubles.push(`request: ${request.url()}`); });
   // SLOWER=10 makes the browser ten times as slow: what a test does not wait for shows then.
   if (process.env.SLOWER) await (await context.newCDPSession(page)).send("Emulation.setCPUThrottlingRate", { rate: Number(process.env.SLOWER) });
+  await show(page, file, route);
+  return page;
+}
+
+/** Loads a view into a page that is there: a fresh one costs more than a second on a machine of two cores. */
+export async function show(page, file, route) {
+  await page.goto("about:blank");  // else only the fragment changes, and the view before may still be there
   await page.goto(`file://${file}${route}`);
   await page.waitForSelector("#app[data-ready]", { timeout: 120_000 });
-  return page;
+}
+
+/** Runs `act` in a page of its own, and then asks that nothing went wrong in it. */
+export async function looking(file, route, options, act) {
+  const page = await open(file, route, options);
+  await act(page);
+  assert.deepEqual(page.troubles, []);
+  await page.context().close();
 }
 
 /** Asserts again and again until it holds: what a click or a key does is drawn some time after it. */
@@ -106,10 +134,10 @@ export async function eventually(assertion) {
   }
 }
 
-/** What axe-core finds against the page. */
-export async function violations(page) {
+/** What axe-core finds against the page, of all rules or of some. */
+export async function violations(page, rules = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]) {
   await page.addScriptTag({ path: axeFile });
-  const found = await page.evaluate(() => window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"] }));
+  const found = await page.evaluate((runOnly) => window.axe.run(document, { runOnly }), rules);
   return found.violations.map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.target} ${n.failureSummary}`).join(" | ")}`);
 }
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { dataOf, eventually, open, shopPage, shots, start, stop, violations } from "./browser.mjs";
+import { dataOf, eventually, fixableIn, looking, open, programIn, shopPage, shots, start, stop } from "./browser.mjs";
 
 let file;
 let data;
@@ -10,28 +10,12 @@ let data;
 before(async () => { file = shopPage(); data = dataOf(file); await start(); });
 after(stop);
 
-/** Runs `act` in a page of its own, and then asks that nothing went wrong in it. */
-async function reading(route, options, act) {
-  const page = await open(file, route, options);
-  await act(page);
-  assert.deepEqual(page.troubles, []);
-  await page.context().close();
-}
-
+const reading = (route, options, act) => looking(file, route, options, act);
 const rows = (page) => page.locator(".row");
 const found = async (page) => Number((await page.locator(".found").textContent()).split(" ")[0].replaceAll(",", ""));
 const phone = { viewport: { width: 360, height: 740 }, hasTouch: true };
-/** The address of a program in the top folder or, by its name, in another one. */
-const program = (name, query = "") => {
-  const paths = data.index.files.path;
-  return `#/program/${paths.includes(name) ? paths.indexOf(name) : paths.findIndex((path) => path.endsWith(`/${name}`))}${query}`;
-};
-/** Of a program with a finding of a rule that has a safe fix, the finding chosen. */
-const fixable = (code) => {
-  const { file: files, rule, fix, line } = data.index.findings;
-  const i = rule.findIndex((r, at) => data.index.rules[r].code === code && fix[at] === 2);
-  return `#/program/${files[i]}?line=${line[i]}`;
-};
+const program = (name, query) => programIn(data, name, query);
+const fixable = (code) => fixableIn(data, code);
 const says = (locator, pattern) => eventually(async () => assert.match(await locator.innerText({ timeout: 1000 }), pattern));
 const counts = (locator, n) => eventually(async () => assert.equal(await locator.count(), n));
 
@@ -388,14 +372,3 @@ test("on paper there are the findings and no controls", () => reading("#/finding
   await counts(page.locator("ul.print-only li"), await found(page));
   for (const hidden of [".top", ".filters", ".list"]) await page.locator(hidden).waitFor({ state: "hidden" });
 }));
-
-test("axe-core finds nothing on any view, light or dark", async () => {
-  for (const colorScheme of ["light", "dark"]) {
-    for (const route of ["#/", "#/findings", "#/programs", "#/program/3", "#/program/3?view=blocks", fixable("OW304"), program("new.ngc", "?line=9"), program("modes.ngc", "?line=4"), program("arc.ngc", "?line=3"), program("new.ngc", "?view=blocks"), program("calling.ngc", "?view=calls"), "#/rule/OW104", "#/findings?q=none-at-all", "#/program/999999"]) {
-      await reading(route, { colorScheme }, async (page) => {
-        await page.locator(".blocks, .drawing svg, .source, .empty, .list, .rule, .totals").first().waitFor();
-        assert.deepEqual(await violations(page), [], `${colorScheme} ${route}`);
-      });
-    }
-  }
-});
