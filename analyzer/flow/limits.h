@@ -23,7 +23,7 @@ struct Limits {
   /// Small programs are followed almost path by path; the longer an analysis runs, the more states it joins, so that its
   /// time grows with the program and not with its paths. At the last level, which must have no end, constants are joined
   /// too, and stretches of harmless lines are one step.
-  std::array<Level, 4> levels{{{10'000, 128, 256}, {40'000, 64, 32}, {100'000, 8, 4}, {UINT64_MAX, 1, 1}}};
+  std::array<Level, 4> levels{{{2'500, 128, 256}, {10'000, 64, 32}, {25'000, 8, 4}, {UINT64_MAX, 1, 1}}};
   /// So many times as many states are kept apart if one of a sub's operations will fail in them.
   size_t times_for_failing = 2;
   /// Statements of a program that does not begin at the last level. In a larger one most lines would be analysed at that

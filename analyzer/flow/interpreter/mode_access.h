@@ -31,8 +31,8 @@ class ModeAccess {
   void tell(const Parameters& p, const PlaceChange& change, MoveWatch watch) const;
   /// What is read under the name of a mode, as far as the program has set the mode.
   std::optional<double> named(const Parameters& p, std::string_view name) const;
-  /// Applies what the outcome of a condition says about the modes that it reads.
-  void learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth);
+  /// Applies what the outcome of a condition says about the modes that it reads. False if no run has this outcome.
+  bool learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth);
   /// A call begins: on its level nothing is saved.
   void begin_level(Parameters& p);
   /// A line with remapped codes is read with the motion in effect; the rest of it behind their subs keeps that.

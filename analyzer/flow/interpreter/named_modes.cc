@@ -22,8 +22,9 @@ std::optional<double> ModeAccess::named(const Parameters& p, std::string_view na
   return shown->number(mode_values(values_, shown->mode(), p.globals.get(mode_key(shown->mode()))).may);
 }
 
-void ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth) {
-  if (uses_.named() == 0) return;
+bool ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth) {
+  if (uses_.named() == 0) return true;
+  bool possible = true;
   const auto visit = [&](ExprId side, Operator op, ExprId other, bool outcome) {
     double number = 0;
     if (syntax.exprs[side].op != Operator::kNamed) return;
@@ -35,6 +36,7 @@ void ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bo
     ModeValues values =
         said ? mode_values(values_, mode, p.globals.get(mode_key(mode))) : ModeValues{all_values(mode), true};
     const ValueSet left = shown->with(values.may, op, number, outcome);
+    possible = possible && left != 0;
     if (left == 0 || left == values.may) return;
     values.may = left;
     p.globals.set(pool_, mode_key(mode), mode_value(values_, mode, values));
@@ -42,6 +44,7 @@ void ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bo
   };
   for_known_comparisons(syntax.exprs, condition, truth, visit);
   if (truth && syntax.exprs[condition].op == Operator::kNamed) visit(condition, Operator::kNe, kNoExpr, true);
+  return possible;
 }
 
 }  // namespace owlint::flow

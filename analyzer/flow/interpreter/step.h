@@ -49,7 +49,7 @@ struct AbstractMachine::Step {
     if (branch != Branch::kNone && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
       m.remembered_.learn(next.parameters, tested, branch == Branch::kTrue);
       m.refinement_.refine(next.parameters, value(0), branch == Branch::kTrue);
-      m.modes_.learn(next.parameters, m.program_.syntax, value(0), branch == Branch::kTrue);
+      if (!m.modes_.learn(next.parameters, m.program_.syntax, value(0), branch == Branch::kTrue)) return;
     }
     next.position = position;
     next.branch = decided ? Branch::kNone : branch;
