@@ -120,6 +120,7 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
   const MotionSet motions = words.depends_on_motion() ? state_.now[Mode::kMotion] : all_modes();
   const Motion motion = words.motion(static_cast<Motion>(std::countr_zero(motions)));
   if (motion == Motion::kNone || motion == Motion::kG80 || !words.has_axis_words()) return;
+  if (words.depends_on_motion()) need(Mode::kMotion, line);
   need(Mode::kUnits, line);
   if (words.code(GGroup::kNonModal) == nullptr) {
     need(Mode::kDistance, line);
@@ -135,6 +136,7 @@ void ModesInEffect::need_of(const WordLine& words, uint32_t line) {
 void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t last) {
   if (stopped_) return;
   feeds_ = feeds_ || effect.feeds || effect.alone;
+  if (effect.alone) need(Mode::kMotion, before + effect.first_move);
   if (effect.moves) {
     for (const Mode mode : {Mode::kUnits, Mode::kDistance, Mode::kSystem, Mode::kCompensation})
       need(mode, before + effect.first_move);
@@ -258,6 +260,15 @@ bool ModesInEffect::stays_rapid(const WordLine& words) const {
   return words.motion(static_cast<Motion>(std::countr_zero(state_.now[Mode::kMotion]))) == Motion::kG0;
 }
 
+/// A line that no run gets to because one before it stops: only what stops it in any mode is a mistake of its own.
+bool ModesInEffect::judge_behind(Statement& statement, const WordLine& words) {
+  ModeState any = anything_;
+  ModeRun(machine_, words).run(&any, &faults_);
+  if (faults_.size() != 1 || !faults_.front().fault.certain) return false;
+  statement.error = parser_.add_error(faults_.front().fault, faults_.front().decided_by);
+  return true;
+}
+
 bool ModesInEffect::judge(Statement& statement, bool keep) {
   faults_.clear();
   remaps_.clear();
@@ -280,6 +291,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
       if (!stops && statement.kind != LineKind::kPercent) places_.leave();
     } else if (stops) {
       places_.stop(statement.line);
+      stopped_ = true;
     }
     return keep;
   }
@@ -288,7 +300,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     out_.input_lines.push_back(statement.line);
     if (!out_.statements.empty()) out_.statements.back().asks_inputs = true;
   }
-  if (stopped_) return keep;
+  if (stopped_) return judge_behind(statement, *words) || keep;
   const bool alone = words->depends_on_motion() && !is_single(state_.now[Mode::kMotion]);
   ModeState after = state_;
   stopped_ = !ModeRun(machine_, *words).run(&after, &faults_);

@@ -49,6 +49,7 @@ class ModesInEffect {
   void leave_out_asked();
   static void set_feed(const WordLine& words, ModeSets* after);
   bool asks(const WordLine& words, const ModeState& after, bool alone) const;
+  bool judge_behind(Statement& statement, const WordLine& words);
   bool writes_offsets(const Statement& statement) const;
   bool stays_rapid(const WordLine& words) const;
   void take(const ModeState& after, bool alone, uint32_t line);

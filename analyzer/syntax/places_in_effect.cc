@@ -114,7 +114,10 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   // Compensation with the tool in the spindle: only where the place is known, it is known which one that is.
   const GCode* const side = words.code(GGroup::kCutterCompensation);
   const bool takes_tool = place_.loaded_tool > 0 && side != nullptr && side->tenths != code::kG40 && !words.has('d');
-  if (!words.has_axis_words() && !words.has_polar_words() && !has_code_of_place(words) && !unknown && !chooses_tool)
+  // With an arc in effect a center alone is a whole circle.
+  const bool turns = words.has('i') || words.has('j') || words.has('k');
+  if (!words.has_axis_words() && !words.has_polar_words() && !turns && !has_code_of_place(words) && !unknown &&
+      !chooses_tool)
     return false;
   assume(before);
   const Motion motion = words.motion(static_cast<Motion>(only_value(assumed_.now, Mode::kMotion)));

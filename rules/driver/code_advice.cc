@@ -29,7 +29,8 @@ constexpr std::string_view kScale = "LinuxCNC cannot scale: multiply the positio
 constexpr std::string_view kTap = "`G33.1` with `K` taps with the spindle synchronized";
 
 constexpr std::array kOtherCodes = std::to_array<OtherCode>({
-    {'g', 90, 119, "data input on Fanuc", "set offsets with `G10`"},
+    {'g', 90, 99, "an exact stop at the end of its line on Fanuc", "write `G61.1` before the move, and `G64` after it"},
+    {'g', 101, 119, "data input on Fanuc", "set offsets with `G10`"},
     {'g', 120, 139, "circular pocket milling on Haas", kPocket},
     {'g', 150, 169, "polar positions on Fanuc", kPolar},
     {'g', 220, 239, "a limit of travel on Fanuc", "the limits are in the machine's INI"},
@@ -41,6 +42,7 @@ constexpr std::array kOtherCodes = std::to_array<OtherCode>({
     {'g', 340, 349, "a thread of variable lead on Fanuc", "LinuxCNC has threads of constant lead: `G33`"},
     {'g', 360, 379, "tool measuring on Fanuc", kMeasure},
     {'g', 440, 449, "a negative tool length offset on Fanuc", "write `G43`, with the length in the tool table"},
+    {'g', 450, 489, "a tool offset for one line on Fanuc", "compensate with `G41` or `G42`, or add the radius to the move"},
     {'g', 500, 519, "scaling on Fanuc", kScale},
     {'g', 541, 549, "a further coordinate system on Fanuc", kSystems},
     {'g', 600, 609, "positioning from one side on Fanuc", "`G61` follows the exact path"},
@@ -50,7 +52,10 @@ constexpr std::array kOtherCodes = std::to_array<OtherCode>({
     {'g', 750, 759, "a grooving cycle on Fanuc", "write the moves, or call a sub"},
     {'g', 770, 799, "a turning cycle on Fanuc", "write the moves, or use `G71` or `G76`"},
     {'g', 841, 849, "rigid tapping on other controllers", kTap},
-    {'g', 1100, 1299, "a coordinate system on Haas", kSystems},
+    {'g', 1070, 1079, "cylindrical mapping on Haas", "let the CAM program write the moves of the rotary axis"},
+    {'g', 1100, 1119, "a coordinate system on Haas", kSystems},
+    {'g', 1120, 1139, "a coordinate system on Haas mills, and polar interpolation on lathes", kSystems},
+    {'g', 1140, 1299, "a coordinate system on Haas", kSystems},
     {'g', 1500, 1509, "a pocket cycle on Haas", "call a sub that mills the pocket"},
     {'g', 1540, 1549, "a coordinate system on Haas", kSystems},
     {'g', 1870, 1879, "the accuracy of the path on Haas", "`G64 P0.01` rounds corners within a tolerance"},
@@ -64,7 +69,11 @@ constexpr std::array kOtherCodes = std::to_array<OtherCode>({
     {'m', 20, 28, "", kOwn},
     {'m', 29, 29, "rigid tapping on Fanuc", kTap},
     {'m', 31, 37, "", kOwn},
+    {'m', 47, 47, "a jump to the first line on Mach3",
+     "repeat with `o100 while [1]` … `o100 endwhile`, or press start again"},
     {'m', 40, 44, "a gear of the spindle on other controllers", kOutput},
+    {'m', 82, 83, "the extruder's mode on 3D printers", "remove it"},
+    {'m', 84, 84, "motors off on 3D printers", "remove it, or switch the machine off on its screen"},
     {'m', 88, 89, "coolant through the spindle on Haas", "`M7` and `M8` switch coolant on, `M9` off"},
     {'m', 97, 97, "a call of a sub in the same program on Haas", "call a sub: `o100 call`, or `M98 P100`"},
 });
@@ -76,6 +85,12 @@ bool goes_elsewhere(char letter, int number) {
   constexpr int kG28 = 280, kG28_1 = 281, kG30 = 300, kG30_1 = 301, kM6 = 6;
   if (letter == 'm') return number == kM6;
   return number == kG28 || number == kG28_1 || number == kG30 || number == kG30_1;
+}
+
+/// Codes that end the program or start the spindle: not to be named for one that is only a digit shorter or longer.
+bool has_consequences(char letter, std::string_view digits) {
+  constexpr std::string_view kCodes[] = {"2", "3", "4", "30", "60"};
+  return letter == 'm' && std::ranges::find(kCodes, digits) != std::end(kCodes);
 }
 
 /// Whether it is a code that may be named in the place of another one.
@@ -127,7 +142,7 @@ std::vector<std::string> near_codes(char letter, const std::string& digits, Rele
       other[i] = static_cast<char>(other[i] + step);
       if (other[i] >= '0' && other[i] <= '9') add(1, other);
     }
-    add(2, without);
+    if (!has_consequences(letter, without)) add(2, without);
   }
   for (const std::vector<std::string>& kind : kinds) {
     if (!kind.empty() && kind.size() <= 2) return kind;

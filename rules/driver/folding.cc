@@ -227,10 +227,26 @@ void fold_into_other_controller(std::vector<Finding>& findings) {
   std::erase_if(findings, follows);
 }
 
+/// The same mistake as the one at which every run stops, further down: more places of it.
+void fold_repeated(std::vector<Finding>& findings) {
+  constexpr size_t kMostPlaces = 4;
+  const auto stop = std::ranges::find_if(
+      findings, [](const Finding& f) { return f.stops && f.reach == Reach::kAlways && f.source == nullptr; });
+  if (stop == findings.end()) return;
+  const auto repeats = [code = stop->code, message = stop->message](const Finding& f) {
+    return !f.stops && f.reach == Reach::kNever && f.code == code && f.message == message;
+  };
+  for (const Finding& f : findings) {
+    if (repeats(f) && stop->related.size() < kMostPlaces) stop->related.push_back({f.span, "here as well", nullptr});
+  }
+  std::erase_if(findings, repeats);
+}
+
 }  // namespace
 
 void fold_consequences(const Program& program, const FlowResult& flow, std::vector<Finding>& findings) {
   fold_into_other_controller(findings);
+  fold_repeated(findings);
   if (findings.size() > 1) Folding(program, flow, findings).run();
 }
 

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "analyzer/syntax/further_faults.h"
 #include "analyzer/syntax/look_alike.h"
+#include "rules/driver/behind_stops.h"
 #include "rules/driver/words.h"
 
 namespace owlint {
@@ -65,6 +67,32 @@ Index::Index(const Program& program, const FlowResult& flow, const MachineWords&
     if (std::ranges::any_of(program.syntax.names.text(id), is_foreign)) foreign_names.push_back(id);
   }
   find_shared_labels(program);
+  add_behind(program, flow, codes_known);
+}
+
+/// Stops at words behind the line where every run stops: corrected one by one, they would take as many tries.
+void Index::add_behind(const Program& program, const FlowResult& flow, bool codes_known) {
+  std::optional<rules::BehindStops> lines;
+  const auto add = [&](StatementId id, const LineError& error) {
+    if (!lines) lines.emplace(program, flow);
+    if (!lines->contains(id) || (error.kind == StopKind::kCodeUnknown && !codes_known)) return;
+    FlowStop& stop = behind_.emplace_back();
+    stop.statement = id;
+    stop.kind = error.kind;
+    stop.reach = Reach::kNever;
+    stop.interpreter = error.message;
+    by_code[rules::code_of(stop, program)].push_back(&stop);
+  };
+  for (const auto& [code, unmet] : unmet_by_code) {
+    const Group group = find_rule(code)->group;
+    if (group != Group::kWords && group != Group::kModes && group != Group::kGeometry) continue;
+    for (const StatementId id : unmet) add(id, *program.syntax.error(program.at(id)));
+  }
+  for (const StatementId id : machine_checks_) {
+    // Codes that no machine's INI is known to define; that of an axis is the machine's own.
+    const LineError& error = program.syntax.errors[program.at(id).first];
+    if (error.message.starts_with("Unknown")) add(id, error);
+  }
 }
 
 /// Stops for the further mistakes of a line of words that stops with its first one.
@@ -94,6 +122,7 @@ void Index::add_line(const Program& program, StatementId id) {
       unreadable.insert(key_of(program.region_of[id], s.label));
     if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
   }
+  if (s.kind == LineKind::kMachineCheck && !at[id]) machine_checks_.push_back(id);
   if (s.name_open) {
     const Meant meant = meant_by(program, id);
     if (meant.label != kNoName) unreadable.insert(key_of(program.region_of[id], meant.label));

@@ -14,6 +14,8 @@ struct MoveUnder {
 };
 
 constexpr std::array kMoves = {
+    MoveUnder{Mode::kMotion, static_cast<uint8_t>(Motion::kG0), "is a rapid"},
+    MoveUnder{Mode::kMotion, static_cast<uint8_t>(Motion::kG1), "is at the feed rate"},
     MoveUnder{Mode::kDistance, modes::kG90, "is absolute"},
     MoveUnder{Mode::kDistance, modes::kG91, "is incremental"},
     MoveUnder{Mode::kUnits, modes::kG20, "is in inches"},
@@ -43,6 +45,7 @@ struct Asking {
 };
 
 constexpr std::array kAsking = {
+    Asking{Mode::kMotion, "_motion_mode"},
     Asking{Mode::kDistance, "_absolute"},
     Asking{Mode::kDistance, "_incremental"},
     Asking{Mode::kUnits, "_metric"},

@@ -74,11 +74,14 @@ struct Index {
 
  private:
   void add_further(const Program& program, const FlowStop& stop, const MachineWords& machine, bool codes_known);
+  void add_behind(const Program& program, const FlowResult& flow, bool codes_known);
   void add_line(const Program& program, StatementId id);
   void find_spoken_for(const Program& program, const FlowResult& flow, const std::vector<bool>& stopped);
   void find_shared_labels(const Program& program);
 
   std::deque<std::pair<LineError, FlowStop>> further_;  // what by_code refers to, beside the flow's stops
+  std::deque<FlowStop> behind_;                         // and this
+  std::vector<StatementId> machine_checks_;             // at which no run stops
 };
 
 /// Everything that a check may look at.

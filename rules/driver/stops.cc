@@ -256,8 +256,11 @@ StatementId telling_call(const Program& program, const FlowStop& stop) {
 
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.further = stop.further != nullptr;
-  finding.stops = !finding.further;
+  const bool behind = stop.reach == Reach::kNever;  // another stop
+  finding.stops = !finding.further && !behind;
   finding.reach = stop.reach;
+  // Of a habit one finding is enough; but it never stands for one at which a run stops.
+  if (behind) finding.group = "behind: " + (finding.group.empty() ? stop.interpreter : finding.group);
   finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
   if (stop.kind != StopKind::kUserCodeMissing) finding.interpreter = stop.interpreter;  // OW705 knows what it is
   for (const Decision& decision : stop.path) {
@@ -273,7 +276,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   if (finding.further) relate_first_mistake(in, stop, finding);
   relate(in, finding, stop.call_elsewhere, "called here");
   relate(finding, in.program, telling_call(in.program, stop), "called here");
-  if (!finding.further) add_consequences(in, stop.statement, finding);
+  if (finding.stops) add_consequences(in, stop.statement, finding);
 }
 
 void add_consequences(const Input& in, StatementId statement, Finding& finding) {

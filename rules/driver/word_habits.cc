@@ -43,6 +43,56 @@ std::optional<Habit> dwell(const Source& source, const std::vector<WrittenWord>&
                fmt::format("write `P{}` in place of {}, if these are seconds", value, of_word(source, *time))};
 }
 
+/// `G92 S3000`, `G50 S3000`: the highest speed of a lathe's spindle.
+std::optional<Habit> speed_limit(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const code = find_word(line, "G92 G50");
+  const WrittenWord* const speed = find_word(line, "S");
+  if (code == nullptr || speed == nullptr || find_word(line, kAnyAxis) != nullptr) return std::nullopt;
+  const std::string value = shown(source, {speed->span.begin + 1, speed->span.end});
+  return Habit{fmt::format("{} with {} limits the speed of the spindle on Fanuc", of_word(source, *code),
+                           of_word(source, *speed)),
+               fmt::format("write `D{}` on the line of `G96`: it limits the speed there", value)};
+}
+
+/// `G92 E0`.
+std::optional<Habit> extruder(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const code = find_word(line, "G92");
+  const WrittenWord* const position = find_word(line, "E");
+  if (code == nullptr || position == nullptr || find_word(line, kAnyAxis) != nullptr) return std::nullopt;
+  return Habit{fmt::format("{} with {} is about the extruder of a 3D printer", of_word(source, *code),
+                           of_word(source, *position)),
+               "remove the line"};
+}
+
+/// `G54 P1`.
+std::optional<Habit> further_system(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const code = find_word(line, "G54");
+  const WrittenWord* const number = find_word(line, "P");
+  if (code == nullptr || number == nullptr || find_word(line, "G10 G4") != nullptr) return std::nullopt;
+  return Habit{fmt::format("{} with {} is a further coordinate system on other controllers", of_word(source, *code),
+                           of_word(source, *number)),
+               "LinuxCNC has nine coordinate systems: G54 to G59, G59.1, G59.2 and G59.3"};
+}
+
+/// `G71 P10 Q20 U0.5`: the contour is between two line numbers. `G76 P010060 Q100 R50`: the first line of two.
+std::optional<Habit> turning_cycle(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const contour = find_word(line, "G70 G71 G72 G73");
+  const WrittenWord* const thread = find_word(line, "G76");
+  const WrittenWord* const from = find_word(line, "P");
+  const WrittenWord* const to = find_word(line, "Q");
+  if (from == nullptr || to == nullptr || (contour == nullptr) == (thread == nullptr)) return std::nullopt;
+  if (thread != nullptr) {
+    if (find_word(line, kAnyAxis) != nullptr) return std::nullopt;
+    return Habit{fmt::format("{} with {} and without an end is the first of two lines on Fanuc",
+                             of_word(source, *thread), of_word(source, *from)),
+                 "write one line: `G76 P1.5 Z-20 I-1 J0.1 R1.5 K0.9 Q29.5` has the pitch as `P`, the end as `Z`, and the "
+                 "depth as `K`"};
+  }
+  return Habit{fmt::format("{} with {} and {} is a cycle of Fanuc: the contour stands between these two line numbers",
+                           of_word(source, *contour), of_word(source, *from), of_word(source, *to)),
+               "write the contour as a sub, and name it as `Q`: `G71 Q100 X50 Z2 D1 I0.2 R0.5`"};
+}
+
 /// The nearest line above with words of places: the code on it that counts for its own line only, if it has one.
 std::optional<Habit> behind_spline(const Input& in, StatementId statement) {
   constexpr uint32_t kMostLines = 50;
@@ -66,7 +116,9 @@ std::optional<Habit> habit_of(const Input& in, StatementId statement) {
   const Source& source = *in.program.source;
   const std::vector<WrittenWord> line = words_of(source, in.program.at(statement).whole());
   if (std::optional<Habit> found = look_ahead(source, line)) return found;
-  if (std::optional<Habit> found = dwell(source, line)) return found;
+  for (const auto& habit : {dwell, speed_limit, extruder, further_system, turning_cycle}) {
+    if (std::optional<Habit> found = habit(source, line)) return found;
+  }
   if (find_word(line, "G") != nullptr) return std::nullopt;
   return behind_spline(in, statement);
 }

@@ -1,7 +1,9 @@
 // OW002 suppression-unused: a suppression comment that suppresses no finding.
 // Depends on no fact about the interpreter: to LinuxCNC every suppression is an ordinary comment.
 #include <algorithm>
+#include <optional>
 
+#include "rules/driver/behind_stops.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow002 {
@@ -35,8 +37,12 @@ Span removed(const Input& in, const Suppression& unused) {
 
 void check(const Input& in, Reporter& out) {
   if (!in.suppressions_applied) return;
+  std::optional<BehindStops> unread;
   for (const Suppression& s : in.suppressions) {
     if (s.used || s.malformed || !known_prefix(s.code)) continue;
+    // What it is for may show when the stop before it is corrected.
+    if (!unread) unread.emplace(in.program, in.flow);
+    if (s.line != 0 && unread->contains_line(in.program.source->line(s.line).begin)) continue;
     const std::string what = s.code.empty() ? "any rule" : "`" + s.code + "`";
     const std::string where = s.line == 0 ? "in this file" : "on line " + std::to_string(s.line);
     Finding& f = out.add(s.span, "nothing to suppress: no finding of " + what + " " + where);

@@ -3,6 +3,7 @@
 // feed, not at CR.
 #include "analyzer/syntax/look_alike.h"
 #include "rules/driver/idioms.h"
+#include "rules/driver/words.h"
 
 namespace owlint::rules::ow314 {
 namespace {
@@ -15,6 +16,23 @@ std::string help_for(char32_t character) {
     case U'\u00B3': return "write `[... ** 3]` for a cube";
     default: return "remove it, or put it in a comment";
   }
+}
+
+/// `,C2` and `,R2` behind a move.
+bool tell_corner(const Source& source, Span rest, Finding& f) {
+  const std::string text = shown(source, rest).substr(0, 2);
+  if (text != ",C" && text != ",R") return false;
+  f.message = "`" + text + (text == ",C" ? "` is a chamfer" : "` is a rounded corner") + " on Fanuc and Haas";
+  f.help = text == ",C" ? "write the chamfer as a move of its own" : "write the corner as `G2` or `G3`";
+  return true;
+}
+
+/// A second line number, or one behind other words.
+bool tell_number(std::string_view bytes, Finding& f) {
+  if (bytes != "N" && bytes != "n") return false;
+  f.message = "a line number stands first on its line, and only once";
+  f.help = "remove this one";
+  return true;
 }
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
@@ -44,7 +62,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   } else {
     f.message = "`" + std::string(bytes) + "` has no meaning here";
     f.help = "remove it, or put it in a comment";
-    explain_idiom(in, id, f);
+    if (!tell_corner(*p.source, {span.begin, s.end()}, f) && !tell_number(bytes, f)) explain_idiom(in, id, f);
   }
   return &f;
 }

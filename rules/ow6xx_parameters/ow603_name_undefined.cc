@@ -99,13 +99,14 @@ class LocalNames {
     f.help = "pass the value as an argument, or write `#<_" + name + ">`, which is global";
   }
 
- private:
+  /// Whether a line of the region assigns the name.
   bool assigns(RegionId region, const std::string& name) const {
     const NameId id = in_.program.syntax.names.find(name);
     return id != kNoName &&
         in_.data.first_assignment(region, flow::key_of_name(in_.program.syntax, id)) != kNoStatement;
   }
 
+ private:
   /// A line that assigns the name for somebody else: for the caller, or else in the caller's file, or else in this one.
   Elsewhere owner(const std::string& name, RegionId reader, const Elsewhere& caller) const {
     Elsewhere found = caller.program == nullptr ? Elsewhere{} : in_file(name, reader, caller);
@@ -248,11 +249,16 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& s) -> Finding* {
     const std::string name = "`#<" + s.detail + ">`";
     const bool some = s.reach != Reach::kAlways;
-    Finding& f = out.add(
-        read_span(p, s.statement, "#<" + s.detail + ">"),
-        name + (some ? " is read here, but not assigned on every path" : " is read here, but was not assigned before"));
+    const bool local = !s.detail.starts_with("_");
+    const bool cases = some && local && (in.data.too_large() || names.assigns(p.region_of[s.statement], s.detail));
+    Finding& f = out.add(read_span(p, s.statement, "#<" + s.detail + ">"),
+                         name +
+                             (cases             ? " is read here, but not assigned on every path"
+                                  : some && local ? " is read here, but no line assigns it"
+                                  : some          ? " is read here, but not assigned on every path"
+                                                  : " is read here, but was not assigned before"));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
-    f.uncertain = some && !s.detail.starts_with("_");  // a list of cases may name all that there are
+    f.uncertain = cases || (some && local && p.syntax.runs_python);  // a list of cases may name all that there are
     // A global that the program says it needs comes from outside.
     if (!documented) documented = leading_comment(*p.source);
     if (s.detail.starts_with("_") && documented->find("#<" + s.detail + ">") != std::string::npos) {

@@ -1,30 +1,13 @@
 // OW605 result-lost: a sub leaves a result in #1 to #30 for its caller.
 // Depends on: a call passes values; it saves #1 to #30 and restores all of them on return (measured).
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules::ow605 {
 namespace {
-
-/// Numbers that a sub assigns without using them, and that the main program reads after the call.
-void check_numbers(const Input& in, const Call& call, Reporter& out) {
-  const Program& p = in.program;
-  const uint32_t left = in.data.left_behind(call.target);
-  for (uint32_t n = 1; left != 0 && n < flow::kFirstGlobalNumber; ++n) {
-    if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
-    const StatementId assigned = in.data.last_assignment(call.target, n);
-    const std::string number = "`#" + std::to_string(n) + "`";
-    Finding& f = out.add(p.at(assigned).whole(),
-                         number + " is assigned here, but the caller does not see it: the end of " +
-                             region_words(p, call.target) + " restores the caller's " + number);
-    relate(f, p, call.statement, "called here; " + number + " is read after the call");
-    f.help = "return it with `endsub [#" + std::to_string(n) +
-        "]` and read `#<_value>`, or use a number above #30 or a name that begins with `_`";
-    f.reach = in.flow.reach(call.statement);
-  }
-}
 
 /// A sub in the file of a program, with what its lines do.
 struct Sub {
@@ -55,6 +38,33 @@ class Subs {
   const Input& in_;
   std::map<uint32_t, flow::DataFlow> files_;
 };
+
+/// Numbers that a sub assigns without using them, and that the main program reads after the call.
+void check_numbers(const Input& in, const Call& call, const Sub& sub, Reporter& out) {
+  const Program& p = in.program;
+  const bool here = sub.program == &p;
+  const uint32_t left = sub.data->left_behind(sub.region);
+  for (uint32_t n = 1; left != 0 && n < flow::kFirstGlobalNumber; ++n) {
+    if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
+    const StatementId assigned = sub.data->last_assignment(sub.region, n);
+    const std::string number = "`#" + std::to_string(n) + "`";
+    Finding& f = here
+        ? out.add(p.at(assigned).whole(),
+                  number + " is assigned here, but the caller does not see it: the end of " +
+                      region_words(p, sub.region) + " restores the caller's " + number)
+        : out.add(p.at(call.statement).head_span(),
+                  number + " is read after this call, but its end restores the caller's " + number +
+                      ": what the sub assigns is lost");
+    if (here) {
+      relate(f, p, call.statement, "called here; " + number + " is read after the call");
+    } else {
+      f.related.push_back({sub.program->at(assigned).whole(), number + " is assigned here", sub.program->source});
+    }
+    f.help = "return it with `endsub [#" + std::to_string(n) +
+        "]` and read `#<_value>`, or use a number above #30 or a name that begins with `_`";
+    f.reach = in.flow.reach(call.statement);
+  }
+}
 
 /// Whether a sub changes an argument for its caller: it assigns #n last without using that. One that only sets an argument to a
 /// number, which it has used before, may tidy up.
@@ -145,15 +155,16 @@ class ByReference {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  std::vector<bool> seen(p.regions.size());
+  std::set<std::pair<const Program*, RegionId>> seen;
   ByReference by_reference(in, out);
+  Subs subs(in);
   for (const Call& call : p.calls) {
     if (p.at(call.statement).kind == LineKind::kM98) continue;  // shares the numbers
     by_reference.check(call);
     // In a sub, what it reads may be its own argument. The first call has the most lines after it.
-    if (call.target == kNoRegion || call.caller != kMainRegion || seen[call.target]) continue;
-    seen[call.target] = true;
-    check_numbers(in, call, out);
+    if (call.caller != kMainRegion) continue;
+    const Sub sub = subs.called_by(call);
+    if (sub.program != nullptr && seen.emplace(sub.program, sub.region).second) check_numbers(in, call, sub, out);
   }
 }
 

@@ -104,7 +104,7 @@ M2
 while`. Name the machine's INI with `--ini`, or keep it above the program's folder, so that owlint knows
 the axes.)",
             .level_reason = "Error if a run gets here: the program stops. Warning for `U`, `V` and `W` without an INI: "
-                            "the machine may have them. owlint reports nothing on lines that no run reaches.",
+                            "the machine may have them. Warning if it stops at an earlier line first.",
             .interpreter = "Unknown word where unary operation could be",
             .options = "",
         },

@@ -123,6 +123,9 @@ Finding& report(const Input& in, Reporter& out, const FlowStop& stop) {
   if (behind != std::string_view::npos && written[behind] == '(') {
     f.message = "a comment between `" + letter + "` and its number";
     f.help = "write the comment after the number";
+  } else if (rest.starts_with("CR=")) {
+    f.message = "`CR=` is the radius of an arc on Siemens";
+    f.help = "write `R` and the number";
   } else if (stop.kind != StopKind::kNumberMalformed || rest.size() < 2 || rest[1] == ';') {
     f.message = "`" + letter + "` has no number";
     f.help = "write a number after `" + letter + "`, or remove it";
@@ -177,7 +180,7 @@ M2
             .fix =
                 R"(Write the number. `--fix` replaces the letter O by a zero; of two points, only you know which one is
 meant.)",
-            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
+            .level_reason = "Error: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "bad number format (trailing characters) parsing '-2.0.5'",
             .options = "",
         },

@@ -131,7 +131,7 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the number that is meant. A computed value can be made whole with `ROUND[...]`.)",
-            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
+            .level_reason = "Error: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "Negative f word used",
             .options = "",
         },

@@ -65,7 +65,7 @@ M2
             .fix =
                 R"(Remove one of the words, or write two lines. `--fix` removes a word that is written twice with the same
 value.)",
-            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
+            .level_reason = "Error: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "Multiple x words on one line",
             .options = "",
         },

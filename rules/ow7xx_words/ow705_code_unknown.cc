@@ -126,6 +126,11 @@ void check(const Input& in, Reporter& out) {
     } else {
       unknown(in, at, number, f);
     }
+    constexpr int kG50 = 500;
+    if (std::optional<Habit> habit = !m && number == kG50 ? habit_of(in, stop.statement) : std::nullopt) {
+      f.message = std::move(habit->message);
+      f.help = std::move(habit->help);
+    }
     return &f;
   });
 }
@@ -170,7 +175,7 @@ M2
                 R"(Write the code that LinuxCNC has for it. If the machine has a remap or a program for the code, name its
 INI.)",
             .level_reason = "Error: the program stops. Warning for M100 and above without an INI: the machine may have "
-                            "them. owlint reports nothing on lines that no run reaches.",
+                            "them. Warning if it stops at an earlier line first.",
             .interpreter = "Unknown m code used: M13",
             .options = "",
         },

@@ -29,10 +29,30 @@ std::string_view reason(const WordStop& at) {
   return code == nullptr ? "they are of one modal group" : what_both_do(code->group);
 }
 
+/// Whether a motion is written twice, each time with axis words behind it.
+bool moves_twice(const WordStop& at) {
+  constexpr double kTenths = 10;
+  const GCode* code = at.value ? g_code(static_cast<int>(std::lround(*at.value * kTenths)), Release::k2_10) : nullptr;
+  if (at.letter != 'g' || code == nullptr || code->group != GGroup::kMotion) return false;
+  const auto has_axis = [&](uint64_t from, uint64_t to) {
+    return std::ranges::any_of(at.line, [&](const WrittenWord& word) {
+      return word.span.begin > from && word.span.begin < to && (letter_set({&word.letter, 1}) & kAxisLetters) != 0;
+    });
+  };
+  return has_axis(at.other.begin, at.span.begin) && has_axis(at.span.begin, UINT64_MAX);
+}
+
 void one_group(const Program& p, const FlowStop& stop, const WordStop& at, Finding& f) {
   if (at.word == at.other_word) {
     f.message = "`" + at.word + "` is written twice on this line";
     f.help = "remove one of them";
+    if (moves_twice(at)) {
+      f.help = "write two lines: a line feed may be missing";
+      Fix two_lines = split_line(p, p.at(stop.statement), at.span.begin, "write two lines");
+      two_lines.safe = false;  // or one move was meant
+      f.fixes.push_back(std::move(two_lines));
+      return;
+    }
     f.fixes.push_back(without_word(p, p.at(stop.statement), at.span, at.word));
     return;
   }
@@ -129,7 +149,7 @@ M2
 )",
             .fix = R"(Remove the code that you did not mean, or write two lines. Mist and flood together are `M7` on one
 line and `M8` on the next. `--fix` removes a code that is written twice.)",
-            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
+            .level_reason = "Error: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "Two g codes used from same modal group",
             .options = "",
         },

@@ -121,7 +121,7 @@ M2
             .fix =
                 R"(Remove the word, or write the code that is missing. In a modal cycle or arc, check that the mode is still
 in effect: `G0` or `G80` between two holes ends it.)",
-            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
+            .level_reason = "Error: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "H word with no G43 or G76 to use it",
             .options = "",
         },

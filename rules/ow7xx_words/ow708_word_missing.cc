@@ -149,7 +149,7 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the word on the line of its code.)",
-            .level_reason = "Error: the program stops. owlint reports nothing on lines that no run reaches.",
+            .level_reason = "Error: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "Dwell time missing with g4",
             .options = "",
         },

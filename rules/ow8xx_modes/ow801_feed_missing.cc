@@ -83,6 +83,11 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
   const Statement& s = in.program.at(stop.statement);
   const std::vector<WrittenWord> line = words_of(*in.program.source, s.whole());
   const WrittenWord* given = find_word(line, "F");
+  if (given != nullptr && given->value && *given->value == 0) {
+    f.message += ": `" + shown(*in.program.source, given->span) + "` on this line sets it";
+    f.help = "write a feed rate above 0";
+    return;
+  }
   if (given != nullptr && given->value && *given->value != 0) {
     f.message += ": in `G93`, `" + shown(*in.program.source, given->span) + "` does not set the feed";
     f.help = "write `G94` and `F` on this line or before it";
@@ -175,8 +180,8 @@ G0 Z5
 M2
 )",
             .fix = R"(Write `F` on the line of the first move at feed rate, and on each line with `G94` or `G95`.)",
-            .level_reason = "Error if a run gets here with feed 0: the program stops. owlint reports nothing on lines "
-                            "that no run reaches.",
+            .level_reason = "Error if a run gets here with feed 0: the program stops. Warning if it stops at an "
+                            "earlier line first.",
             .interpreter = "Cannot do g1 with zero feed rate",
             .options = "",
         },

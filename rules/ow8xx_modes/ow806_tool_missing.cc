@@ -104,7 +104,7 @@ M2
                 R"(Write the number of a tool in the tool table, or add the tool to the table. An offset for wear can be an
 entry of its own, for `G43.2 H`.)",
             .level_reason =
-                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
+                "Error if a run gets here: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "Requested tool -1 not found in the tool table",
             .options = "",
         },

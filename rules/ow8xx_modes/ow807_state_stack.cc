@@ -134,7 +134,7 @@ M2
                 R"(Save and restore in the same sub. `M73` at the start of a sub saves, and restores by itself at its end. Write what
 comes after `M72` on a line of its own.)",
             .level_reason = "Error if a run gets here with nothing saved: the program stops. Warning for words that "
-                            "`M72` drops. owlint reports nothing on lines that no run reaches.",
+                            "`M72` drops. Warning if it stops at an earlier line first.",
             .interpreter = "Cannot restore context from invalid stack frame - missing M70/M73?",
             .options = "",
         },

@@ -89,10 +89,21 @@ void doubt_spindle(const Input& in, const FlowStop& stop, Finding& f) {
   f.group = "spindle " + at.word + " in " + in.program.source->path();
 }
 
+/// `M66 P0 L3 Q0`: there is a Q.
+void tell_timeout(const Input& in, const FlowStop& stop, Finding& f) {
+  if (!stop.interpreter.starts_with("Zero timeout")) return;
+  const std::vector<WrittenWord> line = words_of(*in.program.source, in.program.at(stop.statement).whole());
+  const WrittenWord* const word = find_word(line, "Q");
+  if (word == nullptr) return;
+  const std::string text = shown(*in.program.source, word->span);
+  f.help = fmt::format("`{}` is no time to wait: {}", text, f.help);
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     doubt_spindle(in, stop, f);
+    tell_timeout(in, stop, f);
     const bool turns = stop.interpreter.find("rotary axis") != std::string::npos;
     if (stop.kind == StopKind::kModeConflict && stop.words.decided_by == mask_of(Mode::kDistance) && !turns) {
       relate_distance(in, stop, f);
@@ -145,7 +156,7 @@ M2
                 R"(Write the word that is missing, or remove the one that does not fit. `M66` that waits (`L1` to `L4`) needs
 the longest time to wait as `Q`, in seconds; `#5399` is -1 if the input did not come.)",
             .level_reason =
-                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
+                "Error if a run gets here: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "Zero timeout with wait type != immediate return",
             .options = "",
         },

@@ -137,8 +137,10 @@ void check(const Input& in, Reporter& out) {
                          call_words(p, h.statement) + " returns in `" + to + "`, but was called in `" + from + "`");
     relate_mode(in, f, h, h.to);
     if (h.needed_in != nullptr) relate_line(in, f, *h.needed_in, h.needed_line, "*", "this move " + now + " now");
-    f.help = "write `" + from +
-        "` at the end of the sub, or after the call; `M73` at the beginning of the sub restores all modes at its end";
+    f.help = h.mode == Mode::kMotion
+        ? "write `" + from + "` on the first line that moves after the call, or at the end of the sub; `M73` does not restore it"
+        : "write `" + from +
+            "` at the end of the sub, or after the call; `M73` at the beginning of the sub restores all modes at its end";
     f.reach = h.reach;
     f.unproven = h.unproven;
   }
@@ -159,6 +161,9 @@ extern const Rule kRule{
 leaves cutter compensation on, and the caller then moves before it sets the mode again: after the call, the same
 words mean something else than before it. A remapped code that runs a sub counts as a call.
 
+The motion in effect is a mode, too: where a sub ends with `G0`, a line `X10` after the call is a rapid,
+though the caller wrote `G1` before the call.
+
 A sub whose name says that it sets modes is not reported: `setup`, `metric`, `save_modes`, `set_g91`,
 `on_abort` and the like. Nor does owlint report a change that another call reverses, a change in a file
 that reads the mode (`#<_absolute>`) to restore it, or a mode that no move depends on.)",
@@ -168,7 +173,7 @@ the first program below, the sub goes down in `G91` and does not switch back to 
 at X40, not at X30.
 
 `M73` in a sub saves the modes and restores them when the sub ends, wherever it ends. `M70` and `M72`
-do the same by hand.
+do the same by hand. None of them saves the motion: `G0` or `G1` stays in effect.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
             .bad = R"(G21 G90

@@ -78,7 +78,7 @@ arc is less than half a circle. If it is large, the tool does not start where yo
 for `G90.1` instead of `G91.1` or the other way round, or a word is missing or has the wrong sign.)",
             .level_reason =
                 "Error if a run gets here: the program stops. Warning if it stops only on a machine that was just "
-                "started, at X0 Y0 Z0 and without offsets. owlint reports nothing on lines that no run reaches.",
+                "started, at X0 Y0 Z0 and without offsets. Warning if it stops at an earlier line first.",
             .interpreter =
                 "Radius to end of arc differs from radius to start: start=(X0.0000,Y0.0000) center=(X10.1000,Y0.0000) "
                 "end=(X20.0000,Y0.0000) r1=10.1000 r2=9.9000 abs_err=0.2 rel_err=1.9802%",

@@ -89,7 +89,7 @@ M2
 much is missing, the start or the end is not where you think.)",
             .level_reason =
                 "Error if a run gets here: the program stops. Warning if it stops only on a machine that was just "
-                "started, at X0 Y0 Z0 and without offsets. owlint reports nothing on lines that no run reaches.",
+                "started, at X0 Y0 Z0 and without offsets. Warning if it stops at an earlier line first.",
             .interpreter = "Arc radius too small to reach end point",
             .options = "",
         },

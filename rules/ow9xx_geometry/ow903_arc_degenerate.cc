@@ -130,7 +130,7 @@ M2
             .fix =
                 R"(Write the center or the radius of the arc. After an arc, write `G1` or `G0` on the next straight move.)",
             .level_reason =
-                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
+                "Error if a run gets here: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "R i j k words all missing for arc",
             .options = "",
         },

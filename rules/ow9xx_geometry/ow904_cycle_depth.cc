@@ -86,6 +86,17 @@ void explain_plane(const Input& in, const FlowStop& stop, const Setter& plane, F
   f.help = fmt::format("write `G17` before it, to drill along Z; in `{}`, the depth is `{}`", plane.word, depth);
 }
 
+/// Of a word that is there, but with a value that stands for none.
+void tell_negative(const Input& in, const FlowStop& stop, Finding& f) {
+  const bool peck = stop.interpreter.starts_with("Q word missing");
+  if (!peck && stop.interpreter.find("p word missing") == std::string::npos) return;
+  const std::vector<WrittenWord> line = words_of(*in.program.source, in.program.at(stop.statement).whole());
+  const WrittenWord* const word = find_word(line, peck ? "Q" : "P");
+  if (word == nullptr || !word->value || *word->value >= 0) return;
+  const std::string text = shown(*in.program.source, word->span);
+  f.help = fmt::format("`{}` counts as no `{}`: {}", text, text[0], f.help);
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
@@ -104,6 +115,7 @@ void check(const Input& in, Reporter& out) {
           "write `{}`: `I` and `J` are the way to the side of the hole, `K` the height to which the bore reaches",
           letter_at(said, 0));
     }
+    tell_negative(in, stop, f);
     note_start(stop, f);
     return &f;
   });
@@ -153,7 +165,7 @@ M2
                 R"(Write the missing words on the first line of each cycle. To move around a clamp, use `G98` and a high
 start instead of `G0` in the middle of a cycle, or write the cycle again with all its words.)",
             .level_reason =
-                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
+                "Error if a run gets here: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "R clearance plane unspecified in cycle",
             .options = "",
         },

@@ -71,7 +71,7 @@ M2
                 R"(Begin the entry move farther away, and go down to the depth before `G41` or `G42`. During the entry move the
 tool does not yet follow the path, so begin it off the part.)",
             .level_reason = "Error if a run gets here: the program stops. Warning if that depends on the position of "
-                            "the machine when the program starts. owlint reports nothing on lines that no run reaches.",
+                            "the machine when the program starts. Warning if it stops at an earlier line first.",
             .interpreter = "Length of cutter compensation entry move is not greater than the tool radius",
             .options = "",
         },

@@ -89,7 +89,7 @@ M2
 corners must be long enough for it. The very short moves that a CAM system makes from curves are too
 short for any tool if there is an inside corner between them.)",
             .level_reason = "Error if a run gets here: the program stops. Warning if that depends on the position of "
-                            "the machine when the program starts. owlint reports nothing on lines that no run reaches.",
+                            "the machine when the program starts. Warning if it stops at an earlier line first.",
             .interpreter = "Straight feed in concave corner cannot be reached by the tool without gouging",
             .options = "",
         },

@@ -208,7 +208,7 @@ M2
 )",
             .fix = R"(Write the missing words, even if they are 0.)",
             .level_reason =
-                "Error if a run gets here: the program stops. owlint reports nothing on lines that no run reaches.",
+                "Error if a run gets here: the program stops. Warning if it stops at an earlier line first.",
             .interpreter = "Must specify both P and Q with G5",
             .options = "",
         },

@@ -79,7 +79,7 @@ class Calls {
   bool recursion_comes_back(ContextId context) const;
 
  private:
-  using Kind = std::tuple<NameId, int, bool, int, bool, uint8_t, uint16_t>;  ///< what a Context has
+  using Kind = std::tuple<NameId, int, bool, int, bool, uint8_t, uint16_t, bool>;  ///< what a Context has
   /// An exit that is to come back to a caller.
   struct Return {
     const Caller* caller;

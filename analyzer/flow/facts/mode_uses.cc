@@ -33,6 +33,16 @@ bool reads_position(const Syntax& syntax) {
   return false;
 }
 
+/// What most codes ask for before they act: a computed one may be any of them.
+constexpr ModeMask kAskedByCodes = mask_of(Mode::kFeed) | mask_of(Mode::kTurning) | mask_of(Mode::kPlane) |
+    mask_of(Mode::kDistance) | mask_of(Mode::kCompensation) | mask_of(Mode::kMotion);
+
+bool computes_code(const Syntax& syntax, const Statement& asks) {
+  return std::ranges::any_of(syntax.words_of(asks), [](const ModeWord& word) {
+    return word.computed != kNoExpr && (word.letter == 'g' || word.letter == 'm');
+  });
+}
+
 ModeSets only(ModeSets sets, const ModeChange& change) {
   sets[change.mode] |= change.value == ModeChange::kAny ? all_values(change.mode) : value_bit(change.value);
   return sets;
@@ -116,6 +126,7 @@ void ModeUses::find_followed() {
     WordLine words(machine_);
     if (!read_words(program_.syntax, s, words)) continue;
     stores = stores || has_store(words);
+    if (computes_code(program_.syntax, s)) followed_ |= kAskedByCodes;
     // Whether it feeds depends on the lines of its sub.
     if (cuts_contour(words)) followed_ |= mask_of(Mode::kFeed) | mask_of(Mode::kSpeed);
   }

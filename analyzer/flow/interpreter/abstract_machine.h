@@ -44,6 +44,7 @@ struct Context {
   uint16_t built_in = 0;  ///< codes that the INI remaps, but not within the subs that they run: see RemappedCodes
   bool contour =
       false;  ///< within a G70, G71 or G72: lines are read for the contour, M2, M30 and `(abort, …)` do nothing (measured)
+  bool remap = false;  ///< made by a remapped code: M99 ends the sub as `endsub` does (measured)
 };
 
 /// The interpreter stops.

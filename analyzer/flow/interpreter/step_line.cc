@@ -169,7 +169,7 @@ bool AbstractMachine::Step::times_called(const Evaluation& of_l, int* times) {
 /// M99 as the first word, in a sub.
 void AbstractMachine::Step::m99() {
   if (s.rest_to > s.rest_from) return stop(StopKind::kM99Rest, "Unexpected character after O-word");
-  if (!context.fanuc) {
+  if (!context.fanuc && !context.remap) {
     return stop(StopKind::kStyleNeedsEndsub,
                 "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
   }

@@ -16,6 +16,7 @@ bool AbstractMachine::Step::is_mistake(StopKind kind, std::string_view message) 
 bool AbstractMachine::Step::read_words(const Statement& asks, WordLine& words, bool computes) {
   if (asks_about_call(m.program_.syntax, static_cast<StatementId>(&asks - m.program_.syntax.statements.data())))
     words.begin_call();
+  bool computed_code = false;
   for (const ModeWord& word : m.program_.syntax.words_of(asks)) {
     Word read{word.letter, word.known, word.value, word.from, word.to};
     if (word.computed != kNoExpr && computes) {
@@ -31,8 +32,10 @@ bool AbstractMachine::Step::read_words(const Statement& asks, WordLine& words, b
     }
     const std::optional<Fault> of_letter = words.letter(word.letter);
     const std::optional<Fault> fault = words.add(read);
-    // Of words that are not computed the line itself has said it.
-    if (word.computed == kNoExpr || !computes || !fault || of_letter) continue;
+    // Of words that are not computed the line itself has said it, unless it is about a code that is.
+    const bool said = word.computed == kNoExpr && !computed_code;
+    computed_code = computed_code || (word.computed != kNoExpr && (word.letter == 'g' || word.letter == 'm'));
+    if (said || !computes || !fault || of_letter) continue;
     ModeFault found{*fault, true, 0};
     found.fault.certain = fault->certain || is_mistake(fault->kind, fault->message);
     if (found.fault.certain) return take_faults({&found, 1});

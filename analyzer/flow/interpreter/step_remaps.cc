@@ -123,7 +123,8 @@ void AbstractMachine::Step::enter_remap(const RemappedCode& code) {
                  30,
                  static_cast<uint8_t>(context.remaps + 1),
                  static_cast<uint16_t>(context.built_in | m.remapped_codes_.own_bit(code)),
-                 false};
+                 false,
+                 true};
   State enter = state;
   enter.looped = false;
   enter.branch = Branch::kNone;

@@ -153,7 +153,8 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
                        fanuc ? 30 : static_cast<int>(passed.size()),
                        context.remaps,
                        context.built_in,
-                       context.contour || s.kind == LineKind::kContour};
+                       context.contour || s.kind == LineKind::kContour,
+                       false};
   State enter = state;
   enter.looped = false;
   enter.branch = Branch::kNone;

@@ -7,8 +7,8 @@ namespace owlint::flow {
 namespace {
 
 // Of these a sub that does not put them back is a mistake more often than not.
-constexpr Mode kLeaking[] = {Mode::kUnits,  Mode::kPlane,    Mode::kDistance, Mode::kFeedMode,
-                             Mode::kSystem, Mode::kDiameter, Mode::kRetract,  Mode::kCompensation};
+constexpr Mode kLeaking[] = {Mode::kMotion, Mode::kUnits,    Mode::kPlane,   Mode::kDistance,    Mode::kFeedMode,
+                             Mode::kSystem, Mode::kDiameter, Mode::kRetract, Mode::kCompensation};
 
 bool matters_by_path(Mode mode) { return mode == Mode::kUnits || mode == Mode::kDistance || mode == Mode::kPlane; }
 
@@ -40,6 +40,8 @@ void ModeHazards::came_back(const State& caller, const State& back) {
     const ModeValues before = values(caller, mode), behind = values(back, mode);
     const bool known = !before.open && !behind.open && is_single(before.may) && is_single(behind.may);
     if (!known || before.may == behind.may) continue;
+    // Under other motions a line wants other words.
+    if (mode == Mode::kMotion && ((before.may | behind.may) & ~kStraightMotions) != 0) continue;
     // A sub that ends compensation does what it is for.
     if (mode == Mode::kCompensation && behind.may == value_bit(modes::kG40)) continue;
     leaks_.try_emplace({caller.position, mode},

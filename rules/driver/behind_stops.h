@@ -1,0 +1,31 @@
+// Lines that no run gets to only because every run stops before them: once that mistake is corrected, they run.
+#pragma once
+
+#include <vector>
+
+#include "analyzer/flow/flow.h"
+#include "analyzer/program/program.h"
+
+namespace owlint::rules {
+
+class BehindStops {
+ public:
+  /// Both must outlive it. Takes time in proportion to the program; made only where something asks.
+  BehindStops(const Program& program, const FlowResult& flow);
+
+  /// Whether the statement would run if no line before it stopped. Lines behind the end of the program do not.
+  bool contains(StatementId statement) const { return !behind_.empty() && behind_[statement]; }
+  /// The same of a line at an offset, which need not have a statement.
+  bool contains_line(uint64_t offset) const;
+
+ private:
+  void follow_lines();
+  void follow_calls();
+
+  const Program& program_;
+  const FlowResult& flow_;
+  StatementId stop_ = kNoStatement;  // where every run stops
+  std::vector<bool> behind_;         // by statement; empty if there is no such stop
+};
+
+}  // namespace owlint::rules
