@@ -144,6 +144,11 @@ nlohmann::ordered_json extents_json(const Extents& extents, const Linked& linked
 std::string extents_text(const Extents& extents, const Linked& linked) {
   const Program& program = *linked.files()[0].program;
   std::string text = fmt::format("{}: {}\n", program.source->path(), is_inch(extents) ? "inches" : "millimeters");
+  const bool stops = extents.stops_at().line != 0;
+  if (stops) {
+    text +=
+        fmt::format("a run stops at {}: what comes after it is not included\n", place_of(extents.stops_at(), linked));
+  }
   if (extents.origins().empty()) text += "no move\n";
   for (const auto& [origin, axes] : extents.origins()) {
     std::vector<std::vector<std::string>> rows{{"", "least", "", "greatest", "", "rapid", "feed"}};
@@ -157,15 +162,13 @@ std::string extents_text(const Extents& extents, const Linked& linked) {
     text += title_of(origin) + '\n' + aligned(rows);
   }
   const Unknown unknown = unknown_of(extents);
-  const bool stops = extents.stops_at().line != 0;
-  if (!unknown.empty() || stops) text += "not included\n";
+  if (!unknown.empty()) text += "not included\n";
   for (const auto& [of, axes] : unknown) {
     const auto& [at, why] = of;
     const Source& source = *program_of(at, linked).source;
     text += fmt::format("  {}: {}: `{}` {}\n", place_of(at, linked), fmt::join(axes, " "),
                         printable(source.slice(source.line(at.line))), reason_of(why).text);
   }
-  if (stops) text += fmt::format("  {}: a run stops here\n", place_of(extents.stops_at(), linked));
   return text;
 }
 

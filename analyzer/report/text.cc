@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -88,21 +89,38 @@ class Writer {
     if (!f.versions.empty()) labelled("versions", fmt::format("only in LinuxCNC {}", fmt::join(f.versions, ", ")));
     for (const Consequence& consequence : f.consequences) {
       if (consequence.interpreter.empty()) continue;
-      if (!f.missing.empty()) {  // of an INI, which has no runs
-        labelled("also",
-                 fmt::format("line {}: {}", source.position(consequence.span.begin).line, consequence.interpreter));
-        continue;
-      }
-      labelled("other runs",
-               fmt::format("the program stops because of line {} instead: {}",
-                           source.position(consequence.span.begin).line, consequence.interpreter));
+      if (f.missing.empty()) continue;
+      labelled("also",  // of an INI, which has no runs
+               fmt::format("line {}: {}", source.position(consequence.span.begin).line, consequence.interpreter));
     }
+    if (f.missing.empty()) other_runs(source, f);
     labelled("also", unreached_text(source, f));
     labelled("fix", f.help);
     out_ << '\n';
   }
 
  private:
+  /// Where other runs stop because of the same mistake, each message once.
+  void other_runs(const Source& source, const Finding& f) {
+    constexpr size_t kMostLines = 4;
+    std::vector<std::pair<std::string_view, std::vector<uint32_t>>> stops;
+    for (const Consequence& consequence : f.consequences) {
+      if (consequence.interpreter.empty()) continue;
+      auto known = std::ranges::find(stops, consequence.interpreter, [](const auto& stop) { return stop.first; });
+      if (known == stops.end()) known = stops.insert(stops.end(), {consequence.interpreter, {}});
+      known->second.push_back(source.position(consequence.span.begin).line);
+    }
+    for (const auto& [message, lines] : stops) {
+      std::string where = fmt::format("line {}", lines[0]);
+      if (lines.size() > 1) {
+        const size_t listed = std::min(lines.size(), kMostLines);
+        where = fmt::format("lines {}", fmt::join(lines.begin(), lines.begin() + static_cast<ptrdiff_t>(listed), ", "));
+        if (listed < lines.size()) where += fmt::format(" and {} more", lines.size() - listed);
+      }
+      labelled("other runs", fmt::format("the program stops because of {} instead: {}", where, message));
+    }
+  }
+
   /// A source line with the span underlined by `mark`, and words behind the underline or, where there is no room, below it.
   void line_of(const Source& source, Span span, char mark, std::string_view words, std::string_view color) {
     const std::string number = fmt::format("{:>5}", source.position(span.begin).line);

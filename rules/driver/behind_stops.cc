@@ -34,7 +34,8 @@ void BehindStops::follow_lines() {
     if (flow_.executed[id]) last[region] = id;
     if (flow_.executed[id] || over[region] || last[region] == kNoStatement) continue;
     const bool in_call = calls(program_.at(last[region])) && program_.region_of[stop_] != region;
-    if (s.line == program_.at(stop_).line && region == program_.region_of[stop_]) continue;  // further mistakes of its line
+    if (s.line == program_.at(stop_).line && region == program_.region_of[stop_])
+      continue;  // further mistakes of its line
     behind_[id] = last[region] == stop_ || in_call;
     const bool ends = s.kind == LineKind::kProgramEnd || s.kind == LineKind::kPercent || s.kind == LineKind::kFileEnd;
     over[region] = behind_[id] && ends && program_.block_of[id] == kNoBlock && !s.block_delete;

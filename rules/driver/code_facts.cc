@@ -180,7 +180,7 @@ CodeSet codes_needing(char letter, Release release) {
 
 std::string user_code_text(int number, const MachineSetup* setup) {
   const std::string runs = fmt::format("`{0}` runs a program of the machine named `{0}`", m_name(number));
-  if (setup == nullptr) return runs + "; owlint was not told of the machine";
+  if (setup == nullptr) return runs + "; without the machine's INI, owlint cannot look for it";
   switch (setup->user_code(number)) {
     case UserCode::kThere: return runs + ", and this machine has it";
     case UserCode::kMissing: return runs + ", and this machine has none";

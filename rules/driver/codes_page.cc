@@ -20,6 +20,9 @@ A line may have one code of each group, and at most four M codes ([OW706](rules/
 ([OW707](rules/OW707.md)); a motion in effect from an earlier line counts too, if the line moves. The words that a code needs must be on
 its own line ([OW708](rules/OW708.md)). `F`, `S` and `T` need no code; the table leaves them out.
 
+Arcs also need `I`, `J`, `K` or `R` ([OW903](rules/OW903.md)). Drilling cycles also need `R` and a depth, G73 and G83 `Q`, G82 and G89 `P`,
+unless the same cycle on the line before has given them ([OW904](rules/OW904.md)).
+
 *Axes* are `X Y Z A B C U V W`, as far as the machine has them, and `@` and `^` with a motion. The drilling cycles (G73,
 G74, G81 to G89) refuse `A`, `B` and `C`; G33 and G33.1 refuse `F`.
 )";

@@ -1,9 +1,11 @@
 #include "rules/driver/folding.h"
-#include "analyzer/syntax/last_statement.h"
 
 #include <algorithm>
 #include <map>
 #include <tuple>
+
+#include "analyzer/syntax/last_statement.h"
+#include "rules/driver/stops.h"
 
 namespace owlint::rules {
 namespace {
@@ -234,10 +236,11 @@ void fold_repeated(std::vector<Finding>& findings) {
       findings, [](const Finding& f) { return f.stops && f.reach == Reach::kAlways && f.source == nullptr; });
   if (stop == findings.end()) return;
   const auto repeats = [code = stop->code, message = stop->message](const Finding& f) {
-    return !f.stops && f.reach == Reach::kNever && f.code == code && f.message == message;
+    return f.group.starts_with(kBehind) && f.code == code && f.message == message;
   };
   for (const Finding& f : findings) {
-    if (repeats(f) && stop->related.size() < kMostPlaces) stop->related.push_back({f.span, "here as well", nullptr});
+    if (repeats(f) && stop->related.size() < kMostPlaces)
+      stop->related.push_back({f.span, "the same mistake further down", nullptr});
   }
   std::erase_if(findings, repeats);
 }

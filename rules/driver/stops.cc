@@ -256,11 +256,10 @@ StatementId telling_call(const Program& program, const FlowStop& stop) {
 
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.further = stop.further != nullptr;
-  const bool behind = stop.reach == Reach::kNever;  // another stop
-  finding.stops = !finding.further && !behind;
   finding.reach = stop.reach;
-  // Of a habit one finding is enough; but it never stands for one at which a run stops.
-  if (behind) finding.group = "behind: " + (finding.group.empty() ? stop.interpreter : finding.group);
+  const bool behind = stop.reach == Reach::kNever;  // another stop; such findings fold, but not with those of real ones
+  finding.stops = !finding.further && !behind;
+  if (behind) finding.group = std::string(kBehind) + (finding.group.empty() ? stop.interpreter : finding.group);
   finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
   if (stop.kind != StopKind::kUserCodeMissing) finding.interpreter = stop.interpreter;  // OW705 knows what it is
   for (const Decision& decision : stop.path) {

@@ -16,6 +16,9 @@ namespace owlint::rules {
 std::string_view code_of(const FlowStop& stop, const Program& program);
 std::string_view code_of(StopKind kind, const Statement& statement);
 
+/// Group of a finding about a line behind the one at which every run stops: what it begins with.
+inline constexpr std::string_view kBehind = "behind: ";
+
 /// Fills reach, stops, interpreter and the path of a finding about `stop`.
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding);
 

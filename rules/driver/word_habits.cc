@@ -83,10 +83,11 @@ std::optional<Habit> turning_cycle(const Source& source, const std::vector<Writt
   if (from == nullptr || to == nullptr || (contour == nullptr) == (thread == nullptr)) return std::nullopt;
   if (thread != nullptr) {
     if (find_word(line, kAnyAxis) != nullptr) return std::nullopt;
-    return Habit{fmt::format("{} with {} and without an end is the first of two lines on Fanuc",
-                             of_word(source, *thread), of_word(source, *from)),
-                 "write one line: `G76 P1.5 Z-20 I-1 J0.1 R1.5 K0.9 Q29.5` has the pitch as `P`, the end as `Z`, and the "
-                 "depth as `K`"};
+    return Habit{
+        fmt::format("{} with {} and without an end is the first of two lines on Fanuc", of_word(source, *thread),
+                    of_word(source, *from)),
+        "write one line: `G76 P1.5 Z-20 I-1 J0.1 R1.5 K0.9 Q29.5` has the pitch as `P`, the end as `Z`, and the "
+        "depth as `K`"};
   }
   return Habit{fmt::format("{} with {} and {} is a cycle of Fanuc: the contour stands between these two line numbers",
                            of_word(source, *contour), of_word(source, *from), of_word(source, *to)),

@@ -96,7 +96,7 @@ M2
             .fix =
                 R"(To end the program early, use `M2` or `M30`; they also work inside an `if`. If the line belongs to a
 sub, put the `sub` line back before the sub's first line.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "not in a subroutine definition: 'o110 return'",
             .options = "",
         },

@@ -50,7 +50,7 @@ o100 endif
 M2
 )",
             .fix = R"(Write the label of the `if` that the branch belongs to.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "undefined O-word label: 'o101 else'",
             .options = "",
         },

@@ -58,7 +58,7 @@ G80
 M2
 )",
             .fix = R"(Use the label of the `if` that the line belongs to.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "no matching 'if' label: 'o100 else' (found 'while' in line N)",
             .options = "",
         },

@@ -65,7 +65,7 @@ M2
 )",
             .fix = R"(Write the label of the loop that the program should leave or continue. To leave a `repeat` early,
 change it into a `while` with a counter.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "no matching while/do label: 'o110 break' (found 'if' in line N)",
             .options = "",
         },

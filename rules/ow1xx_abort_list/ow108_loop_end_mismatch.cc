@@ -50,7 +50,7 @@ M2
             .fix =
                 R"(Close `repeat` with `endrepeat`, `while` with `endwhile`, and `do` with `while`, each with the label
 of its first line.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "no matching label: 'o100 endwhile' (found 'repeat' in line N)",
             .options = "",
         },

@@ -43,7 +43,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW203",
     .name = "sub-in-block",
-    .summary = "a sub defined inside an `if` or loop: unknown if skipped, an error the second time",
+    .summary = "a sub defined inside an `if` or loop: it may not exist, or be defined twice",
     .group = Group::kBlocks,
     .level = Severity::kError,
     .page =
@@ -52,7 +52,7 @@ extern const Rule kRule{
 program runs through that block.)",
             .why = R"(In a loop the interpreter stops at the `sub` line in the second pass, when the work of the first
 pass is already done. If an `if` is skipped, the sub does not exist: a later call looks for it up to
-the end of the file and stops with `EOF in file … seeking o-word`. If the `if` is not skipped, it
+the end of the file and stops with `EOF in file … seeking o-word`. If the `if` is taken, it
 works.
 
 FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",

@@ -46,8 +46,9 @@ extern const Rule kRule{
     .level = Severity::kError,
     .page =
         {
-            .what = R"(A sub that calls a sub that calls a sub …, more than nine levels deep, or a sub that calls itself
-(directly or through other subs) and never stops doing so.)",
+            .what =
+                R"(Calls nested more than nine deep, or a sub that calls itself, directly or through other subs, without
+an exit.)",
             .why = R"(LinuxCNC allows nine calls inside each other. It stops at the tenth, in the middle of the ninth: a
 pecking cycle that calls itself without an exit makes nine pecks and stops.
 

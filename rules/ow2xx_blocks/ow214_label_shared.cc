@@ -46,7 +46,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW214",
     .name = "label-shared",
-    .summary = "one label on several blocks of one scope, but no run gets to two of them",
+    .summary = "one label on several blocks of a sub, in branches of which no run gets to two",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
     .page =

@@ -77,7 +77,7 @@ If you have many short subs that all start at `o101`, leave this rule off; it is
 select it.)",
             .level_reason = "Info: it runs, and many programs begin with the same number in each sub.",
             .interpreter = "",
-            .options = "--select OW215",
+            .options = "--extend-select OW215",
         },
     .check = check,
 };

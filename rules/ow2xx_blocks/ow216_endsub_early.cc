@@ -33,7 +33,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW216",
     .name = "endsub-early",
-    .summary = "an `endsub` before the last `endsub` of its sub",
+    .summary = "an early `endsub`, used like a `return`",
     .group = Group::kBlocks,
     .level = Severity::kWarning,
     .page =

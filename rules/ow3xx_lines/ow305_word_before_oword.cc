@@ -58,7 +58,7 @@ o100 call [30]
 M2
 )",
             .fix = R"(Write the O-word on a line of its own.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "Bad character 'o' used",
             .options = "",
         },

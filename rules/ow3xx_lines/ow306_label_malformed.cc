@@ -106,7 +106,7 @@ M2
 )",
             .fix = R"(Use a whole number, or a name between `<` and `>`. Number labels in steps of ten, so that there is
 room for more blocks.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "Non integer value for integer",
             .options = "",
         },

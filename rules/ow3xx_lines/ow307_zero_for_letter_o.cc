@@ -59,7 +59,7 @@ o100 call [30]
 M2
 )",
             .fix = R"(Write a small `o`: it does not look like a zero.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "Bad character '0' used",
             .options = "",
         },

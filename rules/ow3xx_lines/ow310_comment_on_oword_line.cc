@@ -82,7 +82,7 @@ M2
 because an ordinary comment after an O-word is harmless in all versions that were measured.)",
             .level_reason = "Info: the documentation calls it undefined, but every version runs it.",
             .interpreter = "",
-            .options = "--select OW310",
+            .options = "--extend-select OW310",
         },
     .check = check,
 };

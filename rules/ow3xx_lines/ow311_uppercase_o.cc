@@ -53,7 +53,7 @@ M2
 unless you select it.)",
             .level_reason = "Info: LinuxCNC reads both alike; the letter only matters to people.",
             .interpreter = "",
-            .options = "--select OW311",
+            .options = "--extend-select OW311",
         },
     .check = check,
 };

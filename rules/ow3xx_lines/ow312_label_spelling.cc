@@ -60,7 +60,7 @@ M2
 off unless you select it.)",
             .level_reason = "Info: LinuxCNC reads both spellings as one label.",
             .interpreter = "",
-            .options = "--select OW312",
+            .options = "--extend-select OW312",
         },
     .check = check,
 };

@@ -1,6 +1,8 @@
 // OW313 block-delete-misplaced: a `/` that is not the first thing on its line.
 // Depends on: block delete is read only before the line number; a later `/` outside brackets is an
 // error.
+#include <algorithm>
+
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow313 {
@@ -12,7 +14,12 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   f.help = "write the `/` before the `N`";
   const Statement& s = in.program.at(id);
   const uint64_t first = s.offset + indent_of(*in.program.source, s).size();
-  f.fixes.push_back({"write the `/` before the `N`", !bounds_sub(s), {{{first, first}, "/"}, {f.span, ""}}, true});
+  Span slash = f.span;
+  const std::string_view behind = in.program.source->slice({slash.end, s.end()});
+  slash.end += std::min(behind.find_first_not_of("0123456789"), behind.size());  // the level of a skip
+  if (slash != f.span) f.help += "; LinuxCNC has one level, so write no number behind it";
+  const bool safe = slash == f.span && !bounds_sub(s);
+  f.fixes.push_back({"write the `/` before the `N`", safe, {{{first, first}, "/"}, {slash, ""}}, true});
   return &f;
 }
 
@@ -54,7 +61,7 @@ N50 G0 Z5
 N60 M2
 )",
             .fix = R"(Write the slash before the line number.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "Bad character '/' used",
             .options = "",
         },

@@ -104,8 +104,8 @@ extern const Rule kRule{
             .what = R"(Lines after an `M2` or `M30` that every run reaches, or after the closing `%`. Subs below the
 program end are not reported, because a call looks ahead for them.
 
-In a file that other programs call: lines outside its subs. Such a file has the sub with its own
-name, and calls nothing outside the sub.)",
+In a file that other programs call, lines outside the sub are reported, too. owlint takes a file for
+such a file if it defines a sub with its own name and calls nothing outside that sub.)",
             .why =
                 R"(LinuxCNC never reads these lines. It never makes moves there, and never reports mistakes there; what
 looks like a second operation is not cut.

@@ -12,7 +12,7 @@ void check(const Input& in, Reporter& out) {
       nature.mark, "this looks like a program for " + std::string(nature.controller) + "; owlint checks for LinuxCNC");
   if (nature.other_mark.end > nature.other_mark.begin)
     f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
-  f.help = "leave the file out of the check";
+  f.help = "leave the file out of the check with `--exclude`, or write the program for LinuxCNC";
   f.reach = Reach::kAlways;
 }
 
@@ -28,9 +28,8 @@ extern const Rule kRule{
         {
             .what = R"(A program that looks like one for another controller: FluidNC, grbl and grblHAL, Fanuc macro B,
 Haas, Mach3 and Mach4, PathPilot, a 3D printer (Marlin, Klipper), Siemens, Heidenhain. owlint
-recognises it by lines that only that controller has and that stop LinuxCNC: a line that cannot be a
-typing error, or two of different kinds, or a code that LinuxCNC does not have in a file whose
-comments name the controller. A few such lines in a program with O-word blocks are mistakes, and are
+needs one clear sign (a line that stops LinuxCNC and cannot be a typing error), two weaker ones, or a
+comment that names the controller together with a code that LinuxCNC does not have. A few such lines in a program with O-word blocks are mistakes, and are
 reported as mistakes.)",
             .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller first;
 other stops in the file are info, and what no run reaches is not reported.)",

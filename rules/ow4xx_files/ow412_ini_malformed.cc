@@ -314,7 +314,7 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 extern const Rule kRule{
     .code = "OW412",
     .name = "ini-malformed",
-    .summary = "a line of the INI that does not mean to LinuxCNC what it seems to mean",
+    .summary = "a line of the INI that LinuxCNC reads as something else",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =

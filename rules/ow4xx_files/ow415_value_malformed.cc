@@ -269,14 +269,15 @@ void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); 
 extern const Rule kRule{
     .code = "OW415",
     .name = "value-malformed",
-    .summary = "a value of the INI that does not mean to LinuxCNC what it seems to mean",
+    .summary = "a value of the INI that LinuxCNC reads as something else",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
             .what = R"(A value with a comment after it, `YES` where LinuxCNC reads a number, `7mm`, an unknown unit, a
-tolerance that is out of range, a search path with `,` or without a folder, folders behind the tenth of
-`SUBROUTINE_PATH` or the fifth of `USER_M_PATH`, kinematics, a HAL file or a display that are not there.)",
+tolerance that is out of range, a search path with `,` or without a folder, the 11th and later folders of
+`SUBROUTINE_PATH` or the 6th and later ones of `USER_M_PATH`, kinematics, a HAL file or a display that
+does not exist.)",
             .why =
                 R"(A comment must be on a line of its own: after a value, it is a part of the value. LinuxCNC does not
 convert a value that is only partly a number. In `[RS274NGC]` and `[EMCIO]` it then uses the default

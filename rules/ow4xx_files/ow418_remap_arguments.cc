@@ -214,7 +214,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW418",
     .name = "remap-arguments",
-    .summary = "a REMAP line that does not pass to its sub what it seems to pass",
+    .summary = "a REMAP line whose sub gets other words than intended",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =

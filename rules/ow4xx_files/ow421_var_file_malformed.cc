@@ -157,7 +157,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW421",
     .name = "var-file-malformed",
-    .summary = "a file of parameters with which LinuxCNC does not start",
+    .summary = "a file of parameters that LinuxCNC refuses, or that does not keep a parameter",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
@@ -165,8 +165,8 @@ extern const Rule kRule{
             .what =
                 R"(In the file that `PARAMETER_FILE` names: a line whose number is not greater than the one before it,
 is not from 1 to 5601, or has a decimal point, or whose value has a comma. In a program: a parameter
-from `#31` on that counts on from run to run (`#500 = [#500 + 1]`, and nothing else sets it) and that
-the file does not list.)",
+from `#31` on that is meant to keep its value between runs (`#500 = [#500 + 1]`, and nothing else sets
+it), but is not in the file.)",
             .why =
                 R"(LinuxCNC reads the file when it starts, line by line: a whole number, then a value. Lines with text
 are ignored. The numbers must rise: at the first one that does not, LinuxCNC refuses to start, with

@@ -253,7 +253,7 @@ void check(const Input& in, Reporter& out) {
     const bool cases = some && local && (in.data.too_large() || names.assigns(p.region_of[s.statement], s.detail));
     Finding& f = out.add(read_span(p, s.statement, "#<" + s.detail + ">"),
                          name +
-                             (cases             ? " is read here, but not assigned on every path"
+                             (cases               ? " is read here, but not assigned on every path"
                                   : some && local ? " is read here, but no line assigns it"
                                   : some          ? " is read here, but not assigned on every path"
                                                   : " is read here, but was not assigned before"));
@@ -321,9 +321,9 @@ assignment in only one branch, or a name that belongs to the caller or to the ca
             .why = R"(The interpreter stops at the line that reads the name, on the first run that gets there without an
 assignment. Numbers are 0 before they are assigned, but names have no value. `#<name>` belongs to
 the sub that is running: the main program's `#<depth>` does not exist inside a sub, and the sub's
-does not exist outside. `#<_name>` with an underscore is global. In a sub, a name starts again in
-every call: a counter `#<n> = [#<n> + 1]` is 0 before and 1 after the line each time, without a
-message. A comment `(debug, #<name>)` shows `######` for a name without a value. Skipped lines are
+does not exist outside. `#<_name>` with an underscore is global. On the line that sets a name for the
+first time it counts as 0: `#<n> = [#<n> + 1]` gives 1 and does not stop. In a sub this happens in
+every call, so such a counter never gets past 1. A comment `(debug, #<name>)` shows `######` for a name without a value. Skipped lines are
 not checked, and `EXISTS[#<name>]` tests a name without stopping.
 
 If the comment at the top of the program mentions a global name, owlint assumes that it exists. A

@@ -59,7 +59,7 @@ M2
 )",
             .fix =
                 R"(Choose another name. To set the feed, the speed or the position, program it: `F120`, `S800`, `G92`.)",
-            .level_reason = "Error if a run gets here: the program stops. Warning if no run does.",
+            .level_reason = "Error: the program stops here. Warning if no run gets to this line.",
             .interpreter = "Cannot assign to read-only parameter #<_feed>",
             .options = "",
         },

@@ -48,13 +48,12 @@ void check_numbers(const Input& in, const Call& call, const Sub& sub, Reporter& 
     if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
     const StatementId assigned = sub.data->last_assignment(sub.region, n);
     const std::string number = "`#" + std::to_string(n) + "`";
-    Finding& f = here
-        ? out.add(p.at(assigned).whole(),
-                  number + " is assigned here, but the caller does not see it: the end of " +
-                      region_words(p, sub.region) + " restores the caller's " + number)
-        : out.add(p.at(call.statement).head_span(),
-                  number + " is read after this call, but its end restores the caller's " + number +
-                      ": what the sub assigns is lost");
+    Finding& f = here ? out.add(p.at(assigned).whole(),
+                                number + " is assigned here, but the caller does not see it: the end of " +
+                                    region_words(p, sub.region) + " restores the caller's " + number)
+                      : out.add(p.at(call.statement).head_span(),
+                                number + " is read after this call, but its end restores the caller's " + number +
+                                    ": what the sub assigns is lost");
     if (here) {
       relate(f, p, call.statement, "called here; " + number + " is read after the call");
     } else {

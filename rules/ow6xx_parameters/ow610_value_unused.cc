@@ -118,8 +118,8 @@ extern const Rule kRule{
 almost the same spelling. An argument that only goes into such a name, and so has no effect. A value
 that the next line overwrites.
 
-Other names that are never read are info, off unless you select it: without the line the program
-would do the same. A name that `(debug, …)`, `(print, …)`, `(log, …)` or `(msg, …)` mentions counts
+Other unread names are reported as info, and only if you select the rule (`--extend-select OW610`):
+without the line the program would do the same. A name that `(debug, …)`, `(print, …)`, `(log, …)` or `(msg, …)` mentions counts
 as read. A name that only renames another parameter (`#<feed> = #3`) is not reported. Other programs
 may read global names and numbers above `#30`, and the Python code of a machine may read all names
 if the INI has a `[PYTHON]` section.)",

@@ -59,7 +59,7 @@ void range_of_g(const WordStop& at, Release release, Finding& f) {
   if (at.value > kWraps) return;
   constexpr int kTenths = 10;
   const CodeAdvice advice = advice_for_code('g', static_cast<int>(std::lround(*at.value)) * kTenths, release);
-  if (!advice.what.empty()) f.message = "`" + at.word + "` is " + advice.what + "; LinuxCNC does not have it";
+  if (!advice.what.empty()) f.message = "`" + at.word + "` " + advice.what + "; LinuxCNC does not have it";
   f.help = advice.help;
 }
 

@@ -87,7 +87,7 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   const CodeAdvice advice = number < 0 ? CodeAdvice{} : advice_for_code(m ? 'm' : 'g', number, release_of(in.profile));
   f.message = "`" + written + "` is not a code of LinuxCNC";
   if (!at.value && number >= 0) f.message = "`" + at.word + "` is " + name + ", which is not a code of LinuxCNC";
-  if (!advice.what.empty()) f.message = "`" + written + "` is " + advice.what + "; LinuxCNC does not have it";
+  if (!advice.what.empty()) f.message = "`" + written + "` " + advice.what + "; LinuxCNC does not have it";
   f.help = advice.help.empty() ? "write the code that is meant, or remove it" : advice.help;
   f.group = "code " + name;
   if (const auto& perhaps = in.profile.remapped_perhaps; perhaps != nullptr && perhaps->contains(name)) {

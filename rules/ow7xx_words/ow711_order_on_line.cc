@@ -175,7 +175,7 @@ M2
 which they act.)",
             .level_reason = "Info: the program runs as documented.",
             .interpreter = "",
-            .options = "--select OW711",
+            .options = "--extend-select OW711",
         },
     .check = check,
 };

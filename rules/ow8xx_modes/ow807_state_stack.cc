@@ -98,8 +98,8 @@ extern const Rule kRule{
         {
             .what =
                 R"(`M72` when no `M70` or `M73` has saved the modes, or when `M71` has discarded them. Also `M72`, or the end
-of a sub with `M73`, when LinuxCNC cannot restore the saved modes. Also a move, an end of the program or another
-word on the line of an `M72` that drops it.)",
+of a sub with `M73`, when LinuxCNC cannot restore the saved modes. Also a move, `M2` or another word on the
+line of an `M72`, which LinuxCNC then ignores.)",
             .why =
                 R"(What `M70` and `M73` save belongs to the current call: a sub cannot restore what its caller has saved, and
 what the sub has saved is gone when it ends. LinuxCNC stops with `Cannot restore context from invalid

@@ -137,10 +137,11 @@ void check(const Input& in, Reporter& out) {
                          call_words(p, h.statement) + " returns in `" + to + "`, but was called in `" + from + "`");
     relate_mode(in, f, h, h.to);
     if (h.needed_in != nullptr) relate_line(in, f, *h.needed_in, h.needed_line, "*", "this move " + now + " now");
-    f.help = h.mode == Mode::kMotion
-        ? "write `" + from + "` on the first line that moves after the call, or at the end of the sub; `M73` does not restore it"
-        : "write `" + from +
-            "` at the end of the sub, or after the call; `M73` at the beginning of the sub restores all modes at its end";
+    f.help = h.mode == Mode::kMotion ? "write `" + from +
+            "` on the first line that moves after the call, or at the end of the sub; `M73` does not restore it"
+                                     : "write `" + from +
+            "` at the end of the sub, or after the call; `M73` at the beginning of the sub restores all modes at its "
+            "end";
     f.reach = h.reach;
     f.unproven = h.unproven;
   }

@@ -79,7 +79,7 @@ M2
             .fix = R"(Begin each program with a line such as `G21 G90 G17`.)",
             .level_reason = "Info: many programs leave this to the machine, and on that machine they are right.",
             .interpreter = "",
-            .options = "--select OW853",
+            .options = "--extend-select OW853",
         },
     .check = check,
     .of_programs = true,

@@ -230,7 +230,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW854",
     .name = "probe-unchecked",
-    .summary = "a probed point is used, or a wait for an input ends, and nothing tests whether it came",
+    .summary = "the result of a probe or of a wait for an input is used without a test",
     .group = Group::kModes,
     .level = Severity::kWarning,
     .page =

@@ -89,7 +89,7 @@ void check(const Input& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW903",
     .name = "arc-degenerate",
-    .summary = "words of an arc that do not make one",
+    .summary = "an arc without a center or a radius, or that ends where it starts",
     .group = Group::kGeometry,
     .level = Severity::kError,
     .page =

@@ -104,9 +104,8 @@ void check(const Input& in, Reporter& out) {
     if (said.starts_with(kBelow)) {
       explain_height(in, stop, f);
     } else if (said.find(kNoDepth) != std::string::npos) {
-      f.help = fmt::format(
-          "write `{}`; LinuxCNC keeps it from hole to hole, but not for another cycle or after `G80`, `G0` or `G1`",
-          letter_at(said, 0));
+      f.help = fmt::format("write `{}` on this line: LinuxCNC keeps it only from hole to hole of one cycle",
+                           letter_at(said, 0));
       const std::optional<Setter> plane = setter_of(in, stop, "G18 G19 G17");
       if (plane && !plane->restores() && said[0] != 'Z') explain_plane(in, stop, *plane, f);
       relate_setter(in, f, plane);

@@ -16,7 +16,8 @@ namespace {
 std::string found(const std::string& program, const std::string& options = "") {
   const Scratch folder;
   folder.write("a.ngc", program);
-  const Run run = owlint::test::owlint(words("check --isolated --format json " + options + " a.ngc"), "", folder.path());
+  const Run run =
+      owlint::test::owlint(words("check --isolated --format json " + options + " a.ngc"), "", folder.path());
   const nlohmann::json report = nlohmann::json::parse(run.out);
   std::string out;
   for (const auto& file : report["files"]) {

@@ -11,7 +11,7 @@ void Calls::begin(const Context& info, bool outside) {
 }
 
 ContextId Calls::context_for(const Context& callee, const State& entry, bool* joined) {
-  const Kind kind{callee.sub,     callee.depth,  callee.fanuc,   callee.passed,
+  const Kind kind{callee.sub,     callee.depth,  callee.fanuc,    callee.passed,
                   callee.contour, callee.remaps, callee.built_in, callee.remap};
   const auto key = std::make_pair(kind, entry.hash());
   *joined = false;

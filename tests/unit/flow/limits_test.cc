@@ -41,7 +41,7 @@ TEST_CASE("README names the limits that are used", "[limits]") {
                     with_commas(limits.data_flow_statements)),
         fmt::format("at most {} different combinations of values at a line", precise.states),
         fmt::format("at most {} calls of a sub with different values", precise.contexts),
-        fmt::format("one of the first {} such calculations of a sub", limits.fallible_operations),
+        fmt::format("it checks the first {} calculations that use the arguments", limits.fallible_operations),
         fmt::format("at most {} subs are possible", limits.computed_candidates)}) {
     INFO(sentence);
     CHECK(text.find(sentence) != std::string::npos);

@@ -1,0 +1,60 @@
+// What a line becomes in the Syntax when modes matter: a question to the flow, and the calls of its remapped codes.
+#include <algorithm>
+
+#include "analyzer/syntax/mode_line.h"
+#include "analyzer/syntax/modes_in_effect.h"
+#include "analyzer/syntax/remaps.h"
+
+namespace owlint {
+
+Statement ModesInEffect::question_of(const Statement& statement) {
+  const WordLine& words = parser_.words() != nullptr ? *parser_.words() : *parser_.words_of_call();
+  Statement asks = question_about(statement, LineKind::kModeLine, static_cast<uint32_t>(out_.mode_words.size()));
+  asks.item_count = static_cast<uint8_t>(words.size());
+  asks.for_place = asks_place_;
+  // Words that are computed have an item each, in the order of the line.
+  const auto items = out_.items_of(statement);
+  auto item = items.begin();
+  for (size_t i = 0; i < words.size(); ++i) {
+    const Word& word = words[i];
+    ModeWord out{word.value, kNoExpr, word.letter, word.from, word.to, word.known};
+    if (!word.known) {
+      item = std::find_if(item, items.end(), [&](const Item& it) { return it.letter != 0; });
+      if (item != items.end()) out.computed = (item++)->value;
+      if ((letter_set({&word.letter, 1}) & machine_.wrapped) != 0) out_.asks_place = true;
+    }
+    out_.mode_words.push_back(out);
+  }
+  return asks;
+}
+
+/// Behind the line's own statement: what each of its remapped codes runs, and the question about what comes then.
+void ModesInEffect::push_remaps(const Statement& statement, const Statement& asks) {
+  for (const RemappedWord& remap : remaps_) {
+    const ModeWord& word = out_.mode_words[asks.first + remap.word];
+    Statement runs = question_about(statement, LineKind::kRemap, asks.first);
+    runs.item_count = asks.item_count;
+    if (!remap.code->sub.empty()) runs.label = out_.names.intern(small_letters(remap.code->sub));
+    runs.label_from = runs.keyword_from = word.from;
+    runs.label_to = runs.keyword_to = word.to;
+    out_.statements.push_back(runs);
+    out_.statements.push_back(asks);
+  }
+}
+
+bool ModesInEffect::has_own(const Statement& statement) {
+  return statement.kind != LineKind::kWords || statement.item_count > 0 || statement.has_error();
+}
+
+void ModesInEffect::push(const Statement& statement) {
+  if (!asks_place_) flush();
+  const bool asks = asks_ && statement.kind != LineKind::kAbort;
+  const bool remaps = asks && !remaps_.empty();
+  const Statement question = asks ? question_of(statement) : Statement{};
+  if (asks) out_.statements.push_back(question);
+  if (remaps && ends_program(statement)) push_remaps(statement, question);
+  if (has_own(statement) || !asks_) out_.statements.push_back(statement);
+  if (remaps && !ends_program(statement)) push_remaps(statement, question);
+}
+
+}  // namespace owlint
