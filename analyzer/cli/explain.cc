@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -27,6 +29,28 @@ size_t text_width() {
   return terminal == 0 ? kWidest : std::min(terminal, kWidest);
 }
 
+/// A rule as one line of a list.
+void print_row(const Rule& rule) {
+  const std::string row = fmt::format("  {}  {:<25} {:<8} ", rule.code, rule.name, severity_text(rule.level));
+  const size_t width = columns_of(STDOUT_FILENO);
+  const std::string indent(width < 2 * row.size() ? 9 : row.size(),
+                           ' ');  // below the name, where there is no room beside it
+  std::cout << row << (indent.size() < row.size() && width > 0 ? "\n" + indent : "")
+            << wrapped(rule.summary, width, indent, indent.size()) << '\n';
+}
+
+/// The rules whose codes begin like this, or whose names have this word: `OW1`, `arc`.
+std::vector<const Rule*> rules_about(const std::string& text) {
+  const std::string prefix = code_meant(text);
+  const std::string word = "-" + text + "-";
+  std::vector<const Rule*> found;
+  std::ranges::copy_if(catalogue(), std::back_inserter(found), [&](const Rule* rule) {
+    const std::string name = "-" + std::string(rule->name) + "-";
+    return prefix.empty() ? name.find(word) != std::string::npos : rule->code.starts_with(prefix);
+  });
+  return found;
+}
+
 }  // namespace
 
 std::shared_ptr<const Source> read_program(const CommandLine& line, checking::Settings* settings) {
@@ -49,6 +73,9 @@ void complain(const std::string& message) {
 int explain_command(const std::string& code_or_name, const std::string& color) {
   const Rule* rule = find_rule(code_or_name);
   if (rule == nullptr) {
+    const std::vector<const Rule*> several = rules_about(code_or_name);
+    for (const Rule* each : several) print_row(*each);
+    if (!several.empty()) return kClean;
     complain(unknown_rule(code_or_name));
     return kUsage;
   }
@@ -105,12 +132,7 @@ int rules_command(const std::string& format) {
       std::cout << fmt::format("| {} | {} | {} | {} |\n", rule->code, rule->name, severity_text(rule->level),
                                rule->summary);
     } else {
-      const std::string row = fmt::format("  {}  {:<25} {:<8} ", rule->code, rule->name, severity_text(rule->level));
-      const size_t width = columns_of(STDOUT_FILENO);
-      const std::string indent(width < 2 * row.size() ? 9 : row.size(),
-                               ' ');  // below the name, where there is no room beside it
-      std::cout << row << (indent.size() < row.size() && width > 0 ? "\n" + indent : "")
-                << wrapped(rule->summary, width, indent, indent.size()) << '\n';
+      print_row(*rule);
     }
   }
   return kClean;

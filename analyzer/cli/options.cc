@@ -307,7 +307,9 @@ void add_commands(CLI::App& app, Said& said) {
   add_config(app, said);
   CLI::App& explain =
       *app.add_subcommand("explain", "explain a rule: what it finds, why, an example, and how to fix it");
-  explain.add_option("CODE", said.code, "the code or name of a rule, for example OW104 or if-label-reused")
+  explain
+      .add_option("CODE", said.code,
+                  "the code or name of a rule, for example OW104 or if-label-reused; OW1 or `label` lists several")
       ->required()
       ->type_name("CODE");
   add_color(explain, said.check);

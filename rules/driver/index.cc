@@ -72,8 +72,10 @@ Index::Index(const Program& program, const FlowResult& flow, const MachineWords&
 
 /// Stops at words behind the line where every run stops: corrected one by one, they would take as many tries.
 void Index::add_behind(const Program& program, const FlowResult& flow, bool codes_known) {
+  constexpr size_t kMost = 10'000;  // nobody corrects more before the next check
   std::optional<rules::BehindStops> lines;
   const auto add = [&](StatementId id, const LineError& error) {
+    if (behind_.size() == kMost) return;
     if (!lines) lines.emplace(program, flow);
     if (!lines->contains(id) || (error.kind == StopKind::kCodeUnknown && !codes_known)) return;
     FlowStop& stop = behind_.emplace_back();

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kTooSlow = 10 * OWLINT_PATIENCE;  // seconds
 constexpr int kMany =
-    100'000 / OWLINT_PATIENCE;  // what goes quadratic shows in optimised programs; sanitizers need not wait for it
+    50'000 / OWLINT_PATIENCE;  // what goes quadratic shows in optimised programs; sanitizers need not wait for it
 
 std::string repeat(int count, const std::function<std::string(int)>& line) {
   std::string out;

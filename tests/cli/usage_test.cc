@@ -86,6 +86,18 @@ TEST_CASE("a misspelt command or option names the nearest", "[cli][usage]") {
   CHECK(owlint::test::owlint({"--isolated", "chekc"}, "", s.path()).status == 0);
 }
 
+TEST_CASE("the beginning of codes, or a word of names, lists rules", "[cli][usage]") {
+  const auto listed = [](const std::string& about) {
+    const Run run = owlint::test::owlint({"explain", about}, "");
+    CHECK(run.status == 0);
+    return run.out;
+  };
+  CHECK(contains(listed("ow10"), "  OW108  loop-end-mismatch"));
+  CHECK_FALSE(contains(listed("OW10"), "OW201"));
+  CHECK(contains(listed("arc"), "  OW901  arc-radii-differ"));
+  CHECK_FALSE(contains(listed("arc"), "search"));
+}
+
 TEST_CASE("codes are taken in small letters and as names, wherever codes are taken", "[cli][codes]") {
   const Scratch s;
   const std::string bad = s.write("bad.ngc", "o1 if [1]\no1 endif\no1 if [1]\no1 endif\nM2\n");  // OW104

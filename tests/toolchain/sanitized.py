@@ -3,11 +3,12 @@
 
 usage: sanitized.py --owlint build/release/owlint --sanitized build/sanitize/owlint
 
-Both run each command over the fixtures, with the files that these bring, the corpus and the seeds of the fuzz targets: status and
-output are the same, byte for byte.  A session of the language server opens some of them.  `./dev sanitize` without --quick runs the
+Both check the fixtures, with the files that these bring, the corpus and the seeds of the fuzz targets, and run further commands over
+some of them: status and output are the same, byte for byte.  A session of the language server opens some of them.  `./dev sanitize` without --quick runs the
 C++ tests with sanitizers besides.
 """
 import argparse
+import concurrent.futures
 import json
 import os
 import shutil
@@ -22,7 +23,7 @@ import bundle  # noqa: E402
 
 SHOWN = 3000        # characters of what a sanitizer says
 OPENED = 24         # programs of the session of the language server
-EVERY = 25          # of the fixtures, for commands that take one file
+EVERY = 40          # of the fixtures, for commands that take one file
 CHECKS = (["--extend-select", "OW"], ["--linuxcnc", "all", "--format", "sarif"], ["--feature", "0x20", "--format", "grouped"], ["--diff"])
 ONE_FILE = (["graph", "--format", "json"], ["modes"], ["extents", "--format", "json"], ["debug-flow"])
 
@@ -90,12 +91,12 @@ def main(argv):
             elif answers(done[0].stdout) != answers(done[1].stdout):
                 problems.append("%s: not the same output" % what)
 
-        for arguments in CHECKS:
-            compare(["check", "--isolated", *arguments, "programs", "corpus"])
+        compare(["check", "--isolated", *CHECKS[0], "programs", "corpus"])
+        for arguments in CHECKS[1:]:
+            compare(["check", "--isolated", *arguments, *programs[::3], "corpus"])
         compare(["fmt", "--isolated", "--diff", "programs", "corpus"])
-        for command in ONE_FILE:
-            for path in programs[::EVERY]:
-                compare([*command, path])
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(compare, [[*command, path] for command in ONE_FILE for path in programs[::EVERY]]))
         compare(["lsp"], session(folder, programs[::max(1, len(programs) // OPENED)]), lambda output: sorted(output.split(b"Content-Length: ")))
         for number, build in enumerate(builds):
             store = os.path.join(folder, "store%d" % number)
