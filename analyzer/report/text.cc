@@ -87,19 +87,25 @@ class Writer {
     labelled(f.reach == Reach::kNever ? "not reached" : "when", path_text(f));
     labelled("LinuxCNC says", f.interpreter);
     if (!f.versions.empty()) labelled("versions", fmt::format("only in LinuxCNC {}", fmt::join(f.versions, ", ")));
-    for (const Consequence& consequence : f.consequences) {
-      if (consequence.interpreter.empty()) continue;
-      if (f.missing.empty()) continue;
-      labelled("also",  // of an INI, which has no runs
-               fmt::format("line {}: {}", source.position(consequence.span.begin).line, consequence.interpreter));
-    }
-    if (f.missing.empty()) other_runs(source, f);
+    if (f.missing.empty())
+      other_runs(source, f);
+    else
+      other_lines(source, f);
     labelled("also", unreached_text(source, f));
     labelled("fix", f.help);
     out_ << '\n';
   }
 
  private:
+  /// Of an INI, which has no runs.
+  void other_lines(const Source& source, const Finding& f) {
+    for (const Consequence& consequence : f.consequences) {
+      if (consequence.interpreter.empty()) continue;
+      labelled("also",
+               fmt::format("line {}: {}", source.position(consequence.span.begin).line, consequence.interpreter));
+    }
+  }
+
   /// Where other runs stop because of the same mistake, each message once.
   void other_runs(const Source& source, const Finding& f) {
     constexpr size_t kMostLines = 4;

@@ -7,18 +7,19 @@
 namespace owlint::rules {
 namespace {
 
-bool stops_every_run(const FlowStop& stop) {
-  return stop.reach == Reach::kAlways && stop.kind != StopKind::kFileEnd && stop.statement != kNoStatement;
-}
-
 bool calls(const Statement& s) { return s.calls() || s.runs_remap(); }
 
 }  // namespace
 
-BehindStops::BehindStops(const Program& program, const FlowResult& flow) : program_(program), flow_(flow) {
-  const auto stop = std::ranges::find_if(flow.stops, stops_every_run);
-  if (stop == flow.stops.end()) return;
-  stop_ = stop->statement;
+StatementId stop_of_every_run(const FlowResult& flow) {
+  const auto stop = std::ranges::find_if(
+      flow.stops, [](const FlowStop& s) { return s.reach == Reach::kAlways && s.kind != StopKind::kFileEnd; });
+  return stop == flow.stops.end() ? kNoStatement : stop->statement;
+}
+
+BehindStops::BehindStops(const Program& program, const FlowResult& flow)
+    : program_(program), flow_(flow), stop_(stop_of_every_run(flow)) {
+  if (stop_ == kNoStatement) return;
   behind_.resize(program.size());
   follow_lines();
   follow_calls();

@@ -8,6 +8,9 @@
 
 namespace owlint::rules {
 
+/// The line where every run stops; kNoStatement if there is none.
+StatementId stop_of_every_run(const FlowResult& flow);
+
 class BehindStops {
  public:
   /// Both must outlive it. Takes time in proportion to the program; made only where something asks.
@@ -24,8 +27,8 @@ class BehindStops {
 
   const Program& program_;
   const FlowResult& flow_;
-  StatementId stop_ = kNoStatement;  // where every run stops
-  std::vector<bool> behind_;         // by statement; empty if there is no such stop
+  const StatementId stop_;    // where every run stops
+  std::vector<bool> behind_;  // by statement; empty if there is no such stop
 };
 
 }  // namespace owlint::rules

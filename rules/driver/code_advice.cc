@@ -22,7 +22,6 @@ constexpr std::string_view kOutput =
 constexpr std::string_view kOwn = "functions of the machine's own are programs M100 to M199";
 constexpr std::string_view kMacro = "call a sub: `o<name> call [1] [2]`";
 constexpr std::string_view kMeasure = "probe with `G38.2`, and set the offset with `G10 L1` or `G43.1`";
-constexpr std::string_view kSystems = "LinuxCNC has nine coordinate systems: G54 to G59, G59.1, G59.2 and G59.3";
 constexpr std::string_view kPolar = "write a polar position as `@` (distance) and `^` (angle) in a move: `G1 @10 ^45`";
 constexpr std::string_view kPocket = "write the circles with `G2` or `G3`, or call a sub that does";
 constexpr std::string_view kScale = "LinuxCNC cannot scale: multiply the positions, or scale in the CAM program";
@@ -47,7 +46,7 @@ constexpr std::array kOtherCodes = std::to_array<OtherCode>({
     {'g', 450, 489, "is a tool offset for one line on Fanuc",
      "compensate with `G41` or `G42`, or add the radius to the move"},
     {'g', 500, 519, "scales on Fanuc", kScale},
-    {'g', 541, 549, "is a further coordinate system on Fanuc", kSystems},
+    {'g', 541, 549, "is a further coordinate system on Fanuc", kNineSystems},
     {'g', 600, 609, "positions from one side on Fanuc", "`G61` follows the exact path"},
     {'g', 620, 639, "is a feed mode on Fanuc", "`G61` follows the exact path, `G64` rounds corners"},
     {'g', 650, 679, "calls a macro on Fanuc", kMacro},
@@ -56,11 +55,11 @@ constexpr std::array kOtherCodes = std::to_array<OtherCode>({
     {'g', 770, 799, "is a turning cycle on Fanuc", "write the moves, or use `G71` or `G76`"},
     {'g', 841, 849, "taps on other controllers", kTap},
     {'g', 1070, 1079, "maps a move to a cylinder on Haas", "let the CAM program write the moves of the rotary axis"},
-    {'g', 1100, 1119, "is a coordinate system on Haas", kSystems},
-    {'g', 1120, 1139, "is a coordinate system on Haas mills, and polar interpolation on lathes", kSystems},
-    {'g', 1140, 1299, "is a coordinate system on Haas", kSystems},
+    {'g', 1100, 1119, "is a coordinate system on Haas", kNineSystems},
+    {'g', 1120, 1139, "is a coordinate system on Haas mills, and polar interpolation on lathes", kNineSystems},
+    {'g', 1140, 1299, "is a coordinate system on Haas", kNineSystems},
     {'g', 1500, 1509, "is a pocket cycle on Haas", "call a sub that mills the pocket"},
-    {'g', 1540, 1549, "is a coordinate system on Haas", kSystems},
+    {'g', 1540, 1549, "is a coordinate system on Haas", kNineSystems},
     {'g', 1870, 1879, "sets the accuracy of the path on Haas", "`G64 P0.01` rounds corners within a tolerance"},
     {'m', 10, 11, "clamps an axis on other controllers", kOutput},
     {'m', 12, 12, "", kOwn},

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/syntax/last_statement.h"
+#include "rules/driver/behind_stops.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
@@ -17,11 +18,7 @@ Unreached::Unreached(const Input& in)
     else if (first_call_[call.callee] == kNoStatement)
       first_call_[call.callee] = call.statement;
   }
-  const auto always = [](const FlowStop& stop) {
-    return stop.reach == Reach::kAlways && stop.kind != StopKind::kFileEnd;
-  };
-  const auto stop = std::ranges::find_if(in.flow.stops, always);
-  if (stop != in.flow.stops.end()) stop_ = stop->statement;
+  stop_ = stop_of_every_run(in.flow);
   std::vector<StatementId> last(in.program.regions.size(), kNoStatement);
   for (StatementId id = 0; id < last_.size(); ++id) {
     StatementId& known = last[in.program.region_of[id]];

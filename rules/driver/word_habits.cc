@@ -43,35 +43,31 @@ std::optional<Habit> dwell(const Source& source, const std::vector<WrittenWord>&
                fmt::format("write `P{}` in place of {}, if these are seconds", value, of_word(source, *time))};
 }
 
-/// `G92 S3000`, `G50 S3000`: the highest speed of a lathe's spindle.
-std::optional<Habit> speed_limit(const Source& source, const std::vector<WrittenWord>& line) {
-  const WrittenWord* const code = find_word(line, "G92 G50");
-  const WrittenWord* const speed = find_word(line, "S");
-  if (code == nullptr || speed == nullptr || find_word(line, kAnyAxis) != nullptr) return std::nullopt;
-  const std::string value = shown(source, {speed->span.begin + 1, speed->span.end});
-  return Habit{fmt::format("{} with {} limits the speed of the spindle on Fanuc", of_word(source, *code),
-                           of_word(source, *speed)),
-               fmt::format("write `D{}` on the line of `G96`: it limits the speed there", value)};
-}
+/// A code that other controllers have with a word that LinuxCNC does not take there.
+struct Pair {
+  std::string_view codes, word;
+  std::string_view without;  ///< words that none of may be on the line
+  std::string_view what;
+  std::string_view help;  ///< `{}`: the value of the word
+};
+constexpr Pair kPairs[] = {
+    {"G92 G50", "S", kAnyAxis, "limits the speed of the spindle on Fanuc",
+     "write `D{}` on the line of `G96`: it limits the speed there"},
+    {"G92", "E", kAnyAxis, "is about the extruder of a 3D printer", "remove the line"},
+    {"G54", "P", "G10 G4", "is a further coordinate system on other controllers", kNineSystems},
+};
 
-/// `G92 E0`.
-std::optional<Habit> extruder(const Source& source, const std::vector<WrittenWord>& line) {
-  const WrittenWord* const code = find_word(line, "G92");
-  const WrittenWord* const position = find_word(line, "E");
-  if (code == nullptr || position == nullptr || find_word(line, kAnyAxis) != nullptr) return std::nullopt;
-  return Habit{fmt::format("{} with {} is about the extruder of a 3D printer", of_word(source, *code),
-                           of_word(source, *position)),
-               "remove the line"};
-}
-
-/// `G54 P1`.
-std::optional<Habit> further_system(const Source& source, const std::vector<WrittenWord>& line) {
-  const WrittenWord* const code = find_word(line, "G54");
-  const WrittenWord* const number = find_word(line, "P");
-  if (code == nullptr || number == nullptr || find_word(line, "G10 G4") != nullptr) return std::nullopt;
-  return Habit{fmt::format("{} with {} is a further coordinate system on other controllers", of_word(source, *code),
-                           of_word(source, *number)),
-               "LinuxCNC has nine coordinate systems: G54 to G59, G59.1, G59.2 and G59.3"};
+/// `G92 S3000`, `G92 E0`, `G54 P1`.
+std::optional<Habit> pair(const Source& source, const std::vector<WrittenWord>& line) {
+  for (const Pair& row : kPairs) {
+    const WrittenWord* const code = find_word(line, row.codes);
+    const WrittenWord* const word = find_word(line, row.word);
+    if (code == nullptr || word == nullptr || find_word(line, row.without) != nullptr) continue;
+    const std::string value = shown(source, {word->span.begin + 1, word->span.end});
+    return Habit{fmt::format("{} with {} {}", of_word(source, *code), of_word(source, *word), row.what),
+                 fmt::format(fmt::runtime(row.help), value)};
+  }
+  return std::nullopt;
 }
 
 /// `G71 P10 Q20 U0.5`: the contour is between two line numbers. `G76 P010060 Q100 R50`: the first line of two.
@@ -117,7 +113,7 @@ std::optional<Habit> habit_of(const Input& in, StatementId statement) {
   const Source& source = *in.program.source;
   const std::vector<WrittenWord> line = words_of(source, in.program.at(statement).whole());
   if (std::optional<Habit> found = look_ahead(source, line)) return found;
-  for (const auto& habit : {dwell, speed_limit, extruder, further_system, turning_cycle}) {
+  for (const auto& habit : {dwell, pair, turning_cycle}) {
     if (std::optional<Habit> found = habit(source, line)) return found;
   }
   if (find_word(line, "G") != nullptr) return std::nullopt;

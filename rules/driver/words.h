@@ -53,6 +53,10 @@ std::string spoken(const CodeSet& codes, Release release, std::string_view joint
 std::string_view what_both_do(GGroup group);
 std::string_view what_both_do(MGroup group);
 
+/// What to do about a further coordinate system.
+inline constexpr std::string_view kNineSystems =
+    "LinuxCNC has nine coordinate systems: G54 to G59, G59.1, G59.2 and G59.3";
+
 /// What to do about a code that LinuxCNC does not have.
 struct CodeAdvice {
   std::string what;  ///< what the code does on another controller; empty if it is not known from one

@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "analyzer/machine/predefined.h"
 #include "analyzer/machine/remap_names.h"
 #include "analyzer/syntax/look_alike.h"
@@ -251,12 +253,11 @@ void check(const Input& in, Reporter& out) {
     const bool some = s.reach != Reach::kAlways;
     const bool local = !s.detail.starts_with("_");
     const bool cases = some && local && (in.data.too_large() || names.assigns(p.region_of[s.statement], s.detail));
-    Finding& f = out.add(read_span(p, s.statement, "#<" + s.detail + ">"),
-                         name +
-                             (cases               ? " is read here, but not assigned on every path"
-                                  : some && local ? " is read here, but no line assigns it"
-                                  : some          ? " is read here, but not assigned on every path"
-                                                  : " is read here, but was not assigned before"));
+    const std::string_view why = !some ? "was not assigned before"
+        : local && !cases              ? "no line assigns it"
+                                       : "not assigned on every path";
+    Finding& f =
+        out.add(read_span(p, s.statement, "#<" + s.detail + ">"), fmt::format("{} is read here, but {}", name, why));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
     f.uncertain = cases || (some && local && p.syntax.runs_python);  // a list of cases may name all that there are
     // A global that the program says it needs comes from outside.
