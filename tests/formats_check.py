@@ -3,7 +3,7 @@
 
 usage: formats_check.py --owlint build/release/owlint [--every N]
 
-Needs Debian's python3-jsonschema and python3-lxml. SARIF is also held against the official schema and the rules of the SARIF SDK's
+Needs Debian's python3-fastjsonschema, python3-jsonschema and python3-lxml. SARIF is also held against the official schema and the rules of the SARIF SDK's
 validator, an npm package: `npm ci` in tests/formats. What is missing makes ctest show the test as not run, unless what could be
 checked is wrong.
 """
@@ -143,13 +143,14 @@ class Tester:
     def fingerprints(self):
         """Lines put in above a finding, and another folder, leave its fingerprint as it is; GitLab shows it as new otherwise."""
         def prints(folder):
-            outputs = self.run("fingerprints", folder, [], ["p.ngc"])[1]
+            said = {name: self.ask(name, folder, ["p.ngc"])[1] for name in ("sarif", "gitlab")}
             try:
-                results = json.loads(outputs["sarif"])["runs"][0]["results"]
+                results = json.loads(said["sarif"])["runs"][0]["results"]
                 return ([(r["ruleId"], r["partialFingerprints"]["owlint/v1"]) for r in results],
-                        [(i["check_name"], i["fingerprint"]) for i in json.loads(outputs["gitlab"])])
-            except (ValueError, KeyError):
-                return None  # what is wrong with them has been said
+                        [(i["check_name"], i["fingerprint"]) for i in json.loads(said["gitlab"])])
+            except (ValueError, KeyError) as error:
+                self.say("fingerprints", [repr(error)])
+                return None
         compared = 0
         files = programs("tests/programs")
         samples = {"equal findings twice": scratch.SAMPLE + scratch.SAMPLE}
@@ -207,10 +208,11 @@ def main(argv):
     parser.add_argument("--every", type=int, default=1, metavar="N", help="only one program in N")
     options = parser.parse_args(argv)
     try:
+        import fastjsonschema  # noqa: F401
         import jsonschema  # noqa: F401
         import lxml  # noqa: F401
     except ImportError as error:
-        print("formats_check.py: skipped, %s: python3-jsonschema and python3-lxml are needed" % error)
+        print("formats_check.py: skipped, %s: python3-fastjsonschema, python3-jsonschema and python3-lxml are needed" % error)
         return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         tester = Tester(os.path.abspath(options.owlint), os.path.realpath(folder))

@@ -260,6 +260,11 @@ const char* refused_number(char letter, double value) {
   return value < row.least ? row.below : nullptr;
 }
 
+bool refuses_numbers(char letter) {
+  const WordRow& row = *word_row(letter);
+  return row.number == NumberKind::kInteger || row.number == NumberKind::kTenths || row.below != nullptr;
+}
+
 bool word_integer(double value, int32_t* result) { return to_whole(value, 0.0001, result); }
 bool g_tenths(double value, int32_t* result) { return to_whole(value * 10, 0.001, result); }
 int32_t nearest_integer(double value) { return to_int(value < 0 ? value - 0.5 : value + 0.5); }

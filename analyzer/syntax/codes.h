@@ -249,6 +249,8 @@ const CheckTriggers& check_triggers(Release release);
 
 /// The interpreter's message if a word of this letter may not have this value, else null; unknown G and M codes aside.
 const char* refused_number(char letter, double value);
+/// Whether there are such values.
+bool refuses_numbers(char letter);
 /// An integer word's number; false where it is not within a ten-thousandth of one. Numbers beyond 32 bits become the
 /// smallest.
 bool word_integer(double value, int32_t* result);

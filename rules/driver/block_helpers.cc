@@ -161,7 +161,7 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
 namespace {
 
 /// Whether an end at `line` would be this block's: its sub is closed, but further down; no branch of the block around it
-/// comes in between, nor has an outer one its label.
+/// comes in between, nor its end, nor has an outer one its label.
 bool may_end_at(const Program& p, const Block& block, StatementId line) {
   const Region& region = p.regions[block.region];
   if (block.region != kMainRegion && (region.end == kNoStatement || region.early_end < line)) return false;
@@ -169,6 +169,7 @@ bool may_end_at(const Program& p, const Block& block, StatementId line) {
   for (BlockId outer = block.parent; outer != kNoBlock; outer = p.blocks[outer].parent) {
     if (p.blocks[outer].label == block.label) return false;
   }
+  if (p.blocks[block.parent].end < line) return false;
   return std::ranges::none_of(p.parts[block.parent],
                               [&](StatementId part) { return part > block.opener && part < line; });
 }
@@ -214,6 +215,7 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
       continue;
     }
     if (block.label == line.label) return;  // the right one already: something else is wrong
+    if (p.at(block.opener).block_delete && !line.block_delete) return;  // where that is left out, this one still stops
     const std::string label = p.label_text(block.label);
     finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) +
         "` on line " + std::to_string(p.at(block.opener).line) + " is the one you mean";
@@ -248,9 +250,12 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
         f.help = "close `" + p.head(unclosed->second) + "` before the sub";
         return &f;
       }
-      // Where its label was another block's before, the end would be that one's.
-      const bool shared =
-          std::ranges::any_of(in.index.shared_labels, [&](const auto& pair) { return pair.second == block->opener; });
+      // Where its label was another block's before, the end would be that one's; that of another kind of block below may come
+      // first in the next pass of a loop.
+      const bool shared = std::ranges::any_of(in.index.shared_labels, [&](const auto& pair) {
+        return pair.second == block->opener ||
+            (pair.first == block->opener && !p.at(pair.second).is(p.at(block->opener).keyword));
+      });
       if (shared || block->crossed != kNoBlock || !may_end_at(p, *block, s.statement)) return &f;
       if (block->label != line.label) {
         f.fixes.push_back(

@@ -13,6 +13,7 @@
 #include "analyzer/syntax/last_statement.h"
 #include "analyzer/text/memory_files.h"
 #include "rules/driver/folding.h"
+#include "rules/driver/stops.h"
 #include "rules/driver/unreached.h"
 #include "rules/driver/variants.h"
 
@@ -102,6 +103,21 @@ std::vector<Suppression> suppressions_of(const Program& program) {
   return suppressions;
 }
 
+/// What is behind a stop that is suppressed or not selected: its author says that the line runs, so those behind it do as well.
+void raise_behind_suppressed(const SeverityPolicy& policy, std::vector<Finding>& findings) {
+  const bool stops = std::ranges::any_of(
+      findings, [](const Finding& f) { return f.stops && f.reach == Reach::kAlways && f.source == nullptr; });
+  if (stops) return;
+  for (Finding& f : findings) {
+    if (!f.group.starts_with(rules::kBehind)) continue;
+    f.stops = true;
+    f.reach = Reach::kMaybe;
+    f.path.clear();
+    const Rule& rule = rule_of(f);
+    f.severity = decide_severity(f, rule.level, rule.group == Group::kAbortList, policy);
+  }
+}
+
 }  // namespace
 
 void put_in_order(std::vector<Finding>& findings) {
@@ -183,6 +199,7 @@ class Check {
       });
     }
     apply_suppressions(*program->source, suppressions, report.findings);
+    raise_behind_suppressed(policy, report.findings);
     rules::fold_consequences(*program, flow, report.findings);
     if (own)
       run_rules({*program, flow, profile_, linked, suppressions, index, data, given_numbers, true}, options_, policy,

@@ -17,6 +17,9 @@ char letter_in(std::string_view message) {
   const auto small = [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); };
   constexpr std::string_view kInCycle = "Cannot put an a";
   if (message.starts_with("Cannot put a")) return message.starts_with(kInCycle) ? 'a' : message[kInCycle.size() - 2];
+  if (message.starts_with("G-code out of range")) return 'g';
+  constexpr std::string_view kNegative = "Negative ";  // the letter follows, or `spindle speed`, or `tool id`
+  if (message.starts_with(kNegative) && message.size() > kNegative.size()) return message[kNegative.size()];
   if (message.size() < 3 || message[1] != ' ' || message.find(" missing ") != std::string_view::npos) return 0;
   return small(message[0]);
 }
@@ -77,8 +80,10 @@ std::optional<LineError> word_error(const Program& program, const FlowStop& stop
   const Statement& s = program.at(stop.statement);
   if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
   const Statement* const asks = s.kind == LineKind::kModeLine ? &s : mode_line_of(syntax, stop.statement);
-  if (const LineError* error = syntax.error(s); error != nullptr || asks == nullptr)
-    return error == nullptr ? std::nullopt : std::optional(*error);
+  // A computed number that is refused comes before a mistake further on.
+  if (const LineError* error = syntax.error(s); error != nullptr && (error->kind == stop.kind || s.kind == LineKind::kModeLine))
+    return *error;
+  if (asks == nullptr) return std::nullopt;
   const auto words = syntax.words_of(*asks);
   const auto span_of = [&](uint8_t word, Span none) {
     return word < words.size() ? s.span(words[word].from, words[word].to) : none;

@@ -50,7 +50,12 @@ bool lacks_p(const WordStop& at, Finding& f) {
 }
 
 void range_of_g(const WordStop& at, Release release, Finding& f) {
-  if (!at.value || at.value < 100) {
+  if (!at.value) {
+    f.message = "`" + at.word + "` computes a number that is no code: it is above 99.9, or has more than one decimal";
+    f.help = "check how the number is computed";
+    return;
+  }
+  if (at.value < 100) {
     f.message = "`" + at.word + "` has more than one decimal";
     f.help = "write one decimal at most: `G59.1`";
     return;

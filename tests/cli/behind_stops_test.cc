@@ -35,12 +35,13 @@ TEST_CASE("what is behind a stop is reported, but for what may come of it", "[be
   CHECK(found("G21 G90\nM13\nG1 X5\nG81 X1\nX1 X2\nM2\nG4\n") == "2 OW705 error 0\n5 OW704 warning 2\n");
 }
 
-TEST_CASE("a suppressed stop hides nothing", "[behind]") {
+// Who suppresses it says that the line runs on the machine.
+TEST_CASE("a suppressed stop hides nothing, and what is behind it are errors", "[behind]") {
   const std::string program =
       "G21 G90\n(owlint: ignore OW705 because the machine has it)\nM13\n"
       "(owlint: ignore OW801 because the machine keeps the feed)\nG1 X5\nM17\nM2\n";
-  CHECK(found(program) == "6 OW705 warning 1\n");
-  CHECK(found("G21 G90\nG0 X1 X2\nM17\nM2\n", "--ignore OW704") == "3 OW705 warning 1\n");
+  CHECK(found(program) == "6 OW705 error 0\n");
+  CHECK(found("G21 G90\nG0 X1 X2\nM17\nM2\n", "--ignore OW704") == "3 OW705 error 0\n");
 }
 
 TEST_CASE("the same mistake again is one more place", "[behind]") {

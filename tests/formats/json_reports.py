@@ -3,7 +3,7 @@ import functools
 import json
 import os
 
-from formats.run import by_schema, check_path, same, says, strict_json, text_of
+from formats.run import Schema, by_schema, check_path, same, says, strict_json, text_of
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 GITLAB_SEVERITIES = {"error": "critical", "warning": "minor", "info": "info"}
@@ -12,12 +12,8 @@ BRANCH = "when "  # so begins what is said of a decision on the way to a finding
 
 @functools.lru_cache(maxsize=None)
 def schema_of(name):
-    import jsonschema
     with open(os.path.join(HERE, name), encoding="utf-8") as f:
-        schema = json.load(f)
-    kind = jsonschema.validators.validator_for(schema)
-    kind.check_schema(schema)
-    return kind(schema)
+        return Schema(json.load(f))
 
 
 def _valid(output, schema, problems):

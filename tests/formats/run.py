@@ -2,6 +2,9 @@
 import codecs
 import json
 import os
+import re
+
+_CONTROLS = re.compile("[\0-\x1f\x7f]")
 
 codecs.register_error("as-latin-1", lambda error: (chr(error.object[error.start]), error.start + 1))
 
@@ -29,7 +32,7 @@ def text_of(output, problems, allowed="\t\n"):
         return None
     if text.startswith("\ufeff"):
         problems.append("begins with a byte order mark")
-    odd = sorted({c for c in text if (c < " " or c == "\x7f") and c not in allowed})
+    odd = sorted(set(_CONTROLS.findall(text)) - set(allowed))
     if odd:
         problems.append("control characters in it: %r" % odd)
     if text and not text.endswith("\n"):
@@ -57,11 +60,34 @@ def strict_json(text, problems):
     return value
 
 
-def by_schema(validator, value, problems, most=3):
+class Schema:
+    """A JSON schema: compiled, since large reports are held against it; what is wrong with one is then said by jsonschema."""
+
+    def __init__(self, schema):
+        import fastjsonschema
+        import jsonschema
+        kind = jsonschema.validators.validator_for(schema, jsonschema.Draft7Validator)
+        kind.check_schema(schema)
+        self._explaining = kind(schema)
+        self._invalid = fastjsonschema.JsonSchemaException
+        formats = {name: lambda _: True for name in ("uri", "uri-reference", "date-time", "uuid")}  # the checks know more of these
+        self._accept = fastjsonschema.compile(schema, formats=formats, use_default=False)
+
+    def errors(self, value):
+        """-> [what is wrong with it, and where]"""
+        try:
+            self._accept(value)
+            return []
+        except self._invalid as error:
+            found = sorted(self._explaining.iter_errors(value), key=lambda e: list(map(str, e.absolute_path)))
+            said = ["%s at /%s" % (e.message[:200], "/".join(map(str, e.absolute_path))) for e in found]
+            return said or [str(error)]
+
+
+def by_schema(schema, value, problems, most=3):
     """Adds what the schema has against a value."""
-    errors = sorted(validator.iter_errors(value), key=lambda e: list(map(str, e.absolute_path)))
-    for error in errors[:most]:
-        problems.append("by its schema: %s at /%s" % (error.message[:200], "/".join(map(str, error.absolute_path))))
+    errors = schema.errors(value)
+    problems += ["by its schema: " + error for error in errors[:most]]
     return not errors
 
 

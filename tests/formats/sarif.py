@@ -8,7 +8,7 @@ import subprocess
 from urllib.parse import unquote_to_bytes
 
 from formats.json_reports import schema_of
-from formats.run import by_schema, printable, same, says, strict_json, text_of
+from formats.run import Schema, by_schema, printable, same, says, strict_json, text_of
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 MULTITOOL = os.path.join(HERE, "node_modules", "@microsoft", "sarif-multitool")
@@ -27,9 +27,8 @@ def _standard_schema():
     """The official schema, as the validator's package ships it; None without the package."""
     if not os.path.exists(STANDARD):
         return None
-    import jsonschema
     with open(STANDARD, encoding="utf-8-sig") as f:
-        return jsonschema.Draft202012Validator(json.load(f))
+        return Schema(json.load(f))
 
 
 def _path_of(location, run, problems):

@@ -82,7 +82,8 @@ def _run(path, mode, block_delete):
 
 
 def _outcome(path, status, text, x):
-    lines = text.split("\n")
+    # It says this of a REMAP that it cannot use, and goes on.
+    lines = [line for line in text.split("\n") if "REMAP BUG=" not in line] or [""]
     message = lines[0].replace(path, "PROGRAM").strip()
     if status in (-signal.SIGXCPU, -signal.SIGKILL):
         return Outcome("hang", 0, message[:HANG_SAYS])

@@ -79,8 +79,8 @@ def judge(outcome, checked, program, block_delete, axes_known=False):
     # What a program asks for itself is no mistake in it.
     if outcome.kind == "error" and re.search(r"(?i)\(\s*abort,", outcome.text):
         return None
-    # A REMAP that names no file stops every program, before its first line.
-    if outcome.message.startswith("INTERP_REMAP"):
+    # A REMAP that is refused, or names no file, stops every program, before its first line.
+    if outcome.message.startswith("INTERP_REMAP") or re.search(r"\d+:REMAP = ", outcome.message):
         said = any(f.get("interpreter") == outcome.message for f in checked.findings)
         return None if said else Disagreement(SILENT, outcome.message)
     # A user M code comes before the G codes of its line; whether it is there, the machine decides.
@@ -143,6 +143,10 @@ def is_there(finding, claim, outcome, texts, mode):
     said = lines[line - 1].strip().split("\0")[0].strip() if line <= len(lines) else ""
     if re.match(r"O[\d.]+ CALL$", outcome.text):      # what G71 makes of its Q
         return same_words(outcome.message, claim.get("interpreter", ""))
+    # A contour, and the rest of a line with a remapped code, run where the sub ends, and that line is shown.
+    if re.search(r"(?i)g\s*7\s*[012]", said) or "REMAP" in texts.get("machine.ini", ""):
+        if re.match(r"(?i)o(<[^>]*>|[\d.]+)\s*(endsub|return)", outcome.text):
+            return same_words(outcome.message, claim.get("interpreter", ""))
     remapped = re.match(r"user-defined ([\w.]+):", outcome.message)
     if remapped:                                      # the call that the interpreter makes of a remapped code is all that it shows
         return remapped[1].lower() in re.sub(r"\s", "", said).lower()

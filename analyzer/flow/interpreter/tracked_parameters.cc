@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
@@ -119,6 +120,11 @@ void TrackedParameters::find_what_matters(const Limits& limits) {
   }
   for (const Statement& s : syntax_.statements) {
     if (s.label_expr != kNoExpr) mark(s.label_expr);
+    if (!s.has_error()) continue;
+    // Where a word has a number that it may not have, the line stops before its mistake further on is read.
+    for (const Item& item : syntax_.items_of(s)) {
+      if (item.letter != 0 && refuses_numbers(item.letter)) mark(item.value);
+    }
   }
   // An assignment to a parameter that matters makes what it reads matter.
   for (int round = 0; round < limits.tracking_rounds && spread(); ++round) {
