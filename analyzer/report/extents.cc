@@ -143,13 +143,14 @@ nlohmann::ordered_json extents_json(const Extents& extents, const Linked& linked
 
 std::string extents_text(const Extents& extents, const Linked& linked) {
   const Program& program = *linked.files()[0].program;
-  std::string text = fmt::format("{}: {}\n", program.source->path(), is_inch(extents) ? "inches" : "millimeters");
+  const bool moves = !extents.origins().empty();
+  const std::string_view units = is_inch(extents) ? "inches" : "millimeters";
+  std::string text = fmt::format("{}: {}\n", program.source->path(), moves ? units : "no move");
   const bool stops = extents.stops_at().line != 0;
   if (stops) {
     text +=
-        fmt::format("a run stops at {}: what comes after it is not included\n", place_of(extents.stops_at(), linked));
+        fmt::format("a run stops at {}: its moves after that are not included\n", place_of(extents.stops_at(), linked));
   }
-  if (extents.origins().empty()) text += "no move\n";
   for (const auto& [origin, axes] : extents.origins()) {
     std::vector<std::vector<std::string>> rows{{"", "least", "", "greatest", "", "rapid", "feed"}};
     for (size_t axis = 0; axis < kAxisCount; ++axis) {

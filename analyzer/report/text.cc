@@ -29,20 +29,25 @@ std::string_view severity_color(const Colors& c, Severity severity) {
   return severity == Severity::kError ? c.red : severity == Severity::kWarning ? c.yellow : c.blue;
 }
 
-/// The lines that show the same mistake as soon as this one is fixed.
+/// The lines that show mistakes as soon as this one is fixed.
 std::string unreached_text(const Source& source, const Finding& f) {
   constexpr size_t kShown = 5;
   std::vector<uint32_t> lines;
+  bool same = true;
   for (const Consequence& c : f.consequences) {
-    if (c.interpreter.empty()) lines.push_back(source.position(c.span.begin).line);
+    if (!c.interpreter.empty()) continue;
+    lines.push_back(source.position(c.span.begin).line);
+    same = same && c.code == f.code;
   }
   if (lines.empty()) return {};
   std::ranges::sort(lines);
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   const size_t more = lines.size() > kShown ? lines.size() - kShown : 0;
   lines.resize(lines.size() - more);
-  return fmt::format("the same mistake is on line{} {}{}, which no run reaches before this is fixed",
+  return fmt::format("{} on line{} {}{}, which no run reaches {}", same ? "the same mistake is" : "more is wrong",
                      lines.size() + more > 1 ? "s" : "", fmt::join(lines, ", "),
-                     more > 0 ? fmt::format(" and {} more", more) : "");
+                     more > 0 ? fmt::format(" and {} more", more) : "",
+                     same ? "before this is fixed" : "as the program is");
 }
 
 /// `... is true and ... is false`: the branches that lead to a finding.

@@ -223,6 +223,7 @@ struct MachineWords {
   bool measures_extents = false;       ///< it is asked how far programs go
   /// Without a table nothing is claimed of tools.
   std::optional<std::span<const Tool>> tools = std::nullopt;
+  bool tools_written = false;  ///< lines write numbers of the tool table: of its tools only the numbers are known
 };
 
 /// One of the checks that a line's words pass, the last rows of codes.def.

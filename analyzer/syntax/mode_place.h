@@ -113,6 +113,7 @@ bool cut_contour(ModeLine& line, Motion motion);
 // Offsets.
 void lose_offsets(ModeLine& line);
 void change_units(ModeLine& line, Answer changes);
+void convert_units(Place* place, bool to_inches);
 void select_system(ModeLine& line, uint8_t system);
 bool set_system(ModeLine& line, bool l20);
 bool set_axis_offsets(ModeLine& line, bool g52);

@@ -104,17 +104,18 @@ void lose_offsets(ModeLine& line) {
   if (line.place() != nullptr) line.place()->lose_offsets();
 }
 
+void convert_units(Place* place, bool to_inches) {
+  for (Point* const point : {&place->at, &place->system.origin, &place->offset, &place->tool})
+    scale(point, to_inches ? 1 / kMillimetresInInch : kMillimetresInInch);
+  place->settle();
+}
+
 void change_units(ModeLine& line, Answer changes) {
   Place* const place = line.place();
   if (place == nullptr || changes == Answer::kNo) return;
   wait_on_path(line);
-  for (Point* const point : {&place->at, &place->system.origin, &place->offset, &place->tool}) {
-    if (changes == Answer::kMaybe) {
-      scale_maybe(point);
-    } else {
-      scale(point, line.code(GGroup::kUnits) == code::kG20 ? 1 / kMillimetresInInch : kMillimetresInInch);
-    }
-  }
+  if (changes == Answer::kYes) return convert_units(place, line.code(GGroup::kUnits) == code::kG20);
+  for (Point* const point : {&place->at, &place->system.origin, &place->offset, &place->tool}) scale_maybe(point);
   place->settle();
 }
 

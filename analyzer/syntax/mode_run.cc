@@ -71,13 +71,17 @@ ModeState either(const ModeState& a, const ModeState& b) {
 std::optional<Place> place_of(const Place* place) { return place == nullptr ? std::nullopt : std::optional(*place); }
 
 /// What is restored of `before` may give the point other numbers.
-void restore_place(const ModeState& before, Place* place) {
+void restore_place(const ModeState& before, bool certain, Place* place) {
   if (place == nullptr) return;
   constexpr Mode kSide = Mode::kCompensation;
   if ((before.now[kSide] | before.saved[kSide]) != value_bit(modes::kG40)) place->lose_path();
-  for (const Mode mode : {Mode::kUnits, Mode::kSystem, Mode::kToolOffset, Mode::kAxisOffsets}) {
+  for (const Mode mode : {Mode::kSystem, Mode::kToolOffset, Mode::kAxisOffsets}) {
     if (!is_single(before.now[mode] | before.saved[mode])) return place->lose_offsets();
   }
+  const ValueSet now = before.now[Mode::kUnits], saved = before.saved[Mode::kUnits];
+  if (now == saved && is_single(now)) return;
+  if (!certain || !is_single(now) || !is_single(saved)) return place->lose_offsets();
+  places::convert_units(place, saved == value_bit(modes::kG20));
 }
 
 /// Before the next line is read, the interpreter asks the machine where it is.
@@ -100,7 +104,7 @@ bool run_from_m72(ModeLine& line) {
   if (restored.stops) return false;
   if (restored.something == Answer::kMaybe) places::lose_moves(line);
   std::optional<Place> place = place_of(line.place());
-  restore_place(as_before, line.place());
+  restore_place(as_before, true, line.place());
   if (restored.something == Answer::kYes) return true;
   std::vector<ModeFault> faults;
   ModeLine unlost(line, &as_before, &faults, place ? &*place : nullptr);
@@ -176,7 +180,7 @@ bool read_position(ModeState* state, std::vector<ModeFault>* faults) {
 bool restore_modes(const MachineWords& machine, ModeState* state, std::vector<ModeFault>* faults, Place* place) {
   const ValueSet saved = state->now[Mode::kSaved];
   if ((saved & value_bit(modes::kSavedByM73)) == 0) return true;
-  restore_place(*state, place);
+  restore_place(*state, saved == value_bit(modes::kSavedByM73), place);
   if (saved == value_bit(modes::kSavedByM73)) {
     ModeFaults line(state, faults);
     return !restore(machine, state->saved, kNoWord, line).stops;

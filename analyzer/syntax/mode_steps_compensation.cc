@@ -75,8 +75,12 @@ bool by_tool(ModeLine& line, int code) {
   const bool in_spindle = number == 0 && line.code(MGroup::kToolChange) < 0;
   const Tool* const tool = in_spindle ? line.tool_in_spindle() : line.tool(number);
   if (tool == nullptr) return switch_on(line, code, nullptr);
+  if (line.machine().tools_written) {
+    begin_path(line, code, 0, 0);
+    return switch_on(line, code, nullptr);
+  }
   if (refuses_lathe_tool(line, code, *tool, in_spindle)) return true;
-  // Lines may have given it another diameter.
+  // A caller may have given it another diameter.
   const bool changed = line.place() != nullptr && line.place()->tools_changed;
   const double diameter = from_machine(line, Coordinate::of(tool->diameter), 0).value;
   begin_path(line, code, changed || std::isnan(diameter) ? 0 : diameter, tool->orientation);

@@ -24,6 +24,16 @@ bool asks_inputs(const WordLine& words) {
   return motion != nullptr && motion->tenths >= code::kG38_2 && motion->tenths <= code::kG38_5;
 }
 
+/// G10 L1, L10 and L11, or one of which that is not known.
+bool writes_tools(const WordLine& words) {
+  const GCode* const code = words.code(GGroup::kNonModal);
+  if (code == nullptr || code->tenths != code::kG10) return false;
+  const uint8_t l = words.find('l');
+  if (l == kNoWord || !words[l].known) return true;
+  const double what = words[l].value;
+  return what == 1 || what == 10 || what == 11;
+}
+
 bool may_set_g91(const WordLine& words) {
   const GCode* const distance = words.code(GGroup::kDistance);
   if (distance != nullptr && distance->tenths != code::kG90) return true;
@@ -300,6 +310,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     out_.input_lines.push_back(statement.line);
     if (!out_.statements.empty()) out_.statements.back().asks_inputs = true;
   }
+  if (writes_tools(*words)) machine_.tools_written = out_.writes_tools = true;
   if (stopped_) return judge_behind(statement, *words) || keep;
   const bool alone = words->depends_on_motion() && !is_single(state_.now[Mode::kMotion]);
   ModeState after = state_;

@@ -41,9 +41,13 @@ bool has_code_for_the_flow(const WordLine& words) {
       (store != nullptr && store->number >= code::kM70 && store->number <= code::kM73) || words.has_polar_words();
 }
 
+/// Whether only the flow knows where the line goes: the numbers of its axes, or the code itself, or what such a code takes (the D of
+/// G41, the P of G10).
 bool has_computed_place(const WordLine& words) {
+  const bool takes_any = has_code_for_the_flow(words);
   for (size_t i = 0; i < words.size(); ++i) {
-    if (!words[i].known && (letter_set({&words[i].letter, 1}) & (kPlaceLetters | letter_set("ijkr"))) != 0) return true;
+    const uint32_t letter = letter_set({&words[i].letter, 1});
+    if (!words[i].known && (takes_any || (letter & (kPlaceLetters | letter_set("ijkrg"))) != 0)) return true;
   }
   return false;
 }
@@ -184,7 +188,9 @@ bool PlacesInEffect::judge(const WordLine& words, const ModeSets& before, const 
   }
   if (!asked) ++questions_;
   // Only these can stop for their numbers; where a file has none, nothing is followed.
-  if (stops || pauses || cuts || words.has_polar_words() ||
+  const uint8_t code = words.find('g');
+  const bool computes_code = code != kNoWord && !words[code].known;
+  if (stops || (moves && computes_code) || pauses || cuts || words.has_polar_words() ||
       (moves && (compensates || !contains(kStraightMotions, motion))))
     out_.asks_place = true;
   return true;

@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include "analyzer/syntax/last_statement.h"
 #include "rules/driver/stops.h"
 
@@ -238,10 +240,16 @@ void fold_repeated(std::vector<Finding>& findings) {
   const auto repeats = [code = stop->code, message = stop->message](const Finding& f) {
     return f.group.starts_with(kBehind) && f.code == code && f.message == message;
   };
+  size_t more = 0;
   for (const Finding& f : findings) {
-    if (repeats(f) && stop->related.size() < kMostPlaces)
+    if (!repeats(f)) continue;
+    if (stop->related.size() < kMostPlaces) {
       stop->related.push_back({f.span, "the same mistake further down", nullptr});
+    } else {
+      ++more;
+    }
   }
+  if (more > 0) stop->related.back().message += fmt::format(", and {} times more", more);
   std::erase_if(findings, repeats);
 }
 

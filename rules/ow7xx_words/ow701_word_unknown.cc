@@ -15,9 +15,12 @@ void text_outside_comment(const Input& in, const FlowStop& stop, const std::stri
   explain_idiom(in, stop.statement, f);
 }
 
-/// Whether the line is in a block whose condition asks for the machine's INI or HAL, as a macro for several machines does.
+/// Whether the line is in a block whose condition asks for the machine's INI or HAL, as a macro for several machines does; or in
+/// one of a sub, whose callers choose the axis.
 bool asks_for_machine(const Program& p, StatementId statement) {
+  const bool in_sub = p.region_of[statement] != kMainRegion;
   for (BlockId id = p.open_above(p.region_of[statement], statement); id != kNoBlock; id = p.blocks[id].parent) {
+    if (in_sub && p.blocks[id].kind == Keyword::kIf) return true;
     const std::string condition = small_letters(p.source->slice(p.at(p.blocks[id].opener).whole()));
     if (condition.find("#<_hal[") != std::string::npos || condition.find("#<_ini[") != std::string::npos ||
         condition.find("exists[") != std::string::npos)

@@ -1,14 +1,34 @@
 #include "analyzer/flow/engine/debug.h"
 
+#include <bit>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "analyzer/flow/domain/modes.h"
 #include "analyzer/flow/engine/iteration.h"
 
 namespace owlint::flow {
 namespace {
+
+/// X, Y and Z of the current point; `?` where a coordinate depends on where the machine stood.
+std::string text_of(const Place& place) {
+  std::string out;
+  for (const Axis axis : {Axis::kX, Axis::kY, Axis::kZ}) {
+    const Coordinate at = place.at[axis];
+    const char letter = kAxisOrder[static_cast<size_t>(axis)];
+    out += fmt::format("{}{}{}", out.empty() ? "" : " ", letter, at.is_known() ? fmt::format("{:g}", at.value) : "?");
+  }
+  return out;
+}
+
+std::string text_of(Mode mode, const KnownSet& set) {
+  std::string out;
+  for (ValueSet rest = set.members; rest != 0; rest &= rest - 1)
+    out += (out.empty() ? "" : "|") + value_name(mode, static_cast<uint8_t>(std::countr_zero(rest)));
+  return set.open ? out + " open" : out;
+}
 
 std::string text_of(ValueId value, const KnownValues& values) {
   switch (value) {
@@ -24,6 +44,7 @@ std::string text_of(ValueId value, const KnownValues& values) {
   if (KnownValues::is_constant(value)) return fmt::format("{:g}", values.value(value));
   if (KnownValues::is_set(value))
     return fmt::format("{:#x}{}", values.set(value).members, values.set(value).open ? " open" : "");
+  if (KnownValues::is_place(value)) return text_of(values.place(value));
   const Range range = values.range(value);
   return fmt::format("{}{:g}..{:g}{}", range.above_low ? ">" : "", range.low, range.high, range.below_high ? "<" : "");
 }
@@ -118,10 +139,16 @@ class Watcher final : public Events {
 
   template <typename Add>
   void add_values(const PersistentMap& map, uint32_t names, const Add& add) const {
+    const KnownValues& values = analysis_.machine().evaluator().values();
     map.for_each([&](uint32_t key, uint32_t value) {
+      if (key >= kModeKeys && key < kModeKeys + kModes && KnownValues::is_set(value)) {
+        const auto mode = static_cast<Mode>(key - kModeKeys);
+        return add(fmt::format("{} {}", mode_name(mode), flow::text_of(mode, values.set(value))));
+      }
+      if (key == kPlaceKey) return add("at " + flow::text_of(value, values));
       const bool named = key >= names && key - names < analysis_.program().syntax.names.size();
       const std::string name = named ? "<" + analysis_.program().name(key - names) + ">" : std::to_string(key);
-      add(fmt::format("#{} {}", name, flow::text_of(value, analysis_.machine().evaluator().values())));
+      add(fmt::format("#{} {}", name, flow::text_of(value, values)));
     });
   }
 

@@ -1,6 +1,7 @@
 #include "analyzer/flow/engine/mode_map.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "analyzer/syntax/line_parser.h"
 
@@ -25,7 +26,9 @@ class ModeMap::Collector final : public Events, public ModeWatch {
     analysis.machine().set_watch(this);
   }
 
-  void stop(const State&, StopReport) override {}
+  void stop(const State& at, StopReport) override {
+    if (at.position < before_.size()) stops_.insert(analysis_.program().at(at.position).line);
+  }
   void hazard(const State&, HazardReport) override {}
   void end(const State&) override {}
   void end_of_file(const State&) override {}
@@ -38,12 +41,14 @@ class ModeMap::Collector final : public Events, public ModeWatch {
 
   const Seen& before(StatementId id) const { return before_[id]; }
   const Seen& left(StatementId id) const { return left_[id]; }
+  const std::unordered_set<uint32_t>& stops() const { return stops_; }
 
  private:
   ModeState modes(const State& at) const { return analysis_.machine().modes().state(at.parameters); }
 
   Iteration& analysis_;
   std::vector<Seen> before_, left_;
+  std::unordered_set<uint32_t> stops_;  // lines
 };
 
 ModeMap::ModeMap(const Linked& linked, const Profile& profile, const Limits& limits)
@@ -133,12 +138,30 @@ class ModeMap::Walk {
       next_ = kNoStatement;
       above_ = id - 1;
       if (!begin(map_.collector_->left(above_))) return false;
-      carried_ = statements[above_].line + 1;
+      carried_ = statements[above_].line + (carries_out_its_line(above_) ? 1 : 0);
     }
     if (id > 0 && !seen_->modes) return false;
     map_.carry_on(carried_, line, &state_, &modes_);
     carried_ = line;
     return true;
+  }
+
+  /// The modes behind the line that go() went to; nothing if no run goes on from there.
+  std::optional<ModeState> behind(uint32_t line) const {
+    std::vector<ModeThere> modes = no_modes();
+    ModeState state = state_;
+    bool acted = false;
+    if (next_ != kNoStatement) {
+      const auto& statements = file_.syntax.statements;
+      StatementId last = next_;
+      while (last + 1 < statements.size() && statements[last + 1].line == line) ++last;
+      const Seen& left = map_.collector_->left(last);
+      if (!left.modes) return std::nullopt;
+      state = *left.modes;
+      acted = carries_out_its_line(last);
+    }
+    if (!acted) map_.carry_on(line, line + 1, &state, &modes);
+    return state;
   }
 
   const ModeState& state() const { return state_; }
@@ -160,6 +183,18 @@ class ModeMap::Walk {
     std::vector<ModeThere> modes;
     for (size_t i = 0; i < kModes; ++i) modes.push_back({static_cast<Mode>(i), 0, false, {}});
     return modes;
+  }
+
+  /// Whether the modes behind a statement are those behind its line. A question about the line's place alone changes none: what
+  /// the line sets, the flow takes in further down.
+  bool carries_out_its_line(StatementId id) const {
+    const auto& statements = file_.syntax.statements;
+    for (StatementId at = id; statements[at].line == statements[id].line; --at) {
+      const Statement& s = statements[at];
+      if (s.kind == LineKind::kRemap || (s.kind == LineKind::kModeLine && !s.for_place)) return true;
+      if (at == 0) break;
+    }
+    return false;
   }
 
   bool begin(const Seen& seen) {
@@ -212,6 +247,46 @@ std::vector<ModeStep> ModeMap::steps(std::span<const uint32_t> lines) const {
     last = walk.state();
   }
   return steps;
+}
+
+std::vector<ModeStep> ModeMap::changes() const {
+  const Program& file = *linked_.files()[0].program;
+  std::vector<ModeStep> steps;
+  Walk walk(*this);
+  bool reached = false;
+  for (uint32_t line = 1; line <= file.syntax.lines; ++line) {
+    const bool before = std::exchange(reached, walk.go(line));
+    if (!reached && before) steps.push_back({line, false, {}});
+    const std::optional<ModeState> behind = reached ? walk.behind(line) : std::nullopt;
+    if (!behind) continue;
+    const ModeSets& now = walk.state().now;
+    ModeStep step{line, true, {}};
+    for (size_t i = 0; i < kModes; ++i) {
+      const auto mode = static_cast<Mode>(i);
+      const bool open = behind->now.is_open(mode);
+      if (now[mode] != behind->now[mode] || now.is_open(mode) != open)
+        step.changed.push_back({mode, behind->now[mode], !open, {{&file, line}}});
+    }
+    if (!step.changed.empty()) steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+bool ModeMap::stops_at(uint32_t line) const { return collector_->stops().contains(line); }
+
+std::optional<double> ModeMap::written(const ModeSetter& setter, char letter) const {
+  if (setter.file == nullptr || setter.line == 0) return std::nullopt;
+  const LineAlone alone(*setter.file, setter.line, analysis_.machine().machine_words());
+  const WordLine* const words = alone.words();
+  const uint8_t at = words == nullptr ? kNoWord : words->find(letter);
+  return at == kNoWord || !(*words)[at].known ? std::nullopt : std::optional((*words)[at].value);
+}
+
+std::string ModeMap::code_written(const ModeSetter& setter, GGroup group) const {
+  if (setter.file == nullptr || setter.line == 0) return {};
+  const LineAlone alone(*setter.file, setter.line, analysis_.machine().machine_words());
+  const GCode* const code = alone.words() == nullptr ? nullptr : alone.words()->code(group);
+  return code == nullptr ? std::string() : g_name(code->tenths);
 }
 
 }  // namespace owlint::flow

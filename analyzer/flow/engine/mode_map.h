@@ -17,7 +17,7 @@ struct ModeThere {
   std::vector<ModeSetter> set_on;  ///< by the runs that come here, as far as lines have set it
 };
 
-/// What is in effect from a line on, and was not on the line that was asked for before it.
+/// A line with modes that are others there than before.
 struct ModeStep {
   uint32_t line = 0;
   bool reached = true;             ///< false: no run gets there, and `changed` is empty
@@ -34,6 +34,15 @@ class ModeMap {
   std::optional<std::vector<ModeThere>> before(uint32_t line) const;
   /// The same for many lines, which ascend, in one pass; lines without a change are left out.
   std::vector<ModeStep> steps(std::span<const uint32_t> lines) const;
+  /// What each line changes by itself, in the order of the lines; of a call: what its sub does. Lines where nothing changes are left
+  /// out. The first line that no run gets to is there too, if there is one behind a line that is reached.
+  std::vector<ModeStep> changes() const;
+  /// Whether a run stops at a line of the program's own file.
+  bool stops_at(uint32_t line) const;
+  /// The word of this letter on the line that has set a mode, if it is a plain number.
+  std::optional<double> written(const ModeSetter& setter, char letter) const;
+  /// The G code of a group on that line, `G43`; empty if it has none.
+  std::string code_written(const ModeSetter& setter, GGroup group) const;
 
  private:
   class Collector;

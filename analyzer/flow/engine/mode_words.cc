@@ -52,9 +52,9 @@ std::string places_of(const ModeThere& there, const Program& own) {
 std::string value_text(const ModeThere& there) {
   constexpr size_t kFew = 4;
   const std::vector<std::string> values = values_of(there);
-  const bool inherited = !there.known && there.set_on.empty();
-  if (!there.known && values.size() > kFew) return inherited ? "as before the program" : "not known";
-  return joined(values, "or") + (inherited ? ", as before the program" : "");
+  if (there.known || (values.size() <= kFew && !there.set_on.empty())) return joined(values, "or");
+  if (!there.set_on.empty()) return "not known";
+  return values.size() > kFew ? "as before the program" : joined(values, "or") + ", as before the program";
 }
 
 bool is_worth_showing(const ModeThere& there) {

@@ -15,7 +15,7 @@ ParameterKey key_of_number(const Syntax& syntax, ExprId number) {
   double value = expr.op == Operator::kNumber ? expr.value() : 0;
   long index = 0;
   if (expr.op != Operator::kNumber && !literal_value(syntax.exprs, number, &value)) return kComputedKey;
-  if (!to_integer(value, &index) || index < 0) return kComputedKey;
+  if (!to_integer(value, &index) || index < 0 || index > kLastNumber) return kComputedKey;
   return static_cast<uint64_t>(index) | (index >= kFirstGlobalNumber ? kGlobalKey : 0);
 }
 

@@ -30,6 +30,7 @@ AbstractMachine::AbstractMachine(const Linked& linked, const Profile& profile, c
       reads_break_(profile.warn_only()),
       structure_(program_),
       effects_(program_, structure_.regular, mode_uses_, limits) {
+  machine_words_.words.tools_written = program_.syntax.writes_tools;
   if (remapped_codes_.run_python()) evaluator_.distrust_globals();
   evaluator_.set_modes(&modes_);
   labels_.emplace_back(kNoName, kNoName);

@@ -118,6 +118,11 @@ void ModeAccess::apply(Parameters& p, std::span<const ModeChange> changes) {
     if (!uses_.follows(mode)) continue;
     ModeValues values{all_values(mode), true};
     if (change.value != ModeChange::kAny) values = {value_bit(change.value), false};
+    // Whether a compensated path has begun depends on how far lines go.
+    if (mode == Mode::kEntry && change.value == ModeChange::kAny && uses_.follows_place()) {
+      const CompensatedPath path = place(p).path;
+      if (path.offsets()) values = {value_bit(path.entered() ? modes::kMade : modes::kToCome), false};
+    }
     // In inverse time mode F only counts for its line, and a move leaves a feed that is worked out.
     if (mode == Mode::kFeed && feed_modes) {
       const bool earlier = mode_change != changes.end() && change.line < mode_change->line;

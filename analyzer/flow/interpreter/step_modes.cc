@@ -191,8 +191,11 @@ bool AbstractMachine::Step::restore_modes() {
   if (!m.modes_.restores(state.parameters)) return true;
   ModeState modes = m.modes_.state(state.parameters);
   std::vector<ModeFault> faults;
-  owlint::restore_modes(m.machine_words_.words, &modes, &faults);
+  std::optional<Place> place;
+  if (m.mode_uses_.follows_place()) place = m.modes_.place(state.parameters);
+  owlint::restore_modes(m.machine_words_.words, &modes, &faults, place ? &*place : nullptr);
   if (!take_faults(faults)) return false;
+  if (place) m.modes_.set_place(state.parameters, *place);
   m.modes_.set(state.parameters, modes);
   return true;
 }

@@ -29,6 +29,20 @@ class Values {
     static constexpr double kOften[] = {0, 1, 2, 2.5, -5, 10, 50, 100, 1e6, -1e6};
     return kOften[random_() % std::size(kOften)];
   }
+  /// Values of a mode.
+  ValueId set() { return known.intern(KnownSet{1 + random_() % 31, random_() % 3 == 0}); }
+  /// Where the machine stands.
+  ValueId place() {
+    owlint::Place place = random_() % 5 == 0 ? owlint::Place::unknown() : owlint::Place::started();
+    for (const size_t axis : {0, 1, 2}) {
+      if (random_() % 2 == 0) place.at[axis] = owlint::Coordinate::of(number());
+    }
+    if (random_() % 4 == 0) place.lose_point();
+    place.keeps_height = random_() % 2 == 0;
+    place.height = owlint::Coordinate::of(number());
+    place.chosen_tool = static_cast<int32_t>(random_() % 3);
+    return known.intern(place);
+  }
   /// a ≤ b: b holds whatever a holds.
   bool leq(ValueId a, ValueId b) { return known.join(a, b) == b; }
 
@@ -157,6 +171,27 @@ TEST_CASE("a join holds both of its sides, and keeps their order", "[lattice]") 
     const Range range = known.range(joined);
     REQUIRE(range.has(known.value(a)));
     REQUIRE(range.has(known.value(b)));
+  }
+}
+
+TEST_CASE("the values of a mode and the places of the machine are lattices", "[lattice]") {
+  Values values(13);
+  KnownValues& known = values.known;
+  for (int i = 0; i < 5'000; ++i) {
+    const auto any = [&] { return i % 2 == 0 ? values.set() : values.place(); };
+    const ValueId a = any();
+    const ValueId b = any();
+    const ValueId c = any();
+    INFO("values " << a << ", " << b << ", " << c);
+    const ValueId joined = known.join(a, b);
+    REQUIRE(known.join(a, a) == a);
+    REQUIRE(joined == known.join(b, a));
+    REQUIRE(known.join(joined, c) == known.join(a, known.join(b, c)));
+    REQUIRE(values.leq(a, joined));
+    REQUIRE(values.leq(b, joined));
+    if (i % 2 != 0) continue;
+    REQUIRE((known.set(joined).members & known.set(a).members) == known.set(a).members);
+    REQUIRE(known.set(joined).open == (known.set(a).open || known.set(b).open));
   }
 }
 
