@@ -16,15 +16,15 @@ struct Limits {
   /// How exactly runs are followed until the analysis has taken `steps` steps, a step being one state at one line.
   struct Level {
     uint64_t steps;
-    size_t
-        states;  ///< kept apart in one partition, and exits of one call; beyond, they are joined (engine/separation.cc)
+    /// States that are kept apart in one partition (engine/partitions.h), and exits of one call; those beyond are joined.
+    size_t states;
     size_t contexts;  ///< calls of one sub that are kept apart by their values
   };
   /// Small programs are followed almost path by path; the longer an analysis runs, the more states it joins, so that its
   /// time grows with the program and not with its paths. At the last level, which must have no end, constants are joined
   /// too, and stretches of harmless lines are one step.
   std::array<Level, 4> levels{{{2'500, 128, 256}, {10'000, 64, 32}, {25'000, 8, 4}, {UINT64_MAX, 1, 1}}};
-  /// So many times as many states are kept apart if one of a sub's operations will fail in them.
+  /// Factor on Level::states and Level::contexts, for states in which one of the sub's operations will fail.
   size_t times_for_failing = 2;
   /// Statements of a program that does not begin at the last level. In a larger one most lines would be analysed at that
   /// level anyway, and states that are separate by then would have to be carried through all of them.

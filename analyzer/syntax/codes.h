@@ -203,6 +203,8 @@ struct AxisLimits {
   bool operator==(const AxisLimits&) const = default;
 };
 struct ModeState;
+/// What this room must know of the machine. WordsOfMachine fills it in (program/machine_words.h), since this room may not use
+/// `analyzer/machine/`.
 struct MachineWords {
   Release release = Release::k2_8;
   uint32_t axes = letter_set("xyzabc");

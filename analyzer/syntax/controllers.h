@@ -21,8 +21,9 @@ struct Mark {
   std::string_view controller;
   std::string_view family;  ///< marks of one family are one mark: who writes `IF … GOTO` writes `GOTO`
   Proof proof;
-  std::string_view
-      pattern;  ///< `@` a number, `&` a letter, `*` anything but comments, `+` words without brackets and parameters, all else itself in any case; blanks do not count
+  /// `@` is a number, `&` a letter, `*` anything but comments, `+` words without brackets and parameters, all else itself in any
+  /// case; blanks do not count.
+  std::string_view pattern;
   std::string_view example;  ///< such a line; tests ask LinuxCNC whether it refuses it
 };
 

@@ -17,10 +17,10 @@ std::optional<double> units(const ModeLine& line) {
 
 }  // namespace
 
-Verdict places::verdict_of(bool stops, bool other_stops, bool agree, bool unknown) {
-  if (agree && stops && other_stops) return Verdict::kStops;
-  if (unknown && (!agree || stops != other_stops)) return Verdict::kUnsure;
-  return stops ? Verdict::kFromStart : Verdict::kPasses;
+CheckOutcome places::outcome_of(bool stops, bool other_stops, bool agree, bool unknown) {
+  if (agree && stops && other_stops) return CheckOutcome::kStops;
+  if (unknown && (!agree || stops != other_stops)) return CheckOutcome::kUnsure;
+  return stops ? CheckOutcome::kFromStart : CheckOutcome::kPasses;
 }
 
 bool places::agree(double a, double b) {
@@ -37,10 +37,10 @@ double places::elsewhere(Coordinate coordinate, size_t axis) {
   return coordinate.other + kFar + kFurther * static_cast<double>(axis * axis);
 }
 
-bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other,
+bool stop_by(ModeLine& line, CheckOutcome outcome, StopKind kind, std::string message, uint8_t word, uint8_t other,
              ModeMask decided_by, std::optional<ArcNumbers> arc) {
-  if (verdict == Verdict::kPasses) return false;
-  const bool stops = verdict != Verdict::kUnsure;
+  if (outcome == CheckOutcome::kPasses) return false;
+  const bool stops = outcome != CheckOutcome::kUnsure;
   if (stops) {
     line.stop(kind, std::move(message), word, other, decided_by);
   } else {
@@ -48,24 +48,24 @@ bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message
   }
   ModeFault& fault = line.faults()->back();
   fault.by_place = true;
-  fault.from_start = verdict == Verdict::kFromStart;
+  fault.from_start = outcome == CheckOutcome::kFromStart;
   fault.arc = arc;
   return stops;
 }
 
 /// Whether the point is the origin, from where a polar word alone leads nowhere.
-Verdict places::at_origin(Coordinate x, Coordinate y) {
-  Verdict verdict = Verdict::kStops;
+CheckOutcome places::at_origin(Coordinate x, Coordinate y) {
+  CheckOutcome outcome = CheckOutcome::kStops;
   for (const Coordinate c : {x, y}) {
     if (c.is_unknown()) {
-      verdict = std::min(verdict, Verdict::kUnsure);
+      outcome = std::min(outcome, CheckOutcome::kUnsure);
     } else if (c.value != 0) {
-      return Verdict::kPasses;
+      return CheckOutcome::kPasses;
     } else if (!c.is_known()) {
-      verdict = std::min(verdict, Verdict::kFromStart);
+      outcome = std::min(outcome, CheckOutcome::kFromStart);
     }
   }
-  return verdict;
+  return outcome;
 }
 
 /// X is a diameter in G7, also where the line itself sets that.

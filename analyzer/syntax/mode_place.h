@@ -10,16 +10,16 @@
 
 namespace owlint {
 
-/// What a check comes to whose numbers may depend on the place.
-enum class Verdict : uint8_t {
+/// The outcome of a check whose numbers may depend on the place.
+enum class CheckOutcome : uint8_t {
   kPasses,
   kUnsure,     ///< it depends on what is not known
   kFromStart,  ///< stops on a machine that was just started
   kStops,
 };
 /// True if no run goes on. `decided_by`: modes in which the same words would pass.
-bool stop_by(ModeLine& line, Verdict verdict, StopKind kind, std::string message, uint8_t word, uint8_t other = kNoWord,
-             ModeMask decided_by = 0, std::optional<ArcNumbers> arc = std::nullopt);
+bool stop_by(ModeLine& line, CheckOutcome outcome, StopKind kind, std::string message, uint8_t word,
+             uint8_t other = kNoWord, ModeMask decided_by = 0, std::optional<ArcNumbers> arc = std::nullopt);
 
 /// The word of an axis in its units; nothing if the line has none.
 std::optional<Coordinate> axis_word(const ModeLine& line, size_t axis);
@@ -31,7 +31,7 @@ Point from_machine(const ModeLine& line, const Point& point);
 namespace places {
 
 /// Of two machines. `agree`: the numbers of the check are the same on both.
-Verdict verdict_of(bool stops, bool other_stops, bool agree, bool unknown);
+CheckOutcome outcome_of(bool stops, bool other_stops, bool agree, bool unknown);
 /// As far as rounding goes.
 bool agree(double a, double b);
 /// A coordinate in the two places where a check is made: where a machine that was just started would be, or somewhere, and
@@ -48,7 +48,7 @@ inline constexpr ArcAxes kArcAxes[] = {
     {Axis::kX, Axis::kY, 'i', 'j'}, {Axis::kZ, Axis::kX, 'k', 'i'}, {Axis::kY, Axis::kZ, 'j', 'k'}};
 
 /// Whether the point is the origin, from where a polar word alone leads nowhere.
-Verdict at_origin(Coordinate x, Coordinate y);
+CheckOutcome at_origin(Coordinate x, Coordinate y);
 /// Gives X and Y other numbers, in both places.
 template <typename Change>
 void change_plane(Point* at, Change change) {
@@ -133,7 +133,7 @@ void end_curve(ModeLine& line);
 
 // Canned cycles.
 /// The heights of a cycle in a plane: whether R lies below the bottom. Nothing if modes leave that open.
-std::optional<Verdict> heights(ModeLine& line, modes::Plane plane);
+std::optional<CheckOutcome> heights(ModeLine& line, modes::Plane plane);
 /// The first hole, and those behind it; true if it stops for its polar words.
 bool first_hole(ModeLine& line, modes::Plane plane, Point* at);
 bool further_holes(ModeLine& line, modes::Plane plane, Point* at);

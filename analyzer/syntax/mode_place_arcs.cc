@@ -121,17 +121,17 @@ bool Arc::stops_by_center(bool absolute) {
   const bool at_start = same && arc.start_radius < tolerance_.least_radius;
   const bool same_end = agree(arc.end_radius, other.end_radius);
   const bool agrees = at_start || (same && same_end);
-  const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
-  if (verdict == Verdict::kPasses) return false;
+  const CheckOutcome outcome = outcome_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
+  if (outcome == CheckOutcome::kPasses) return false;
   ArcNumbers numbers = this->numbers(absolute);
   numbers.center = center;
   numbers.start_radius = arc.start_radius;
   numbers.end_radius = arc.end_radius;
   numbers.allowed = arc.allowed;
   const StopKind kind = arc.fault == ArcFault::kZeroRadius ? StopKind::kArcWords : StopKind::kArcRadiiDiffer;
-  return stop_by(line_, verdict, kind,
-                 said(arc, center, verdict != Verdict::kUnsure && (same_end || !unknown_), absolute), line_.mover(),
-                 kNoWord, deciding(absolute), numbers);
+  return stop_by(line_, outcome, kind,
+                 said(arc, center, outcome != CheckOutcome::kUnsure && (same_end || !unknown_), absolute),
+                 line_.mover(), kNoWord, deciding(absolute), numbers);
 }
 
 bool Arc::stops_by_radius(double radius) {
@@ -139,13 +139,13 @@ bool Arc::stops_by_radius(double radius) {
   const RadiusArc other = arc_by_radius(elsewhere_.start, elsewhere_.end, radius, tolerance_);
   // A radius of 0 reaches nothing.
   const bool agrees = radius == 0 || agree(arc.least_radius, other.least_radius);
-  const Verdict verdict = verdict_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
-  if (verdict == Verdict::kPasses) return false;
+  const CheckOutcome outcome = outcome_of(arc.fault != ArcFault::kNone, other.fault == arc.fault, agrees, unknown_);
+  if (outcome == CheckOutcome::kPasses) return false;
   ArcNumbers numbers = this->numbers(false);
   numbers.radius = radius;
   numbers.least_radius = arc.least_radius;
   const bool same = arc.fault == ArcFault::kSamePoint;
-  return stop_by(line_, verdict, same ? StopKind::kArcWords : StopKind::kArcRadiusTooSmall,
+  return stop_by(line_, outcome, same ? StopKind::kArcWords : StopKind::kArcRadiusTooSmall,
                  same ? "Current point same as end point of arc" : "Arc radius too small to reach end point",
                  line_.at('r'), line_.mover(), 0, numbers);
 }
@@ -171,7 +171,7 @@ bool arc(ModeLine& line, Motion motion, const Point& end) {
   const bool known =
       plane && arc_distance && line.only(Mode::kUnits) && (by_radius ? radius != nullptr : knows_center(line));
   if (!known) {
-    return stop_by(line, Verdict::kUnsure, by_radius ? StopKind::kArcRadiusTooSmall : StopKind::kArcRadiiDiffer,
+    return stop_by(line, CheckOutcome::kUnsure, by_radius ? StopKind::kArcRadiusTooSmall : StopKind::kArcRadiiDiffer,
                    by_radius ? "Arc radius too small to reach end point"
                              : "Radius to end of arc differs from radius to start: ...",
                    line.mover());

@@ -108,8 +108,8 @@ Cut cut_from(ModeLine& line, const ContourModes& modes, const ContourWords& word
 bool comes_to_end(const Cut& cut) { return cut.outcome.end == ContourEnd::kDone && !cut.outcome.unsure; }
 
 /// Rounding decides, or the place does.
-bool stops_cutting(ModeLine& line, Verdict verdict, bool unsure, std::string message) {
-  if (!unsure) return stop_by(line, verdict, kContour, std::move(message), line.mover());
+bool stops_cutting(ModeLine& line, CheckOutcome outcome, bool unsure, std::string message) {
+  if (!unsure) return stop_by(line, outcome, kContour, std::move(message), line.mover());
   line.may_stop(kContour, std::move(message), line.mover(), kNoWord, 0, true);
   line.faults()->back().by_place = true;
   return false;
@@ -151,11 +151,12 @@ bool cut_contour(ModeLine& line, Motion motion) {
   const bool anywhere = along.is_known() && across.is_known();
   const Cut cut = cut_from(line, *modes, *words, {along.value, across.value}, true);
   if (!cut.message.empty() &&
-      stops_cutting(line, anywhere ? Verdict::kStops : Verdict::kFromStart, cut.outcome.unsure, cut.message))
+      stops_cutting(line, anywhere ? CheckOutcome::kStops : CheckOutcome::kFromStart, cut.outcome.unsure, cut.message))
     return true;
   if (cut.outcome.end == ContourEnd::kRefused && cut.message.empty()) return true;
   const bool is_lost = cut.outcome.end == ContourEnd::kCrashes || cut.outcome.end == ContourEnd::kNeverEnds;
-  if (is_lost && !cut.outcome.unsure && anywhere) return stop_by(line, Verdict::kStops, kContour, "", line.mover());
+  if (is_lost && !cut.outcome.unsure && anywhere)
+    return stop_by(line, CheckOutcome::kStops, kContour, "", line.mover());
   if (!comes_to_end(cut)) {
     lose_point(line);
     return false;

@@ -35,10 +35,10 @@ Heights heights_of(const Place& place, bool incremental) {
 }
 
 /// Whether R lies below the bottom.
-Verdict is_below(Coordinate r, Coordinate bottom, size_t axis) {
+CheckOutcome is_below(Coordinate r, Coordinate bottom, size_t axis) {
   const double depth = here(bottom) - here(r);
   const double other = elsewhere(bottom, axis) - elsewhere(r, axis);
-  return verdict_of(depth > 0, other > 0, agree(depth, other), r.is_unknown() || bottom.is_unknown());
+  return outcome_of(depth > 0, other > 0, agree(depth, other), r.is_unknown() || bottom.is_unknown());
 }
 
 /// The higher one of two, as it is on each machine.
@@ -99,7 +99,7 @@ int32_t holes(const ModeLine& line) {
 
 }  // namespace
 
-std::optional<Verdict> heights(ModeLine& line, modes::Plane plane) {
+std::optional<CheckOutcome> heights(ModeLine& line, modes::Plane plane) {
   const Hole& hole = kHoles[plane];
   Place& place = *line.place();
   if (!place.keeps_height) place.height = place.at[hole.along];

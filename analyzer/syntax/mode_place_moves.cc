@@ -80,23 +80,23 @@ Point plain_end(const ModeLine& line) {
 }
 
 /// Whether two coordinates differ, as far as is known.
-Verdict differ(Coordinate from, Coordinate to, size_t axis) {
+CheckOutcome differ(Coordinate from, Coordinate to, size_t axis) {
   const double far = here(to) - here(from);
   const double farther = elsewhere(to, axis) - elsewhere(from, axis);
-  return verdict_of(far != 0, farther != 0, agree(far, farther), from.is_unknown() || to.is_unknown());
+  return outcome_of(far != 0, farther != 0, agree(far, farther), from.is_unknown() || to.is_unknown());
 }
 
 /// The same of any of these axes.
-Verdict differ(const Point& from, const Point& to, size_t first) {
-  Verdict verdict = Verdict::kPasses;
-  for (size_t i = first; i < kAxisCount; ++i) verdict = std::max(verdict, differ(from[i], to[i], i));
-  return verdict;
+CheckOutcome differ(const Point& from, const Point& to, size_t first) {
+  CheckOutcome outcome = CheckOutcome::kPasses;
+  for (size_t i = first; i < kAxisCount; ++i) outcome = std::max(outcome, differ(from[i], to[i], i));
+  return outcome;
 }
 
-Verdict same(Coordinate from, Coordinate to, size_t axis) {
+CheckOutcome same(Coordinate from, Coordinate to, size_t axis) {
   const double far = here(to) - here(from);
   const double farther = elsewhere(to, axis) - elsewhere(from, axis);
-  return verdict_of(far == 0, farther == 0, agree(far, farther), from.is_unknown() || to.is_unknown());
+  return outcome_of(far == 0, farther == 0, agree(far, farther), from.is_unknown() || to.is_unknown());
 }
 
 /// The stored point that the code of the line goes to.
@@ -177,18 +177,18 @@ void store_home(ModeLine& line) {
 
 bool starts_at_end(ModeLine& line, const Point& end) {
   if (line.place() == nullptr) return false;
-  Verdict verdict = Verdict::kStops;
-  for (size_t i = 0; i < kAxisCount; ++i) verdict = std::min(verdict, same(line.place()->at[i], end[i], i));
-  return stop_by(line, verdict, StopKind::kModeConflict, "Start point too close to probe point", line.mover());
+  CheckOutcome outcome = CheckOutcome::kStops;
+  for (size_t i = 0; i < kAxisCount; ++i) outcome = std::min(outcome, same(line.place()->at[i], end[i], i));
+  return stop_by(line, outcome, StopKind::kModeConflict, "Start point too close to probe point", line.mover());
 }
 
 bool moves_rotary_axes(ModeLine& line, const Point& end) {
   if (line.place() == nullptr) return false;
   constexpr auto kFirst = static_cast<size_t>(Axis::kA);
-  const Verdict verdict = differ(line.place()->at, end, kFirst);
+  const CheckOutcome outcome = differ(line.place()->at, end, kFirst);
   uint8_t word = kNoWord;
   for (size_t i = kFirst; i < kAxisCount && word == kNoWord; ++i) word = line.at(kAxisOrder[i]);
-  return stop_by(line, verdict, StopKind::kContourWords, "Cannot move rotary axes with G76", word, line.mover());
+  return stop_by(line, outcome, StopKind::kContourWords, "Cannot move rotary axes with G76", word, line.mover());
 }
 
 void add_point(ModeLine& line, Answer begins, bool moves) {

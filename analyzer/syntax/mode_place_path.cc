@@ -60,8 +60,8 @@ bool stops(ModeLine& line, PathStep step, uint8_t word, const std::optional<ArcN
     return false;
   }
   const StopKind kind = kind_of(step);
-  return stop_by(line, place.path_from_start ? Verdict::kFromStart : Verdict::kStops, kind, std::move(step.message),
-                 word, kNoWord, 0, arc);
+  return stop_by(line, place.path_from_start ? CheckOutcome::kFromStart : CheckOutcome::kStops, kind,
+                 std::move(step.message), word, kNoWord, 0, arc);
 }
 
 /// What of the arc a finding tells.

@@ -77,9 +77,9 @@ bool lacks_axis(ModeLine& line, const CyclePlane& in, BadMode plane) {
 }
 
 /// Whether R lies below the bottom, where the place is followed.
-bool is_below(ModeLine& line, const CyclePlane& in, Verdict verdict) {
+bool is_below(ModeLine& line, const CyclePlane& in, CheckOutcome outcome) {
   const uint8_t written = line.at(line.has('r') ? 'r' : in.axis);
-  return stop_by(line, verdict, kWords, in.below, line.has(in.axis) ? line.at(in.axis) : written, line.at('r'),
+  return stop_by(line, outcome, kWords, in.below, line.has(in.axis) ? line.at(in.axis) : written, line.at('r'),
                  mask_of(Mode::kDistance));
 }
 
@@ -107,7 +107,7 @@ bool axes(ModeLine& line, Motion motion, const CyclePlane& in) {
   if (foreign_axis(line, in, plane) || lacks_axis(line, in, plane)) return true;
   if (!line.has(in.axis) && line.stop_in({plane, begins(motion)}, kWords, in.unspecified, line.mover())) return true;
   if (line.place() != nullptr && line.holds({plane}) == Answer::kYes) {
-    if (const std::optional<Verdict> below = places::heights(line, in.plane)) return is_below(line, in, *below);
+    if (const std::optional<CheckOutcome> below = places::heights(line, in.plane)) return is_below(line, in, *below);
   }
   return is_above(line, in, plane);
 }

@@ -1,5 +1,8 @@
-// A statement is one line that matters to O-words: an O-word, M98/M99, the program end, `%`, a line that sets or
-// reads parameters, `(abort, …)`, or a line that is an error. Plain motion lines have no statement.
+// A statement is one line that matters to O-words: an O-word, M98/M99, the program end, `%`, a line that sets or reads
+// parameters, `(abort, …)`, or a line that is an error. Some statements are no line of their own: a question to the flow about a
+// line, in front of that line's own statement if it has one (questions.h), a remapped code, or the end of a file. Plain motion
+// lines have no statement. What those between two statements do is kept with the first of the two: ModeChange, ModeNeed,
+// PlaceChange.
 #pragma once
 
 #include <cstdint>
@@ -134,8 +137,14 @@ struct Statement {
 
   NameId label = kNoName;       ///< the label, normalised (`o0100.0` is "100"); kNoName when it must be computed
   ExprId label_expr = kNoExpr;  ///< a computed label (also the P of M98, the Q of G71)
-  uint32_t first =
-      0;  ///< into Syntax::items if has_items(), else Syntax::values: condition, arguments, returned value; of M98, L if it has one, then what else is computed on the line; of kModeLine and kRemap into Syntax::mode_words
+  /// The first part of the line, as an index into
+  ///   Syntax::items       if has_items()
+  ///   Syntax::mode_words  of kModeLine and kRemap
+  ///   Syntax::errors      of kMachineCheck
+  ///   Syntax::values      of all others: condition, arguments, returned value; of M98, L if it has one, then what else is
+  ///                       computed on the line
+  /// Of kUserCode, the code's number.
+  uint32_t first = 0;
   uint32_t error = kNoError;      ///< into Syntax::errors; raised after the values before it
   uint32_t first_plain_line = 0;  ///< the first of the lines meant by plain_code_follows
 

@@ -1,5 +1,9 @@
-// Why the interpreter stops at O-words: each reason is one error message of
-// LinuxCNC, and belongs to one rule. The reader (this room) finds the first group, the flow room the second.
+// Why the interpreter stops at a line. A kind stands for one message of LinuxCNC, or for some that mean the same. code_of() says
+// which rule reports it (rules/driver/stops.cc); for a few kinds that depends on the line, too.
+//
+// The scanner and the parser find the first two groups; what a computed value decides, the flow finds. The third is found where
+// lines are carried out: what modes and the place refuse in mode_*.cc, all else in the flow. Some code compares kinds by their
+// order, so a new kind goes into its group.
 #pragma once
 
 #include <cstdint>
@@ -62,11 +66,11 @@ enum class StopKind : uint8_t {
   kCompensationEntry,  // a first move with compensation that is not longer than the tool's radius
   kCompensationGouge,  // a corner or an arc that the compensated tool does not fit into
   kCycleWords,         // words of a cycle that do not make one
-  kContourWords,       // the same of a contour, a spline or a thread
+  kContourWords,       // words of a contour, a spline or a thread that do not make one
   kUserCodeMissing,    // `M110`: no file of that name, as far as is known
   kRemapWords,         // words that a remapped code passes to its sub
   kRemapTooDeep,       // remapped codes in the subs of remapped codes
-  kM99Behind,          // the same of M99, in a sub
+  kM99Behind,          // M99 that is not the line's first word, in a sub
   kM99Rest,            // words behind M99, in a sub
   kSubNested,
   kSubNestedInCall,  // LinuxCNC 2.10: a definition within a called sub
@@ -82,10 +86,10 @@ enum class StopKind : uint8_t {
   kSubRedefined,
   kCallTooDeep,
   kSubNotFound,     // end of file while a call looks for its sub
-  kFileNameCase,    // the same, but a file has the name with capital letters
-  kFileLacksSub,    // the same in the called file
-  kFilePercent,     // the same at a `%` there
-  kSubBeforeEntry,  // the same for a sub before the called one in its file
+  kFileNameCase,    // a call finds no sub, but there is a file of its name in capital letters
+  kFileLacksSub,    // a called file ends, and the sub was not in it
+  kFilePercent,     // a called file is over at a `%`, and the sub was not in it
+  kSubBeforeEntry,  // in a called file, a call of a sub that is before the one that was called
   kHelperRefused,   // LinuxCNC 2.10: a call of another sub in a called file
   kFileEnd,         // end of file in the program itself, or while lines are skipped
   kStyleNeedsM98,
@@ -100,8 +104,9 @@ enum class StopKind : uint8_t {
   kValueFails,  // division by zero, root of a negative number, ...
 };
 
-/// Whether a line stops with it while it is executed; the lines of a contour's sub are only read.
-constexpr bool is_of_execution(StopKind kind) {
+/// Whether words stop with it when they are carried out, in the modes and at the place in effect. In the sub of a contour no line
+/// does, for such lines are only read.
+constexpr bool is_of_modes_or_place(StopKind kind) {
   return kind >= StopKind::kFeedMissing && kind <= StopKind::kContourWords;
 }
 

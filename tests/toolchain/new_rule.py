@@ -4,7 +4,7 @@
 usage: new_rule.py CODE NAME    for example OW220 label-too-long
 
 Writes rules/owNxx_*/ow220_label_too_long.cc and tests/programs/OW220/{finding,nothing}.ngc.  The catalogue takes the rule up by
-itself.  What is still to be written says so, and the tests fail until it is.
+itself.  A `…` stands for what is still to be written, and the tests fail while one is there.
 
 Exit status: 0 written; 2 the code or the name cannot be used.
 """
@@ -24,6 +24,8 @@ RULE = """// {code} {name}: …
 namespace owlint::rules::{space} {{
 namespace {{
 
+// …: this check finds nothing until code_of() gives the rule a StopKind (CONTRIBUTING.md, "Add a rule about a stop"). A rule
+// about anything else has another one.
 void check(const Input& in, Reporter& out) {{
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {{
     Finding& f = out.add(in.program.at(stop.statement).head_span(), "…");
@@ -43,13 +45,13 @@ extern const Rule kRule{{
     .page = {{
         .what = R"(…)",
         .why = R"(…)",
-        .bad = R"(M2
+        .bad = R"(…
 )",
-        .good = R"(M2
+        .good = R"(…
 )",
         .fix = R"(…)",
         .level_reason = "…",
-        .interpreter = "",
+        .interpreter = "…",
         .options = "",
     }},
     .check = check,

@@ -13,7 +13,7 @@
 
 namespace owlint::flow {
 
-/// A label with its scope, by its number in Labels; 0 is none.
+/// A label with its scope, by its number in AbstractMachine::labels_; 0 is none.
 using FullLabel = uint32_t;
 inline constexpr FullLabel kNoLabel = 0;
 

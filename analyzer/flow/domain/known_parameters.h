@@ -21,7 +21,7 @@ struct ConditionId {
 struct Parameters {
   PersistentMap locals;           ///< keys: 1-30, and kLocalNames + NameId
   PersistentMap globals;          ///< keys: number, and kGlobalNames + NameId
-  PersistentMap local_outcomes;   ///< conditions on locals whose outcome is known: FactId -> 1 true, 2 false
+  PersistentMap local_outcomes;   ///< conditions on locals whose outcome is known: ConditionId::id -> 1 true, 2 false
   PersistentMap global_outcomes;  ///< the same for conditions on globals
   bool outside = false;           ///< an unknown sub has run: globals may have any value
 

@@ -1,6 +1,6 @@
-// The domain of values: nothing, that something was assigned, a range of numbers, or one constant. Constants come from literals
-// and arithmetic on them, ranges from conditions and from joined constants; everything else is unknown, so that both outcomes
-// of a condition are followed.
+// The domain of values: whether something was assigned, and what: a constant, a range, a set (of a mode's values), or a place
+// (where the machine stands). Constants come from literals and arithmetic on them, ranges from conditions and from joined
+// constants. All else that parameters hold is unknown, so that both outcomes of a condition are followed.
 #pragma once
 
 #include <cstdint>
@@ -66,9 +66,9 @@ class KnownValues {
   double value(ValueId id) const { return constants_[id - kFirstConstant]; }
   Range range(ValueId id) const;
   /// What is known after two paths are joined: the least value that holds both. Two constants or ranges make the range over
-  /// both, widened to the thresholds, two sets the set of what is in one of them, and two
-  /// places what is known in both. Commutative, associative and
-  /// idempotent; as there are few thresholds, a value that is joined with more and more others comes to rest.
+  /// both, widened to the thresholds, two sets the set of what is in one of them, and two places what is known in both.
+  /// Commutative, associative and idempotent; as there are few thresholds, a value that is joined with more and more others comes
+  /// to rest.
   ValueId join(ValueId a, ValueId b);
   void set_thresholds(Thresholds thresholds) { thresholds_ = std::move(thresholds); }
   const Thresholds& thresholds() const { return thresholds_; }

@@ -16,7 +16,7 @@ uint64_t State::hash() const {
 
 State StateDomain::join(const State& a, const State& b) {
   State out = a;
-  out.looped = a.looped && b.looped;
+  out.looped = a.looped && b.looped;  // alike, as all of where the run is
   out.joined = true;
   out.mixed = a.mixed && b.mixed;
   out.flags = flow::join(a.flags, b.flags);

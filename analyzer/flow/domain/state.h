@@ -21,8 +21,9 @@ inline constexpr RecordId kNoRecord = UINT32_MAX;
 enum class Branch : uint8_t { kNone, kTrue, kFalse };
 
 struct State {
-  // Where the run is. States that differ in one of these are never joined.
-  StatementId position = 0;
+  // Where the run is. States that are joined are alike in all of these: partitions are kept apart by them, and Calls gives the
+  // exits of a call the same ones first.
+  StatementId position = 0;  ///< the line; where the machine stands is a Place, among the parameters
   ContextId context = 0;
   FullLabel skip = kNoLabel;  ///< lines are skipped up to one with this label
   NameId defining = kNoName;  ///< the sub whose definition is skipped
@@ -50,7 +51,7 @@ struct State {
   uint64_t hash() const;
 };
 
-/// The lattice of states at one place. `a ≤ b`, so that b holds whatever a holds, if the join of the two is b.
+/// The lattice of states at one point of the program. `a ≤ b`, so that b holds whatever a holds, if the join of the two is b.
 class StateDomain {
  public:
   /// All three must outlive it.
@@ -58,8 +59,9 @@ class StateDomain {
       : values_(values), definers_(definers), pool_(pool) {}
 
   /// The least state that holds both: each part is joined by its own domain. Commutative and associative; idempotent but for
-  /// `joined`, which says that precision may be lost. The place and the way here are those of `a`. Values widen to their
-  /// thresholds, and all other parts have finite chains, so a state that is joined with more and more others comes to rest.
+  /// `joined`, which says that precision may be lost. Where the run is, and how it got there, is as in `a`. Values widen
+  /// to their thresholds, and all other parts have finite chains, so a state that is joined with more and more others comes to
+  /// rest.
   State join(const State& a, const State& b);
 
  private:

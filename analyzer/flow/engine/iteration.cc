@@ -28,7 +28,12 @@ void Iteration::start() {
   State state;
   if (program_.sub_file) {
     const uint16_t built_in = machine_.remapped_codes().built_in_within(program_.name(program_.entry));
-    calls_.begin({program_.entry, 1, false, 30, static_cast<uint8_t>(built_in != 0), built_in}, true);
+    calls_.begin({.sub = program_.entry,
+                  .depth = 1,
+                  .passed = 30,
+                  .remaps = static_cast<uint8_t>(built_in != 0),
+                  .built_in = built_in},
+                 true);
     state.skip = machine_.full_label(kGlobalScope, program_.entry);
     state.seek = true;
     state.parameters.outside = true;

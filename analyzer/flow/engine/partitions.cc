@@ -10,7 +10,7 @@ RecordId Partition::find(uint64_t hash) const {
 }
 
 Partition& Partitions::at(const State& state) {
-  constexpr uint32_t kFew = 8;  // more at one place are not gone through one by one
+  constexpr uint32_t kFew = 8;  // more at one line are not gone through one by one
   const uint8_t executed = state.skip == kNoLabel ? uint8_t{0} : state.flags.executed;
   const auto hash = [](ContextId context, FullLabel skip, NameId defining, uint8_t taken, bool seek, bool looped,
                        StatementId position) {
@@ -31,7 +31,7 @@ Partition& Partitions::at(const State& state) {
       if (fits(all_[i])) return all_[i];
     }
   } else {
-    const auto [first, last] = by_mode_.equal_range(
+    const auto [first, last] = by_situation_.equal_range(
         hash(state.context, state.skip, state.defining, executed, state.seek, state.looped, state.position));
     for (auto found = first; found != last; ++found) {
       if (fits(all_[found->second])) return all_[found->second];
@@ -43,9 +43,9 @@ Partition& Partitions::at(const State& state) {
                   std::pmr::vector<std::pair<RecordId, Branch>>(&memory_), false});
   head = number;
   if (rank == kFew) {
-    for (uint32_t i = head; i != kNone; i = all_[i].next) by_mode_.emplace(hash_of(all_[i]), i);
+    for (uint32_t i = head; i != kNone; i = all_[i].next) by_situation_.emplace(hash_of(all_[i]), i);
   } else if (rank > kFew) {
-    by_mode_.emplace(hash_of(all_[number]), number);
+    by_situation_.emplace(hash_of(all_[number]), number);
   }
   return all_.back();
 }

@@ -1,6 +1,6 @@
-// The states that were seen at each line. States in one mode (same call, same skip) are a partition: its states are kept apart
-// while they are few, and joined into one when they are many. So the cost grows with the program, never with the number of
-// its paths.
+// The states that were seen at each line. Those in one situation (same call, same skip, and while lines are skipped the same flag
+// `executed`) are a partition: its states are kept apart while they are few, and joined into one when they are many. So the cost
+// grows with the program, never with the number of its paths.
 #pragma once
 
 #include <deque>
@@ -17,14 +17,14 @@ namespace owlint::flow {
 struct Partition {
   StatementId position;
   uint32_t number;
-  uint32_t rank;  ///< how many partitions at this place were there before
+  uint32_t rank;  ///< how many partitions at this line were there before
   ContextId context;
   FullLabel skip;
   NameId defining;
   bool seek;
   bool looped;
   uint8_t executed;  ///< while lines are skipped: the branch that was taken has assigned what the others have not
-  uint32_t next;     ///< the partition at this place that was there before
+  uint32_t next;     ///< the partition at this line that was there before
   std::pmr::vector<std::pair<uint64_t, RecordId>> seen;   ///< the states that were executed, by hash
   std::unique_ptr<State> joined;                          ///< the join of those that were not kept apart
   std::pmr::vector<std::pair<RecordId, Branch>> parents;  ///< records whose states wait in `joined`, and their branches
@@ -68,9 +68,9 @@ class Partitions {
   Separation& separation_;
   const Precision& precision_;
   std::pmr::memory_resource& memory_;
-  std::vector<uint32_t> heads_;                          // by position: the partition that came last
-  std::deque<Partition> all_;                            // a deque: growing moves nothing
-  std::unordered_multimap<uint64_t, uint32_t> by_mode_;  // at places where there are many
+  std::vector<uint32_t> heads_;                               // by position: the partition that came last
+  std::deque<Partition> all_;                                 // a deque: growing moves nothing
+  std::unordered_multimap<uint64_t, uint32_t> by_situation_;  // at lines that have many
   std::vector<uint32_t> joined_;
   uint64_t joined_states_ = 0;
 };

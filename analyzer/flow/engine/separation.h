@@ -1,5 +1,5 @@
-// Which states are kept apart where others are joined: those for which an operation will fail. Among other values the stop
-// would not be seen.
+// Whether one more state is joined with others or kept apart from them. How many there are decides, and there is more room for
+// states in which an operation will fail: joined with other values, the stop would not be seen.
 #pragma once
 
 #include <unordered_map>
@@ -17,7 +17,8 @@ class Separation {
       : program_(program), machine_(machine), precision_(precision), limits_(limits) {}
 
   /// Whether a state that enters the sub at `position`, or goes on in it, is joined with others where `there` are kept apart
-  /// already, and `most` are if nothing speaks for more. Those that will fail get twice the room.
+  /// already, and `most` are if nothing speaks for more. Those that will fail get Limits::times_for_failing times the room, but
+  /// not at the last level.
   bool joins(const State& state, StatementId position, size_t there, size_t most);
 
  private:

@@ -234,11 +234,11 @@ FullLabel AbstractMachine::full_label(NameId scope, NameId label) {
   return entry->second;
 }
 
-State AbstractMachine::resume(const State& caller, const State& exit, const Context& callee, bool merged) {
+State AbstractMachine::resume(const State& caller, const State& exit, const Context& callee, bool joined_calls) {
   State out = exit;
   const bool fanuc = callee.fanuc;
   const Effects& effects = effects_.of(callee.sub);
-  if (merged) {
+  if (joined_calls) {
     // The exit was computed for many callers at once. What the callee cannot have changed is as it was for this one, and a
     // label that was defined still is: no call takes one away.
     out.table =
@@ -249,7 +249,7 @@ State AbstractMachine::resume(const State& caller, const State& exit, const Cont
           return after == 0 ? before : definers_.without_undefined(after);
         });
   }
-  if (merged && !effects.everything) {
+  if (joined_calls && !effects.everything) {
     out.parameters.globals = PersistentMap::merge(
         pool_, caller.parameters.globals, exit.parameters.globals, [&](uint32_t key, uint32_t before, uint32_t after) {
           return effects.globals.contains(key) || effects.any_global ? after : before;
@@ -261,7 +261,7 @@ State AbstractMachine::resume(const State& caller, const State& exit, const Cont
     if (!effects.tests) out.flags.executed = caller.flags.executed;
   }
   out.joined = exit.joined || caller.joined;
-  out.mixed = exit.mixed || caller.mixed || (merged && effects.everything);
+  out.mixed = exit.mixed || caller.mixed || (joined_calls && effects.everything);
   out.position = caller.position + 1;
   out.context = caller.context;
   out.defining = kNoName;

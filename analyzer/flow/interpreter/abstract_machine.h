@@ -34,7 +34,8 @@ namespace owlint::flow {
 
 inline constexpr NameId kGlobalScope = UINT32_MAX - 1;  ///< of `sub`, `endsub`, `call`, `return`, bare `O`, M98
 
-/// A call in progress, merged over all calls that begin in the same state.
+/// A call in progress, one for all calls that begin in the same state: the part of a Frame (engine/calls.h) that the machine
+/// sees.
 struct Context {
   NameId sub = kNoName;
   int depth = 0;
@@ -128,8 +129,8 @@ class AbstractMachine {
   /// The lattice of the machine's states.
   StateDomain& states() { return states_; }
   /// The state after a call: the callee's effects, with the caller's own parameters restored.
-  /// `merged`: the exit stands for the calls of several callers.
-  State resume(const State& caller, const State& exit, const Context& callee, bool merged);
+  /// `joined_calls`: the exit stands for the calls of several callers.
+  State resume(const State& caller, const State& exit, const Context& callee, bool joined_calls);
 
   /// Whether a skipping state is at the line that it skips to.
   bool is_target(const State& state, const Context& context) const;
@@ -186,7 +187,7 @@ class AbstractMachine {
   }
 
  private:
-  struct Step;  // one step in progress: machine_step.cc
+  struct Step;  // one step in progress: step.h
   friend struct Step;
 
   void index();

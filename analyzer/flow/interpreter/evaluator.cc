@@ -265,7 +265,7 @@ Evaluation Evaluator::target(double value, long* number) const {
 
 Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog* log) {
   const Reading how{Unset::kAny, Undefined::kStops, log};
-  Evaluation may;  // the first thing that stops on some of the merged paths
+  Evaluation may;  // the first thing that stops on some of the joined paths
   struct Assigned {
     long number;  // 0: unknown number; -1: a name
     NameId name;

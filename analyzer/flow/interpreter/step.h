@@ -113,7 +113,7 @@ struct AbstractMachine::Step {
 
   // --- evaluating ---
 
-  /// False if evaluation stops the interpreter on every merged path.
+  /// False if evaluation stops the interpreter on every joined path.
   bool settle(const Evaluation& e, bool at_definition = false) {
     const StopKind kind = e.fails != StopKind::kNone ? e.fails : e.may_fail;
     if (kind != StopKind::kNone) {
@@ -124,13 +124,13 @@ struct AbstractMachine::Step {
         message = "Named parameter #<" + detail + "> not defined";
       }
       if (at_definition) out.hazard(state, HazardReport::of_error(HazardKind::kValueAtDefinition, kind, message));
-      const bool merged = e.fails == StopKind::kNone;
+      const bool on_some_paths = e.fails == StopKind::kNone;
       const bool mixed = state.mixed;
-      // It is not known on which of the merged paths, nor whether one of them gets here.
-      state.mixed = mixed || (kind == StopKind::kNameUndefined && (merged || state.joined));
+      // It is not known on which of the joined paths, nor whether one of them gets here.
+      state.mixed = mixed || (kind == StopKind::kNameUndefined && (on_some_paths || state.joined));
       stop(kind, std::move(message), kNoStatement, std::move(detail));
       state.mixed = mixed;
-      if (merged && kind == StopKind::kNameUndefined) m.evaluator_.assume_there(e.name, state.parameters);
+      if (on_some_paths && kind == StopKind::kNameUndefined) m.evaluator_.assume_there(e.name, state.parameters);
     }
     return e.fails == StopKind::kNone;
   }

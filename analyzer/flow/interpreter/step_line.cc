@@ -87,7 +87,7 @@ void AbstractMachine::Step::plain() {
 
 /// What no line of a contour stops with: nothing of it is executed, and some axes may be named that the machine does not have.
 bool AbstractMachine::Step::passes_in_contour(const LineError& error) {
-  if (is_of_execution(error.kind)) return true;
+  if (is_of_modes_or_place(error.kind)) return true;
   return error.message == "Bad character 'u' used" || error.message == "Bad character 'w' used";
 }
 
