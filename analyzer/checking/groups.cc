@@ -70,6 +70,7 @@ class CommonFaults {
     }
     for (auto& [key, group] : groups_) word(group);
     fold_by_folder();
+    fold_partial();
   }
 
  private:
@@ -175,6 +176,42 @@ class CommonFaults {
       size_t at = 0;
       std::erase_if(reports_[of_report.first].findings,
                     [&](const Finding&) { return of_report.second.contains(at++); });
+    }
+  }
+
+  /// INIs without all the files that they name are one fact about a folder, such as that it has only the programs.
+  void fold_partial() {
+    struct First {
+      Finding* finding;
+      const Source* source;
+      size_t others = 0;
+    };
+    std::map<std::pair<std::string, std::string_view>, First> of_folder;  // by folder of the run, code
+    const auto is_partial = [](const Finding& f) { return !f.missing.empty() && f.severity == Severity::kInfo; };
+    for (FileReport& report : reports_) {
+      if (std::ranges::none_of(report.findings, is_partial)) continue;
+      const std::string folder(folder_of_run(file_key(report.source->path())));
+      std::vector<Finding> kept;
+      kept.reserve(report.findings.size());  // what `of_folder` refers to stays where it is
+      for (Finding& f : report.findings) {
+        First* const first =
+            is_partial(f) ? &of_folder.try_emplace({folder, f.code}, First{nullptr, nullptr}).first->second : nullptr;
+        if (first != nullptr && first->finding != nullptr) {
+          ++first->others;
+          if (first->finding->related.size() < kMaxPlaces)
+            first->finding->related.push_back({f.span, "files are missing here, too",
+                                               first->source == report.source.get() ? nullptr : report.source});
+          continue;
+        }
+        kept.push_back(std::move(f));
+        if (first != nullptr) *first = {&kept.back(), report.source.get()};
+      }
+      report.findings = std::move(kept);
+    }
+    for (auto& [key, first] : of_folder) {
+      if (first.others > 0)
+        first.finding->message +=
+            fmt::format("; files are missing in {} other place{}, too", first.others, first.others > 1 ? "s" : "");
     }
   }
 

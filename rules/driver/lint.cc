@@ -74,16 +74,6 @@ void run_rules(const Input& input, const LintOptions& options, const SeverityPol
   }
 }
 
-/// In a program for another controller the first line at which every run stops stays what it is: LinuxCNC does stop there.
-void keep_first_stop(const SeverityPolicy& policy, std::vector<Finding>& findings) {
-  const auto first = std::ranges::find_if(
-      findings, [](const Finding& f) { return f.weight == Weight::kAside && f.stops && f.reach == Reach::kAlways; });
-  if (first == findings.end()) return;
-  first->weight = Weight::kFull;
-  const Rule& rule = rule_of(*first);
-  first->severity = decide_severity(*first, rule.level, rule.group == Group::kAbortList, policy);
-}
-
 }  // namespace
 
 bool selected(const Rule& rule, const LintOptions& options) {
@@ -210,7 +200,6 @@ class Check {
     }
     apply_suppressions(*program->source, suppressions, report.findings);
     raise_behind_suppressed(policy, report.findings);
-    if (index.nature.kind == Nature::kOtherController) keep_first_stop(policy, report.findings);
     rules::fold_consequences(*program, flow, report.findings);
     if (own)
       run_rules({*program, flow, profile_, linked, suppressions, index, data, given_numbers, true}, options_, policy,

@@ -1,9 +1,28 @@
 // OW319 other-controller: a program for a controller other than LinuxCNC.
 // Depends on: the marks in analyzer/syntax/controllers.cc, each of which stops LinuxCNC, or a comment that names the controller.
+#include <algorithm>
+
+#include "rules/driver/behind_stops.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow319 {
 namespace {
+
+/// Where every run stops at a line, the finding is about that line: others in the file are info.
+void stop_at_first_line(const Input& in, Finding& f) {
+  const StatementId at = stop_of_every_run(in.flow);
+  const auto stop = std::ranges::find_if(
+      in.flow.stops, [&](const FlowStop& s) { return s.statement == at && s.reach == Reach::kAlways && !s.unproven; });
+  if (at == kNoStatement || stop == in.flow.stops.end()) return;
+  f.stops = true;
+  f.interpreter = stop->interpreter;
+  const Span line = in.program.at(at).whole();
+  const auto is_here = [&](Span span) { return span.begin >= line.begin && span.end <= line.end; };
+  std::erase_if(f.related, [&](const Related& other) { return is_here(other.span); });
+  if (is_here(f.span)) return;
+  f.related.insert(f.related.begin(), {f.span, "only such programs have this", nullptr});
+  f.span = line;
+}
 
 void check(const Input& in, Reporter& out) {
   const Nature& nature = in.index.nature;
@@ -12,6 +31,7 @@ void check(const Input& in, Reporter& out) {
       nature.mark, "this looks like a program for " + std::string(nature.controller) + "; owlint checks for LinuxCNC");
   if (nature.other_mark.end > nature.other_mark.begin)
     f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
+  stop_at_first_line(in, f);
   f.help = "leave the file out of the check with `--exclude`, or write the program for LinuxCNC";
   f.reach = Reach::kAlways;
 }
@@ -31,7 +51,7 @@ Haas, Mach3 and Mach4, PathPilot, a 3D printer (Marlin, Klipper), Siemens, Heide
 needs one clear sign (a line that stops LinuxCNC and cannot be a typing error), two weaker ones, or a
 comment that names the controller together with a code that LinuxCNC does not have. A few such lines in a program with O-word blocks are mistakes, and are
 reported as mistakes.)",
-            .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller first;
+            .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller there, once;
 other stops in the file are info, and what no run reaches is not reported.)",
             .bad = R"(O9010
 IF [#1 EQ #0] GOTO 90
@@ -53,8 +73,8 @@ o9010 call
 M2
 )",
             .fix = R"(Write the program for LinuxCNC, or leave the file out of the check.)",
-            .level_reason = "Warning: the program stops, but perhaps it is meant for another machine.",
-            .interpreter = "",
+            .level_reason = "Error if every run stops at one of its lines. Warning otherwise.",
+            .interpreter = "Unknown word starting with f",
             .options = "",
         },
     .check = check,

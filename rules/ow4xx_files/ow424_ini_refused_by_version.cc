@@ -100,6 +100,7 @@ void check_age(const SetupInput& in, Reporter& out) {
              version == nullptr
                  ? "`[EMC]` has no `VERSION`: LinuxCNC 2.8 and 2.9 convert this INI before they start"
                  : "`VERSION = " + version->value + "`: LinuxCNC 2.8 and 2.9 convert this INI before they start");
+  f.group = "INI of 2.7";  // a folder of old configurations has many
   f.help = "let LinuxCNC convert it, or run `update_ini` on a copy; if the machine has 2.7, leave it as it is";
   f.interpreter = "INI file [EMC]VERSION indicates update is needed, but the update GUI can't run without an X display";
   if (!in.profile.version_given) f.weight = Weight::kAside;

@@ -260,6 +260,8 @@ void check(const Input& in, Reporter& out) {
         out.add(read_span(p, s.statement, "#<" + s.detail + ">"), fmt::format("{} is read here, but {}", name, why));
     f.help = "assign " + name + " first; a name without `_` belongs to the sub in which it is assigned";
     f.uncertain = cases || (some && local && p.syntax.runs_python);  // a list of cases may name all that there are
+    // Then all names that the sub assigns in these cases are one question to its author.
+    if (cases) f.group = fmt::format("cases of region {} in {}", p.region_of[s.statement], p.source->path());
     // A global that the program says it needs comes from outside.
     if (!documented) documented = leading_comment(*p.source);
     if (s.detail.starts_with("_") && documented->find("#<" + s.detail + ">") != std::string::npos) {

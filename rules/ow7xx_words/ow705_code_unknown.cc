@@ -39,6 +39,7 @@ void user_code(const Input& in, int number, Finding& f) {
   f.habit_severity = Severity::kInfo;
   f.message = user_code_text(number, in.profile.setup.get());
   if (in.profile.setup == nullptr) {
+    f.group = "user codes without an INI";  // which would answer for all of them
     f.help = "name the machine's INI (`--ini`), so that owlint can look for it";
     f.unproven = true;
     return;
@@ -93,6 +94,7 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   if (const auto& perhaps = in.profile.remapped_perhaps; perhaps != nullptr && perhaps->contains(name)) {
     f.message = "`" + written + "` is not a code of LinuxCNC; one of the machine INIs near this program remaps it";
     f.help = "name the machine's INI (`--ini`), so that owlint knows its codes";
+    f.group = "codes that an INI near the program remaps";
     f.unproven = f.uncertain = true;
     return;
   }

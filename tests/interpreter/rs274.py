@@ -18,6 +18,8 @@ WALL_LIMIT_S = 60
 STDERR_READ = 20_000
 HANG_SAYS = 120             # characters kept of the warnings of an endless loop
 MODES = {"default": None, "warnonly": "OWORD_WARNONLY = 1\n", "mask": "FEATURES = 0x20\nFEATURE = 0x20\n"}
+# What it says of a REMAP that it cannot use; then it goes on.
+_GOES_ON = re.compile(r"REMAP BUG=|^unrecognized option '.*\d+:REMAP = ")
 AT_FILE_END = re.compile(r"File ended|EOF in file|Failed to find sub")
 
 available = shutil.which("rs274") is not None
@@ -82,8 +84,7 @@ def _run(path, mode, block_delete):
 
 
 def _outcome(path, status, text, x):
-    # It says this of a REMAP that it cannot use, and goes on.
-    lines = [line for line in text.split("\n") if "REMAP BUG=" not in line] or [""]
+    lines = [line for line in text.split("\n") if not _GOES_ON.search(line)] or [""]
     message = lines[0].replace(path, "PROGRAM").strip()
     if status in (-signal.SIGXCPU, -signal.SIGKILL):
         return Outcome("hang", 0, message[:HANG_SAYS])

@@ -4,7 +4,7 @@
 usage: noise.py --owlint build/release/owlint DIR...   print the table for these programs
        noise.py --owlint build/release/owlint --kept   compare with what docs/rules/noise.md keeps (the test)
 
-Counted are errors and warnings; a finding that stands for many places counts once. INI files are not programs, their findings
+Counted are errors, warnings and infos; a finding that stands for many places counts once. INI files are not programs, their findings
 count.
 
 docs/rules/noise.md has a row for each rule: its level, why, and its findings per 100 programs, in two sets of programs:
@@ -21,13 +21,14 @@ import subprocess
 import sys
 from collections import Counter
 
+SEVERITIES = ("error", "warning", "info")
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 PAGE = os.path.join(ROOT, "docs", "rules", "noise.md")
 OURS = os.path.join(ROOT, "tests", "noise", "programs")
 REAL = os.path.normpath(os.path.join(ROOT, "..", "shared", "programs"))
 HEAD = """# Levels, and how often each rule reports something
 
-Made by `./dev noise`, which runs owlint with its default settings and counts what a user sees: errors and warnings. The last two
+Made by `./dev noise`, which runs owlint with its default settings and counts what a user sees: errors, warnings and infos. The last two
 columns are findings per 100 programs: for 716 programs from 25 public repositories, and for the programs in `tests/noise/programs`,
 which are correct and written as people write them. A test fails if a rule reports more than this page says.
 
@@ -54,23 +55,22 @@ class Noise:
         self.names = {}
         for file in files:
             for finding in file["findings"]:
-                if finding["severity"] != "info":
-                    self.counts[finding["code"], finding["severity"]] += 1
-                    self.names[finding["code"]] = finding["rule"]
+                self.counts[finding["code"], finding["severity"]] += 1
+                self.names[finding["code"]] = finding["rule"]
 
     def per_hundred(self, number):
         return 100.0 * number / max(self.programs, 1)
 
     def of(self, code):
-        return round(self.per_hundred(self.counts[code, "error"] + self.counts[code, "warning"]), 1)
+        return round(self.per_hundred(sum(self.counts[code, severity] for severity in SEVERITIES)), 1)
 
     def total(self):
         return self.per_hundred(sum(self.counts.values()))
 
     def table(self):
-        yield "%-6s %-28s %8s %8s %12s" % ("code", "rule", "errors", "warnings", "per 100")
+        yield "%-6s %-28s %8s %8s %8s %12s" % ("code", "rule", "errors", "warnings", "infos", "per 100")
         for code in sorted(self.names, key=lambda c: (-self.of(c), c)):
-            yield "%-6s %-28s %8d %8d %12.1f" % (code, self.names[code], self.counts[code, "error"], self.counts[code, "warning"], self.of(code))
+            yield "%-6s %-28s %8d %8d %8d %12.1f" % (code, self.names[code], *(self.counts[code, severity] for severity in SEVERITIES), self.of(code))
         yield "%d findings in %d programs: %.1f per 100" % (sum(self.counts.values()), self.programs, self.total())
 
 

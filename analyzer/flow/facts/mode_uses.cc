@@ -35,7 +35,8 @@ bool reads_position(const Syntax& syntax) {
 
 /// What most codes ask for before they act: a computed one may be any of them.
 constexpr ModeMask kAskedByCodes = mask_of(Mode::kFeed) | mask_of(Mode::kTurning) | mask_of(Mode::kPlane) |
-    mask_of(Mode::kDistance) | mask_of(Mode::kCompensation) | mask_of(Mode::kMotion);
+    mask_of(Mode::kDistance) | mask_of(Mode::kCompensation) | mask_of(Mode::kMotion) | mask_of(Mode::kUnits) |
+    mask_of(Mode::kRadius) | mask_of(Mode::kEntry);
 
 bool computes_code(const Syntax& syntax, const Statement& asks) {
   return std::ranges::any_of(syntax.words_of(asks), [](const ModeWord& word) {
