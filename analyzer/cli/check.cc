@@ -179,10 +179,9 @@ class Check {
     std::string error;
     if (line_.update_baseline) {
       Baseline fresh;
-      size_t known = 0;
       for (FileReport& report : result_.reports) {
         fresh.add(*report.source, report.findings);
-        known += report.findings.size();
+        hidden_ += report.findings.size();
         report.findings.clear();
       }
       std::ostringstream text;
@@ -192,7 +191,7 @@ class Check {
         return false;
       }
       if (!line_.quiet)
-        std::cerr << fmt::format("recorded {} in {}\n", counted(known, "known finding"), line_.baseline);
+        std::cerr << fmt::format("recorded {} in {}\n", counted(hidden_, "known finding"), line_.baseline);
       return true;
     }
     Baseline baseline;
@@ -203,11 +202,10 @@ class Check {
       complain(error);
       return false;
     }
-    size_t known = 0;
-    for (FileReport& report : result_.reports) known += baseline.take_out(*report.source, report.findings);
+    for (FileReport& report : result_.reports) hidden_ += baseline.take_out(*report.source, report.findings);
     if (line_.quiet) return true;
-    if (known > 0)
-      std::cerr << fmt::format("{} not shown (listed in {})\n", counted(known, "known finding"), line_.baseline);
+    if (hidden_ > 0)
+      std::cerr << fmt::format("{} not shown (listed in {})\n", counted(hidden_, "known finding"), line_.baseline);
     if (const size_t gone = baseline.gone(); gone > 0)
       std::cerr << fmt::format("{} of {} no longer there; `--update-baseline` removes them\n", counted(gone, "finding"),
                                line_.baseline);
@@ -244,7 +242,8 @@ class Check {
       complain(fmt::format("cannot write {}: {}", line_.output, std::strerror(errno)));
       return false;
     }
-    const Totals totals = totals_of(result_.reports);
+    Totals totals = totals_of(result_.reports);
+    totals.hidden = hidden_;
     if (!format.for_people || line_.quiet || totals.files == 0) return true;
     std::cerr << totals_text(totals) << '\n';
     Fixable fixable;
@@ -281,6 +280,7 @@ class Check {
   std::vector<const Settings*> wanted_;
   Library library_;
   RunResult result_;
+  size_t hidden_ = 0;  // findings that the baseline lists
 };
 
 }  // namespace

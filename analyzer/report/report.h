@@ -19,6 +19,7 @@ struct Totals {
   size_t errors = 0;
   size_t warnings = 0;
   size_t infos = 0;
+  size_t hidden = 0;  ///< known findings, which are not shown
 
   void count(const Finding& finding);
   size_t total() const { return errors + warnings + infos; }

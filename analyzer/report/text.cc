@@ -78,6 +78,7 @@ class Writer {
                                          at.line, at.column, c_.reset, tint, severity_text(f.severity), c_.reset,
                                          c_.bold, printable(f.message), c_.reset, c_.dim, f.code, f.rule, c_.reset);
     out_ << wrapped(head, style_.width, "      ") << '\n';
+    last_line_ = {};
     line_of(source, f.span, '^', "", tint);
     const Source* shown = &source;
     const size_t listed = f.related.size() > kMostPlaces ? kMostPlaces - 1 : f.related.size();
@@ -140,7 +141,9 @@ class Writer {
         snippet(source, span,
                 style_.width == 0 ? kWidest : std::clamp(style_.width, gutter + kNarrowest, gutter + kWidest) - gutter);
     const std::string below = fmt::format("{}{} |{} ", c_.dim, std::string(number.size(), ' '), c_.reset);
-    out_ << fmt::format("{}{} |{} {}\n", c_.dim, number, c_.reset, shown.text);
+    // Several places of one line are marked below it.
+    if (std::pair line(&source, number + shown.text); std::exchange(last_line_, line) != line)
+      out_ << fmt::format("{}{} |{} {}\n", c_.dim, number, c_.reset, shown.text);
     out_ << fmt::format("{}{}{}{}{}", below, std::string(shown.pad, ' '), color, std::string(shown.marked, mark),
                         c_.reset);
     const size_t used = gutter + shown.pad + shown.marked + 1;
@@ -162,6 +165,7 @@ class Writer {
   std::ostream& out_;
   const ReportStyle& style_;
   const Colors& c_;
+  std::pair<const Source*, std::string> last_line_{};  // of the finding that is being written
 };
 
 }  // namespace
@@ -189,7 +193,7 @@ void write_text(std::ostream& out, const FileReport& file, const ReportStyle& st
 std::string totals_text(const Totals& totals) {
   const auto count = [](size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
   const std::string files = count(totals.files, "file");
-  if (totals.total() == 0) return fmt::format("nothing found in {}", files);
+  if (totals.total() == 0) return fmt::format("nothing {}found in {}", totals.hidden > 0 ? "new " : "", files);
   std::string text;
   const auto add = [&](size_t n, std::string_view what) {
     if (n > 0) text += (text.empty() ? "" : ", ") + count(n, what);

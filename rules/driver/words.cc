@@ -81,7 +81,8 @@ std::optional<LineError> word_error(const Program& program, const FlowStop& stop
   if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
   const Statement* const asks = s.kind == LineKind::kModeLine ? &s : mode_line_of(syntax, stop.statement);
   // A computed number that is refused comes before a mistake further on.
-  if (const LineError* error = syntax.error(s); error != nullptr && (error->kind == stop.kind || s.kind == LineKind::kModeLine))
+  if (const LineError* error = syntax.error(s);
+      error != nullptr && (error->kind == stop.kind || s.kind == LineKind::kModeLine))
     return *error;
   if (asks == nullptr) return std::nullopt;
   const auto words = syntax.words_of(*asks);

@@ -45,9 +45,7 @@ run.)",
             .why =
                 R"(The interpreter stops at the second `sub` line that a run gets to, even if the two subs are equal. A
 second definition after `M2` or `M30`, or in a skipped block, is never reached: LinuxCNC uses the
-first one, and changes in the other have no effect.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+first one, and changes in the other have no effect.)",
             .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80

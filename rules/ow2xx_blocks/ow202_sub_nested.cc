@@ -91,9 +91,7 @@ extern const Rule kRule{
 `o300` on a line of its own counts too. Often the `endsub` of the first sub is missing.)",
             .why = R"(The interpreter stops at the inner `sub` line when it skips the outer definition: before the first
 move, even if nothing calls either of them. In a called file LinuxCNC up to 2.9 accepts it; from
-2.10 on it stops there too.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+2.10 on it stops there too.)",
             .bad = R"(G21 G90
 o100 sub
   o110 sub

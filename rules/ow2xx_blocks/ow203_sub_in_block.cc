@@ -53,9 +53,7 @@ program runs through that block.)",
             .why = R"(In a loop the interpreter stops at the `sub` line in the second pass, when the work of the first
 pass is already done. If an `if` is skipped, the sub does not exist: a later call looks for it up to
 the end of the file and stops with `EOF in file … seeking o-word`. If the `if` is taken, it
-works.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+works.)",
             .bad = R"(G21 G90
 #<x> = 0
 o100 while [#<x> LT 40]

@@ -136,9 +136,7 @@ extern const Rule kRule{
 loop does not loop. If it is false, the interpreter skips everything up to the end of the file,
 including `M2`, and stops there. The message is about the end of the file, not about the block. From
 2.9.10 on it is `File ended with no percent sign (%) or program end (M2)`; in a program between `%`
-signs it is `Failed to find sub 'O#100' before EOF`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+signs it is `Failed to find sub 'O#100' before EOF`.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

@@ -65,9 +65,7 @@ program later comes to the definition itself, it stops, although it is the same 
 before are already cut. If `M2` or `M30` comes between the calls and the definition, it works.
 
 While it looks ahead, LinuxCNC does not see other subs on the way. If the called sub calls one of
-them, the program stops with `EOF in file … seeking o-word`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+them, the program stops with `EOF in file … seeking o-word`.)",
             .bad = R"(G21 G90
 o100 call [10]
 o100 call [30]

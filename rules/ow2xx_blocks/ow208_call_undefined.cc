@@ -238,9 +238,7 @@ calls in the checked folder. owlint also looks for the subs that the INI itself 
                 R"(The interpreter first looks for a file (`o200 call` for `200.ngc`, `o<drill> call` for `drill.ngc`).
 Then it looks ahead through the rest of the program for the `sub` line, and stops at the end of the
 file. In a program between `%` signs the message is `Failed to find sub 'O200' before EOF`. This
-happens when the call is executed, not when the program is loaded.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+happens when the call is executed, not when the program is loaded.)",
             .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80

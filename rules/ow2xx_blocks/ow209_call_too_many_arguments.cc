@@ -31,9 +31,7 @@ extern const Rule kRule{
         {
             .what = R"(A `call` with more than 30 values in brackets.)",
             .why = R"(The arguments become `#1` to `#30` of the sub; there is no place for a 31st. `#31` and above are
-global, so a sub that reads `#31` reads no argument. The interpreter stops at the line.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+global, so a sub that reads `#31` reads no argument. The interpreter stops at the line.)",
             .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y#2 Z#3 R2 F80

@@ -50,9 +50,7 @@ extern const Rule kRule{
                 R"(Calls nested more than nine deep, or a sub that calls itself, directly or through other subs, without
 an exit.)",
             .why = R"(LinuxCNC allows nine calls inside each other. It stops at the tenth, in the middle of the ninth: a
-pecking cycle that calls itself without an exit makes nine pecks and stops.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+pecking cycle that calls itself without an exit makes nine pecks and stops.)",
             .bad = R"(G21 G90
 o<peck> sub
   G1 Z[0 - #1] F80

@@ -99,9 +99,7 @@ other kind, `M99` in the first kind, and `endsub` or `return` in the second.)",
 call'`, `Fanuc 'O....' subroutine must be called with 'M98'`, `'O.... endsub' or 'O.... return' must
 follow 'O.... sub' subroutine definition`, `Fanuc 'O....' subroutine definition must end with
 'M99'`. If the end is of the wrong kind, it stops only after the sub has run. Unlike `call`, `M98`
-does not pass arguments and does not restore `#1` to `#30`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+does not pass arguments and does not restore `#1` to `#30`.)",
             .bad = R"(G21 G90
 o100 sub
   G91 G0 X10

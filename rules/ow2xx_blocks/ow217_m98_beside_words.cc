@@ -188,9 +188,7 @@ LinuxCNC reads the other words of an `M98` line, even on a skipped line, and che
 calls, but **it does not execute them**: after `M98 P7001 G0 X5` the machine has not moved to X5, and
 `M98 P7001 M2` does not end the program. An assignment there is lost. A word that needs a code, as in
 `M98 P7001 H5`, stops the program, and so does an axis word where no motion mode is on: see OW707 and
-OW709.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+OW709.)",
             .bad = R"(G21 G90
 G0 X0 Y0 Z5
 M98 P7001 L3

@@ -42,9 +42,7 @@ label that is computed, such as `o#1`, alone on a line.)",
 next line. It does not call the sub, and there is **no message**. Inside a sub the line stops the
 program with `Nested subroutine definition` or `Fanuc 'O....' subroutine must be called with 'M98'`.
 
-A number as the first word of the program is the program's own number, and is not reported.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+A number as the first word of the program is the program's own number, and is not reported.)",
             .bad = R"(G21 G90
 o<drill> sub
   G0 X#1 Y10

@@ -53,9 +53,7 @@ when the sub is called.
 
 LinuxCNC recognises a keyword by its beginning: `endiff` is `endif` with an extra `f` and stops with
 `Unexpected character after O-word`; `iff [1]` is `if` without its bracket. Spaces do not matter:
-`end if` is `endif`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+`end if` is `endif`.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

@@ -73,9 +73,7 @@ extern const Rule kRule{
             .why = R"(LinuxCNC stops when it runs the line. Round brackets are a comment in LinuxCNC, so a condition in
 them is lost; a comment between the keyword and the bracket has the same effect. In a skipped branch
 there is no message, so the mistake may wait for the first run that gets there. A call with its
-arguments in round brackets passes none of them, and there is **no message**.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+arguments in round brackets passes none of them, and there is **no message**.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

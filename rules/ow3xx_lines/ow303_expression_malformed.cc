@@ -97,9 +97,7 @@ no message. There are many messages: `Unclosed expression` for a missing bracket
 `Unknown word where unary operation could be` for `NOT`, `Unknown word starting with s` for a
 function such as `SQR`, `Left bracket missing after unary operation name` for `SQRT #1`,
 `Slash missing after first atan argument`, `bad number format (conversion failed) parsing ''` for a
-missing value.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+missing value.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

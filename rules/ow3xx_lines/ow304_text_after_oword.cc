@@ -88,9 +88,7 @@ extern const Rule kRule{
                 R"(The interpreter stops at the line. But if it is skipping when it reads the line, it ignores the text
 without a message, even on the line where the skip ends. So `o100 endif G0 Z50` stops the program if
 the `if` was true, and **leaves out the retract** if it was false. The same is true for `else`,
-`elseif`, `endwhile`, `endrepeat` and for the `endsub` of a definition.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+`elseif`, `endwhile`, `endrepeat` and for the `endsub` of a definition.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

@@ -35,9 +35,7 @@ extern const Rule kRule{
 call [#1]`. Only the block delete `/` and a line number `N…` may come before it; not even a comment.)",
             .why = R"(The interpreter reads such a line as ordinary G-code and stops at the `o`. While it skips, or in a
 sub that nothing calls, it does not see the O-word: an `endif` or `endwhile` on such a line does not
-end its block, and LinuxCNC skips up to the end of the file.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+end its block, and LinuxCNC skips up to the end of the file.)",
             .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80

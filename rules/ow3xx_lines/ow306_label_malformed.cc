@@ -83,9 +83,7 @@ becomes the name. There is no keyword left, so the interpreter takes the line fo
 and does not call the sub. If all lines of a block lack the `>`, the block runs once, whatever its
 condition is, and a sub runs like ordinary lines. If only one line lacks it, the other end has an
 undefined label, or LinuxCNC looks for it up to the end of the file. Inside a sub such a line stops
-with `Nested subroutine definition`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+with `Nested subroutine definition`.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

@@ -37,9 +37,7 @@ extern const Rule kRule{
 many screens and printouts the two look the same.)",
             .why = R"(The interpreter stops at the line. While it skips, or in a sub that nothing calls, it ignores the
 line: a `01 else` does not count, a `01 endif` does not end its block, and LinuxCNC skips everything
-below, up to the end of the file.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+below, up to the end of the file.)",
             .bad = R"(G21 G90
 o100 sub
   G81 X#1 Y10 Z-5 R2 F80

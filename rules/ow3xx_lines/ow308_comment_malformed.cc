@@ -43,9 +43,7 @@ several lines.)",
             .why = R"(The interpreter stops when it reads the line, even in a branch that is not taken or in a sub that
 nothing calls, because it removes comments first. The two messages are `Nested comment found` and
 `Unclosed comment found`. After `;` any text is allowed, brackets too. A `)` without `(` is not a
-comment: it stops with `Bad character ')' used` when the line is executed.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+comment: it stops with `Bad character ')' used` when the line is executed.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 (drill 4 holes (deep) through the plate)

@@ -42,9 +42,7 @@ extern const Rule kRule{
             .what = R"(A line of more than 252 characters, with spaces and comment. The line end does not count.)",
             .why = R"(The interpreter stops when it reads the line, anywhere before the program end: in a comment, in a
 skipped branch, in a sub that nothing calls. Some post-processors write a whole job description into
-one comment.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+one comment.)",
             .bad = R"(G21 G90
 (part 4711 rev C, plate 160x120x12 EN AW-6082, clamp in the low vice with parallels 12 mm, stop on the left, zero on the upper left corner and on the top face, check the height of the clamps before the first run, tool 1 drill 8.5, tool 2 tap M10, tool 3 countersink 90 degrees, deburr all edges 0.3)
 G0 X10 Y10 Z5

@@ -43,9 +43,7 @@ controls allow that, and also several skip levels such as `/2`.)",
             .why = R"(LinuxCNC looks for `/` only at the very start of the line. Elsewhere it stops with the message
 below; `/2 G0 X5` stops with `Bad character '2' used`, and `o100 /if [1]` with `Unknown control
 command in o word`, whether block delete is on or off. Skipped lines and subs that nothing calls are
-not checked.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+not checked.)",
             .bad = R"(N10 G21 G90
 N20 G0 X10 Y10 Z5
 N30 G1 Z-2 F80

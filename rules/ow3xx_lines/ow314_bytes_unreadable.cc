@@ -126,9 +126,7 @@ in a value gives `bad number format (conversion failed) parsing ''`.
 
 In some cases there is no message. A NUL byte **cuts off the rest of its line**: a `Y` word after it
 is lost. A file with only CR is one long line to LinuxCNC: if it starts with a `;` comment,
-everything is comment. In comments, and in names between `< >`, accented letters are allowed.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+everything is comment. In comments, and in names between `< >`, accented letters are allowed.)",
             .bad = "G21 G90\n"
                    "G0\xC2\xA0X10 Y10 Z5\n"
                    "G1 Z-2 F80\n"

@@ -44,9 +44,7 @@ extern const Rule kRule{
             .what = R"(`o100 call [1 2]`, `o100 repeat [1 0]`: two numbers in one pair of brackets, with a space between
 them.)",
             .why = R"(LinuxCNC removes all spaces before it reads a line. `[1 2]` is the number 12: the sub gets **one
-argument, 12**, and its `#2` is 0. There is no message.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+argument, 12**, and its `#2` is 0. There is no message.)",
             .bad = R"(G21 G90
 o100 sub
   G0 X#1 Y#2

@@ -65,9 +65,7 @@ extern const Rule kRule{
                 R"(A call finds a file of that name on the search path, but the file has no `sub` line with the name.)",
             .why = R"(LinuxCNC reads the file from its beginning, looks for `o<name> sub`, and stops at the end of the
 file. It does not look further along the search path. So an empty or forgotten file of the same name
-hides the right one.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+hides the right one.)",
             .bad = R"(G21 G90
 o<bore> call [12]
 M2

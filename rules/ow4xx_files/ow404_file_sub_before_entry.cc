@@ -37,9 +37,7 @@ extern const Rule kRule{
             .why =
                 R"(For `o<drill> call` LinuxCNC reads `drill.ngc` up to the line `o<drill> sub` and ignores everything
 before it. When the sub calls the helper, LinuxCNC looks for a file with the helper's name, and then
-from the call to the end of the file. It does not find the helper, and stops.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+from the call to the end of the file. It does not find the helper, and stops.)",
             .bad = R"(G21 G90
 o<drill> call [10]
 M2

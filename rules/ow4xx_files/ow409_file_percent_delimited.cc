@@ -35,9 +35,7 @@ extern const Rule kRule{
             .what = R"(A program between `%` lines calls a file that is between `%` lines too.)",
             .why = R"(In a program that begins with `%`, the next `%` line ends the program, even in a called file.
 LinuxCNC finds the first `%` of the file before it finds the sub, and stops. A program without `%`
-can call the same file.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+can call the same file.)",
             .bad = R"(%
 G21 G90
 o<slot> call

@@ -213,9 +213,7 @@ constant. A second `endwhile` or `endrepeat` for a loop that has already ended h
 If some runs leave the loop and others never do, it is a warning.)",
             .why =
                 R"(LinuxCNC gives no message. If the loop has moves, the machine repeats them until somebody stops it.
-If it has none, the screen freezes, and the preview of the program never finishes loading.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+If it has none, the screen freezes, and the preview of the program never finishes loading.)",
             .bad = R"(G21 G90
 G0 X0 Y0 Z5
 #<z> = 0

@@ -63,7 +63,7 @@ out of range`, `Argument to acos out of range` or `Parameter number out of range
 right in every call.
 
 An undefined name does no harm there. In a called file, and in a sub below `M2`, the value is
-computed only in the call. FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+computed only in the call.)",
             .bad = R"(G21 G90
 o<pitch> sub
   o110 if [#1 EQ 0]

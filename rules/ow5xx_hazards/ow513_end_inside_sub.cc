@@ -41,9 +41,7 @@ reaches, while the caller has more lines after the call. An `M2` inside an `if` 
 neither is a call inside an `if`: programs use that to abort on purpose.)",
             .why =
                 R"(`M2` and `M30` end the whole program, not only the sub. There is no message; the job looks finished.
-In the first program below the second hole is missing.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+In the first program below the second hole is missing.)",
             .bad = R"(G21 G90
 o<hole> sub
   G0 X#1

@@ -54,9 +54,7 @@ a `return` inside an `if` has none.)",
             .why =
                 R"(If a sub returns without a value, LinuxCNC sets `#<_value>` to **0**, without a message. A height, a
 width or an angle of 0 then goes into the next move. `#<_value_returned>` says whether there was a
-value: 1 or 0.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+value: 1 or 0.)",
             .bad = R"(G21 G90
 o100 sub
   o110 if [#1 GT 10]

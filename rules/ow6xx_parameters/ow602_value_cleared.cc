@@ -34,9 +34,7 @@ extern const Rule kRule{
             .what = R"(A sub returns a value, but the program reads it only after a call of another sub, which returns
 none.)",
             .why = R"(There is one `#<_value>` for all subs. A sub that returns without a value, or with M99, sets it to
-**0**; so does a definition that is skipped. There is no message.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+**0**; so does a definition that is skipped. There is no message.)",
             .bad = R"(G21 G90
 o100 sub
 o100 endsub [#1 * 2]

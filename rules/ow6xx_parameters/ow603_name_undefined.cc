@@ -333,9 +333,7 @@ If the comment at the top of the program mentions a global name, owlint assumes 
 file that is called from outside gets its arguments as numbers. A remap passes letters (`#<p>`):
 owlint assumes that all of them exist, or, with an INI, only those in its `REMAP` line.
 `#<_ini[section]entry>` is an entry of the machine's INI; owlint looks it up if it knows the INI. It
-assumes that `#<_hal[pin]>` exists. A name that only some releases of the version have is a warning.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+assumes that `#<_hal[pin]>` exists. A name that only some releases of the version have is a warning.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

@@ -40,9 +40,7 @@ numbered parameter that only shows the machine's state, such as `#5400` (tool) o
                 R"(The interpreter stops at the line when it executes it. In a sub that nothing calls, or in a skipped
 branch, there is no message. For numbers the message is `Parameter is readonly`. It is easy to
 choose a global name that LinuxCNC already uses: `#<_a>` is the position of the A axis, `#<_feed>`
-the current feed. Without the underscore (`#<feed>`) the name is free.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+the current feed. Without the underscore (`#<feed>`) the name is free.)",
             .bad = R"(G21 G90
 #<_feed> = 120
 G0 X10 Y10 Z5

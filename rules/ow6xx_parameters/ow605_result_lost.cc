@@ -186,9 +186,7 @@ sub had changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`.
 `(debug, #5)` or another such comment shows counts as read.)",
             .why = R"(A call saves `#1` to `#30` and restores them when the sub returns. The sub's result is lost: the
 caller gets its own old value, usually 0. There is no message. Nothing is passed by reference: the sub
-gets the values of its arguments.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+gets the values of its arguments.)",
             .bad = R"(G21 G90
 o100 sub
   #5 = [#1 + #2]

@@ -43,9 +43,7 @@ extern const Rule kRule{
             .what = R"(A call passes more arguments than its sub reads, and the sub is in the same program. For example,
 the call passes a feed but the sub has a fixed number, or there is one `[...]` too many.)",
             .why = R"(LinuxCNC accepts up to 30 arguments for every sub, and gives no message if the sub does not read
-them. The value in the call has no effect: in the first program below, the machine goes to X0.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+them. The value in the call has no effect: in the first program below, the machine goes to X0.)",
             .bad = R"(G21 G90
 o100 sub
   G0 Z5

@@ -99,9 +99,7 @@ extern const Rule kRule{
 of the file) is not reported, because other programs call it; nor is a file that has only subs. If a
 call has a computed label, nothing is reported.)",
             .why = R"(LinuxCNC skips the definition. That is harmless, but the moves in it are never made: a call is
-missing, or it has another label. In the first program below the hole at X20 is missing.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+missing, or it has another label. In the first program below the hole at X20 is missing.)",
             .bad = R"(G21 G90
 o100 sub
   G0 X#1

@@ -45,9 +45,7 @@ whose counter starts on the wrong side.
 `[1]` and `[0]` are not reported, because they are written on purpose. Nor is a number that is set
 once in the program, for the user to change.)",
             .why = R"(LinuxCNC evaluates the condition and goes the same way every time, without a message. The lines of
-the other branch never run: in the first program below the machine stays at X0.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+the other branch never run: in the first program below the machine stays at X0.)",
             .bad = R"(G21 G90
 #1 = 0
 G0 X0 Z5

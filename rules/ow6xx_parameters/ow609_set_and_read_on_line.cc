@@ -63,9 +63,7 @@ extern const Rule kRule{
                 R"(A line that first sets a parameter and then reads it: `#1=6 G0 X#1`. A read before the assignment,
 or in the assigned value itself, is normal and not reported.)",
             .why = R"(LinuxCNC reads all values of a line before it sets anything. The move goes to the **old** value; a
-new name is 0. There is no message.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+new name is 0. There is no message.)",
             .bad = R"(G21 G90
 #1 = 5
 G0 Y#1

@@ -125,9 +125,7 @@ may read global names and numbers above `#30`, and the Python code of a machine 
 if the INI has a `[PYTHON]` section.)",
             .why = R"(LinuxCNC makes a new parameter for every new name. So a typing error sets a parameter that nothing
 reads, and the intended one keeps its old value. There is no message: in the first program below the
-machine goes to X10.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+machine goes to X10.)",
             .bad = R"(G21 G90
 #<width> = 10
 G0 Z5 Y#<width>

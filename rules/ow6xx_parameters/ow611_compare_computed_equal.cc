@@ -71,9 +71,7 @@ extern const Rule kRule{
 LinuxCNC two numbers are equal if they differ by less than 0.0001. If a step misses the end by more,
 the loop goes past it, and a loop with `NE` never ends. In the first program below, the step is 1/3
 rounded to four digits and the end is 10, so `EQ` is never true. The loop ends only because of its
-first condition.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+first condition.)",
             .bad = R"(G21 G90
 #<z> = 0
 #<found> = 0

@@ -40,9 +40,7 @@ extern const Rule kRule{
 example a depth divided by a step, `repeat [10/4]`.)",
             .why = R"(LinuxCNC rounds the count to the nearest whole number, and a half to the even one: 2.5 makes **2**
 passes, 3.5 makes 4, 0.5 makes none. The rest of the depth is not cut. With 0 or less there is no
-pass. There is no message.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+pass. There is no message.)",
             .bad = R"(G21 G90
 #<depth> = 10
 #<step> = 4

@@ -84,9 +84,7 @@ Without an INI owlint knows no axes: then it warns of `U`, `V` and `W`, which fo
 few other machines, and reports nothing about `A`, `B` and `C`.)",
             .why = R"(A word is a letter and a value. The interpreter stops when it executes such a line, with `Unknown
 word where unary operation could be` or `Unknown word starting with e`; at the letter of a missing
-axis with `Bad character 'u' used`. In a skipped branch there is no message.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+axis with `Bad character 'u' used`. In a skipped branch there is no message.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 GOTO 90

@@ -162,9 +162,7 @@ another word, `bad number format (trailing characters) parsing '1.2.5'` at a sec
 the line is executed.
 
 Blanks within a number do not count: `X1 0` is X10. There is no exponent either: `X1E5` is the two
-words X1 and E5.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+words X1 and E5.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G1 Z-2.0.5 F80

@@ -120,9 +120,7 @@ integer value for integer`, `G-code out of range` and the like. Nothing of the l
 
 `D`, `P`, `Q`, `R` and the axes may have any value; the codes that use them check it when they run.
 A number counts as whole within 0.0001. A whole number above 2147483647 counts as negative. `G10`
-takes a `P` of 1.5 to 1.99 for 2, but refuses 1.4.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+takes a `P` of 1.5 to 1.99 for 2, but refuses 1.4.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G1 Z-2 F-80

@@ -46,9 +46,7 @@ two should be another letter. `G` and `M` may be repeated: see OW706.)",
 line is executed.
 
 A second `P` or `Q` is accepted if the first is -1 or less, and the last one counts. The same goes
-for `@` and `^`, whatever their values.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+for `@` and `^`, whatever their values.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G1 X20 X30 F80

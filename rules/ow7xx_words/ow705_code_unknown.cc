@@ -156,9 +156,7 @@ machine's INI (`--ini`) owlint knows them. Without it, a code that only some mac
             .why =
                 R"(LinuxCNC stops when it reads the line, with `Unknown g code used`, `Unknown m code used: M17` or `M-code
 greater than 199: M428`. Nothing of the line is executed. M100 to M199 are read without an error, and
-`Unknown m code used: M110` comes when the line is executed and there is no such program.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+`Unknown m code used: M110` comes when the line is executed and there is no such program.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 M13 S1000

@@ -58,8 +58,10 @@ void one_group(const Program& p, const FlowStop& stop, const WordStop& at, Findi
   }
   const std::string other = at.other_word.empty() ? "another code of its group" : "`" + at.other_word + "`";
   f.message = fmt::format("{} and `{}` cannot be on one line: {}", other, at.word, reason(at));
-  f.help = reason(at) == what_both_do(MGroup::kCoolant) ? "write two lines; after `M7` and `M8` both are on"
-                                                        : "remove one of them, or write them on two lines";
+  const bool both_on =
+      reason(at) == what_both_do(MGroup::kCoolant) && !at.word.ends_with('9') && !other.ends_with("9`");
+  f.help =
+      both_on ? "write two lines; after `M7` and `M8` both are on" : "remove one of them, or write them on two lines";
 }
 
 void with_g53(const WordStop& at, Finding& f) {
@@ -136,9 +138,7 @@ g codes used from same modal group`, `Two m codes used from same modal group` or
 line`. Nothing of the line is executed. docs/codes.md has the group of every code.
 
 `G80` is the exception: beside another motion it has no effect. `G90` and `G90.1`, or `G92` and `G92.1`,
-are of different groups.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+are of different groups.)",
             .bad = R"(G21 G90
 G0 G1 X10 Y10 F200
 M2

@@ -101,9 +101,7 @@ word that a code refuses: `A`, `B` or `C` in a drilling cycle, `F` with `G33`.)"
 not exact; owlint's come from runs of the interpreter, and docs/codes.md has them. Nothing of the line
 is executed.
 
-`F`, `S` and `T` need no code. `Q-1` counts as no `Q`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+`F`, `S` and `T` need no code. `Q-1` counts as no `Q`.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G1 Z-2 F80

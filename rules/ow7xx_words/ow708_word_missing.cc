@@ -131,9 +131,7 @@ extern const Rule kRule{
 only set the mode.
 
 `S` from a line before does not count for `G96`. `P-1` counts as no `P`. docs/codes.md lists what every
-code needs.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+code needs.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G4

@@ -96,9 +96,7 @@ g80` or `Cannot use two g codes that both use axis values`. Nothing of the line 
 
 What is in effect depends on the way to the line. `rs274`, which owlint follows, starts with no
 motion in effect; on a machine, the `M2` of an earlier program leaves `G1` in effect, so such a line
-can move at feed rate there.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+can move at feed rate there.)",
             .bad = R"(G21 G90
 G81 X10 Y10 Z-5 R2 F80
 G80

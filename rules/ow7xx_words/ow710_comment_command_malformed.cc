@@ -265,9 +265,7 @@ parameter follows.)",
 `%5.2f` or `######` in it. `(MSG,...)` shows `#<name>` as it is; `(DEBUG,...)` shows the value.
 
 The word comes first, in small or capital letters, and the comma right after it. The formats `%d`, `%f`
-and `%.3f` apply from their place to the end of the text.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+and `%.3f` apply from their place to the end of the text.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 (MSG turn the part over)

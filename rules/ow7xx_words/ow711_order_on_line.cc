@@ -156,9 +156,7 @@ not reported.)",
                 R"(The order of the words on a line means nothing. LinuxCNC always does: feed and speed, outputs, tool
 change, spindle, coolant, the machine's M codes, dwell, plane, units, cutter compensation, tool length,
 coordinate system, `G90` or `G91`, the move, and then `M0`, `M1`, `M2`, `M30`. So `G1 X10 M5` stops the
-spindle before the cut.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+spindle before the cut.)",
             .bad = R"(G21 G90
 M3 S1000
 G1 X10 F200 M5

@@ -160,9 +160,7 @@ well.
 
 `rs274`, which owlint follows, starts with feed 0. On a machine, an earlier program may have set a feed:
 then this program runs at that feed. In a file that other programs call, owlint assumes nothing about the
-feed at its first line.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+feed at its first line.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 F80

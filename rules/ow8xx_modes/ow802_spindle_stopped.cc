@@ -57,9 +57,7 @@ rev mode`.
 
 `M5` stops the spindle, and so do `M19` and a tool change with `M6`, unless the INI has
 `TOOL_CHANGE_WITH_SPINDLE_ON`. After `M3` or `M4` the spindle counts as turning, even at speed
-0, but `G95` looks only at `S`. `M6` and `M3` may be on one line: then the spindle turns.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+0, but `G95` looks only at `S`. `M6` and `M3` may be on one line: then the spindle turns.)",
             .bad = R"(G21 G90
 S500 M3
 G0 X10 Y10 Z5

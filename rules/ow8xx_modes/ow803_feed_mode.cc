@@ -47,9 +47,7 @@ LinuxCNC stops with `F word missing with inverse time g1 move` or
 effect from an earlier line. `G0`, threads and NURBS curves need no `F`.
 
 Drilling cycles stop in `G93` with `Cannot use inverse time feed with canned cycles`, probe moves in
-`G95` with `Cannot probe with feed per rev mode`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+`G95` with `Cannot probe with feed per rev mode`.)",
             .bad = R"(G21 G90
 G0 X0 Y0 A0
 G93

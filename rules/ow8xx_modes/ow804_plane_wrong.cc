@@ -78,9 +78,7 @@ given for arc in xy plane`, `Splines must be in the XY plane`, `G71.0 can only b
 and the like.
 
 The plane stays in effect until another one is selected, even after calls. A plane on the line itself
-applies to the move on that line, wherever on the line it is written.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+applies to the move on that line, wherever on the line it is written.)",
             .bad = R"(G21 G90
 G0 X10 Z5
 G1 Z0 F80

@@ -136,9 +136,7 @@ after the end of the sub that switched it on.
 
 For most of these it makes no difference if the tool has no diameter in the tool table, or if no tool is in
 the spindle: compensation is on all the same. Speeds and feeds, coolant, `G20`, `G21`, `G90`, `G91` and `M0`
-are allowed. `G92.1` to `G92.3` do nothing then, and give no message.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+are allowed. `G92.1` to `G92.3` do nothing then, and give no message.)",
             .bad = R"(G21 G90 G17
 T1 M6
 G0 X0 Y0

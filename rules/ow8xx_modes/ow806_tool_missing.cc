@@ -83,9 +83,7 @@ of `M61`, `P` of `G10 L1`. `G43.2` with axis words, which always looks for tool 
                 R"(LinuxCNC stops with `Requested tool N not found in the tool table`. `T` alone does so, without `M6`. The
 number 0 of `T`, `D` and `H` means the spindle and is always there; -1 never is.
 
-The tools depend on the machine. Without its INI, owlint reports only numbers that no tool table can have.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+The tools depend on the machine. Without its INI, owlint reports only numbers that no tool table can have.)",
             .bad = R"(G21 G90
 T1 M6
 G43 H1

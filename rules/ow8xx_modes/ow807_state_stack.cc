@@ -109,9 +109,7 @@ To restore the modes, LinuxCNC writes the codes for all differences on one line 
 is `G96` without `S`, or a plane while cutter compensation is on, it stops with
 `M7x: restore_settings failed executing: …`. If anything was restored, LinuxCNC drops what acts behind
 `M72` on its line, without a message: coolant, G codes, moves, even `M2`. The motion (`G0`, `G1`) is not
-restored.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+restored.)",
             .bad = R"(G21 G90
 o100 sub
   G91 G0 X1

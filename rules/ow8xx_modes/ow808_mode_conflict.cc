@@ -136,9 +136,7 @@ that needs a direction, when the tool is at the origin; `G38.2` and `G38.4` to w
                 R"(LinuxCNC stops with `No valid P word with M64`, `Zero timeout with wait type != immediate return`, `Invalid
 spindle ($) number in Spindle speed command` and the like. By then, LinuxCNC has already run what comes
 before the code in the order of execution: `M64` comes after `F`, `S` and `T`, and before the move. See OW711
-and docs/codes.md for this order.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+and docs/codes.md for this order.)",
             .bad = R"(G21 G90
 M66 P0 L3
 G0 X10 Y10 Z5

@@ -174,9 +174,7 @@ the first program below, the sub goes down in `G91` and does not switch back to 
 at X40, not at X30.
 
 `M73` in a sub saves the modes and restores them when the sub ends, wherever it ends. `M70` and `M72`
-do the same by hand. None of them saves the motion: `G0` or `G1` stays in effect.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+do the same by hand. None of them saves the motion: `G0` or `G1` stays in effect.)",
             .bad = R"(G21 G90
 o<peck> sub
   G91

@@ -109,9 +109,7 @@ millimeters, or a file that reads the mode (`#<_absolute>`) to restore it. If a 
 mode, OW851 reports the call.)",
             .why =
                 R"(A mode stays in effect after the `endif`, and from one pass of a loop to the next. There is no message. The
-first program below goes to X50 if the probe touches nothing; otherwise it moves 50 mm from where it is.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+first program below goes to X50 if the probe touches nothing; otherwise it moves 50 mm from where it is.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

@@ -62,9 +62,7 @@ extern const Rule kRule{
             .why =
                 R"(The program runs in the modes that the last program, the operator or the INI's `RS274NGC_STARTUP_CODE` has
 set. `M2` sets `G90` and `G17` again, but not the units: on a machine that has just run a program in inches,
-the first program below moves 254 mm.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+the first program below moves 254 mm.)",
             .bad = R"(G0 X10 Y10 Z5
 G1 Z-2 F80
 G0 Z5

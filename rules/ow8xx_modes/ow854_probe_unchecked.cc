@@ -250,9 +250,7 @@ probing.)",
 is 0, and `#5061` to `#5069` are the end of the move. In the first program below, the plate or the probe's
 wire may be missing: then the zero is set in the air, and the next move goes 10 mm too deep.
 
-When the time `Q` is over, `M66` goes on with -1 in `#5399`: the clamp that it waits for may be open.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+When the time `Q` is over, `M66` goes on with -1 in `#5399`: the clamp that it waits for may be open.)",
             .bad = R"(G21 G90
 G0 X10 Y10 Z5
 G38.3 Z-10 F50

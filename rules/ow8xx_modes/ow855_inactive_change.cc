@@ -64,9 +64,7 @@ next part sets again (`G91`, a move, `G90`, `G91`, a move); or two codes with ot
 them.)",
             .why =
                 R"(The second code takes effect, and nothing has used the first. One of the two is probably a mistake. If it is
-the second, all moves below it are wrong.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+the second, all moves below it are wrong.)",
             .bad = R"(G21 G90 G17
 G0 X10 Y10 Z5
 G90

@@ -55,9 +55,7 @@ the radius, but never by more than 2.83 mm or 0.283 inch. `[RS274NGC]CENTER_ARC_
 
 The arc starts where the line before it ends. In `G91.1`, which is in effect unless a program writes `G90.1`,
 `I`, `J` and `K` count from that start; in `G90.1` they are the position of the center. In `G7` they are
-radii, although `X` is a diameter.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+radii, although `X` is a diameter.)",
             .bad = R"(G21 G90 G17
 G0 X0 Y0 Z5
 G1 Z-2 F200

@@ -67,9 +67,7 @@ reaches so far.)",
 0.00005 inch, less than half the distance: then the arc is half a circle. The same applies to a negative `R`,
 which takes the longer way round.
 
-The arc starts where the line before it ends.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+The arc starts where the line before it ends.)",
             .bad = R"(G21 G90 G17
 G0 X0 Y0 Z5
 G1 Z-2 F200

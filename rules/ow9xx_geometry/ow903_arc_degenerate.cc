@@ -108,9 +108,7 @@ could be anywhere. It stops with `Zero-radius arc` if the center is less than 0.
 inch) from an end.
 
 With a center, no end point is needed: without one the arc is a full circle. In `G91.1`, which is in effect
-unless a program writes `G90.1`, a missing word of the center is 0.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+unless a program writes `G90.1`, a missing word of the center is 0.)",
             .bad = R"(G21 G90 G17
 G0 X0 Y0 Z5
 G1 Z-2 F200

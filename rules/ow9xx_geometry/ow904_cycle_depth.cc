@@ -141,9 +141,7 @@ keeps them for the same code only: `G82` after `G81` needs its own `R` and `Z`, 
 canned cycle`, `R less than z in cycle in xy plane` and the like.
 
 The depth is `Z` in XY (`G17`), `Y` in XZ (`G18`) and `X` in YZ (`G19`). In `G91`, `R` counts from where the
-tool is, and the depth from `R`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+tool is, and the depth from `R`.)",
             .bad = R"(G21 G90 G17
 G0 X10 Y10 Z10
 G81 X10 Y10 Z-5 R2 F80

@@ -46,9 +46,7 @@ Z has no length in the plane of the path, but it counts as the first move, too.)
                 R"(During the entry move, the tool goes to the side of the path; at its end the tool is beside the programmed
 point. LinuxCNC stops with `Length of cutter compensation entry move is not greater than the tool
 radius`, or, for an arc, with `Radius of cutter compensation entry arc is not greater than the tool radius`,
-although it measures the straight distance between the ends of that arc.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+although it measures the straight distance between the ends of that arc.)",
             .bad = R"(G21 G90 G17
 G0 X0 Y0 Z5
 G41.1 D10

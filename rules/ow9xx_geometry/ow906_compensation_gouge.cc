@@ -61,9 +61,7 @@ fit in without gouging` and the like.
 
 LinuxCNC shortens a move at an inside corner only when it reads the next move, `G40`, `M0` or the
 end of the program. So it stops one line after the move that is too short; at the last corner, that
-line is `G40`.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+line is `G40`.)",
             .bad = R"(G21 G90 G17
 G0 X-10 Y0 Z5
 G41.1 D10

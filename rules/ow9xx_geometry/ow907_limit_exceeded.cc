@@ -245,9 +245,7 @@ checks the limits whether the machine is homed or not.
 
 Only LinuxCNC itself checks the limits: the interpreter alone and most previews run the program to
 its end. The zero of the part may change before the program runs, so owlint does not look at the
-offsets that the machine has now. `owlint extents` shows how far a program goes.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+offsets that the machine has now. `owlint extents` shows how far a program goes.)",
             .bad = R"(G21 G90
 G53 G0 Z5
 G0 X0 Y0

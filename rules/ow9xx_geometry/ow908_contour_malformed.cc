@@ -189,9 +189,7 @@ after the end of the program.
 `G71` cuts from the right to the left, layer by layer: its contour may not turn back in Z (`G7X error: Not
 monotonic`), that of `G72` not in X. Whether an arc in the sub fits is found only when it is cut. LinuxCNC
 prints the last line of the sub below the message, whichever line it is about. With some contours it
-crashes, or repeats one move for ever; it has no message for that.
-
-FEATURE 0x20 (`OWORD_WARNONLY`) changes nothing here.)",
+crashes, or repeats one move for ever; it has no message for that.)",
             .bad = R"(G21 G90 G17
 G0 X0 Y0 Z5
 G1 Z-2 F200
