@@ -11,24 +11,39 @@ namespace {
 constexpr Idiom kIdioms[] = {
     comes_before_percent,
     quotes_name,
+    prints_text,
     has_look_alike,
+    begins_with_zero,
+    has_letter_in_label,
+    has_sign_behind_label,
     jumps,
     loops_as_fanuc,
     says_then,
+    ends_as_shell,
     jumps_behind_keyword,
     has_other_comment,
     has_two_brackets,
     has_comment_inside,
     brackets_behind_keyword,
+    tests_behind_do,
+    has_not_before_bracket,
     rounds_brackets,
     repeats_until,
     passes_without_brackets,
+    divides_arguments,
     calls_without_keyword,
     calls_by_name,
+    names_contour,
     lacks_letter,
     lacks_label,
+    has_letters_in_number,
+    has_unit,
+    assigns_word_as_siemens,
+    moves_as_heidenhain,
+    is_other_controllers_word,
     assigns_to_word,
     changes_in_place,
+    lacks_bracket_of_number,
     names_in_other_brackets,
     has_comma,
     calls_in_value,
@@ -73,6 +88,20 @@ std::string RefusedLine::written(size_t from, size_t to) const {
 std::string_view RefusedLine::first_word() const {
   const std::string_view behind = rest();
   return behind.substr(0, std::min(behind.find_first_not_of("abcdefghijklmnopqrstuvwxyz_"), behind.size()));
+}
+
+bool RefusedLine::is_parameter(std::string_view name) const {
+  constexpr size_t kMost = 20'000;  // values of a program that are asked: the name may be the label of a sub only
+  const NameId id_of_name = program.syntax.names.find(name);
+  if (id_of_name == kNoName) return false;
+  const auto first_items = std::span(program.syntax.items).first(std::min(kMost, program.syntax.items.size()));
+  if (std::ranges::find(first_items, id_of_name, &Item::target_name) != first_items.end()) return true;
+  const size_t values = std::min<size_t>(kMost, program.syntax.exprs.size());
+  for (ExprId value = 0; value < values; ++value) {
+    if (program.syntax.exprs[value].op == Operator::kNamed && program.syntax.exprs[value].name() == id_of_name)
+      return true;
+  }
+  return false;
 }
 
 bool RefusedLine::ends_do() const {

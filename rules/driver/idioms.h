@@ -2,6 +2,8 @@
 // reading, whichever rule reports it. What was meant goes into message and help, and a fix only where it is clear.
 #pragma once
 
+#include <optional>
+
 #include "analyzer/syntax/line_text.h"
 #include "rules/driver/stops.h"
 
@@ -37,6 +39,12 @@ struct RefusedLine {
   bool ends_do() const;
   /// As it is written in the file.
   std::string written(size_t from, size_t to) const;
+  /// Whether a blank or a comment stands before the character.
+  bool apart(size_t i) const { return i > 0 && text.offset(i) > text.offset(i - 1) + 1; }
+  /// Whether another line of the program has the parameter `#<name>`; the name in small letters and without blanks.
+  bool is_parameter(std::string_view name) const;
+  /// Whether the program has a sub with this label.
+  bool is_sub(std::string_view name) const { return program.find_sub(name) != kNoRegion; }
   Edit put(size_t from, size_t to, std::string new_text) const { return {text.span(from, to), std::move(new_text)}; }
   /// Proposes edits of the line. Safe where that is surely meant, the new line surely runs, and all runs stop at the old one.
   void propose(Finding& f, std::string title, std::vector<Edit> edits, bool surely_meant) const;
@@ -48,6 +56,11 @@ inline constexpr std::string_view kWordOperators[] = {"mod", "and", "xor", "or",
 inline constexpr std::string_view kFunctionNames[] = {"abs", "acos", "asin", "atan",  "cos", "exists", "exp",
                                                       "fix", "fup",  "ln",   "round", "sin", "sqrt",   "tan"};
 
+/// Behind the closing bracket of the one at `at`; nothing if it is not closed.
+std::optional<size_t> behind_bracket(std::string_view text, size_t at);
+/// Behind the value that begins at `at`: `5`, `#<name>`, `[...]`, `ATAN[1]/[2]`; nothing if none does.
+std::optional<size_t> behind_value(std::string_view text, size_t at);
+
 /// One idiom: whether the line is written so, and if, words and fix for the finding.
 using Idiom = bool (*)(const RefusedLine& line, Finding& finding);
 
@@ -55,6 +68,7 @@ using Idiom = bool (*)(const RefusedLine& line, Finding& finding);
 bool has_two_brackets(const RefusedLine& line, Finding& f);
 bool has_comment_inside(const RefusedLine& line, Finding& f);
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f);
+bool tests_behind_do(const RefusedLine& line, Finding& f);
 bool rounds_brackets(const RefusedLine& line, Finding& f);
 bool lacks_letter(const RefusedLine& line, Finding& f);
 bool lacks_label(const RefusedLine& line, Finding& f);
@@ -68,10 +82,14 @@ bool jumps(const RefusedLine& line, Finding& f);
 bool loops_as_fanuc(const RefusedLine& line, Finding& f);
 bool says_then(const RefusedLine& line, Finding& f);
 bool repeats_until(const RefusedLine& line, Finding& f);
+bool ends_as_shell(const RefusedLine& line, Finding& f);
 bool is_other_word(const RefusedLine& line, Finding& f);
 
-// In a character or a value (idioms_values.cc).
+// In a character that looks like another (idioms_characters.cc).
 bool has_look_alike(const RefusedLine& line, Finding& f);
+bool has_letters_in_number(const RefusedLine& line, Finding& f);
+
+// In a value (idioms_values.cc).
 bool names_without_brackets(const RefusedLine& line, Finding& f);
 bool names_half_bracketed(const RefusedLine& line, Finding& f);
 bool names_without_number_sign(const RefusedLine& line, Finding& f);
@@ -81,6 +99,7 @@ bool has_comment_in_value(const RefusedLine& line, Finding& f);
 bool assigns_otherwise(const RefusedLine& line, Finding& f);
 bool has_other_operator(const RefusedLine& line, Finding& f);
 bool has_other_function(const RefusedLine& line, Finding& f);
+bool has_not_before_bracket(const RefusedLine& line, Finding& f);
 
 // In a calculation that is not in brackets, and what looks like one (idioms_calculations.cc).
 bool has_checksum(const RefusedLine& line, Finding& f);
@@ -97,12 +116,35 @@ bool has_comma(const RefusedLine& line, Finding& f);
 bool changes_in_place(const RefusedLine& line, Finding& f);
 bool lacks_equal(const RefusedLine& line, Finding& f);
 bool assigns_to_word(const RefusedLine& line, Finding& f);
+bool lacks_bracket_of_number(const RefusedLine& line, Finding& f);
 bool names_in_other_brackets(const RefusedLine& line, Finding& f);
 
-// In a call: its label and its arguments (idioms_calls.cc).
+// In the arguments of a call (idioms_arguments.cc).
+/// The values of a call, each in its own brackets, whatever brackets, commas and blanks are between them: `[5] [6]` for `5] 6`.
+/// Empty if that is not clear.
+std::string arguments_in_brackets(std::string_view written);
 bool passes_without_brackets(const RefusedLine& line, Finding& f);
+bool divides_arguments(const RefusedLine& line, Finding& f);
+
+// In a label (idioms_labels.cc).
+/// The number of other lines that the label of a line was surely meant to be, `100` of `o1o0 endif` and of `N10 100 endif`;
+/// kNoName for other lines.
+NameId mistyped_label(const Program& program, StatementId id);
+bool has_letter_in_label(const RefusedLine& line, Finding& f);
+bool has_sign_behind_label(const RefusedLine& line, Finding& f);
+bool begins_with_zero(const RefusedLine& line, Finding& f);
+
+// In a code or word of another controller, and in a unit (idioms_controllers.cc).
+bool prints_text(const RefusedLine& line, Finding& f);
+bool has_unit(const RefusedLine& line, Finding& f);
+bool is_other_controllers_word(const RefusedLine& line, Finding& f);
+bool moves_as_heidenhain(const RefusedLine& line, Finding& f);
+bool assigns_word_as_siemens(const RefusedLine& line, Finding& f);
+
+// In a call: its label (idioms_calls.cc).
 bool calls_without_keyword(const RefusedLine& line, Finding& f);
 bool calls_by_name(const RefusedLine& line, Finding& f);
+bool names_contour(const RefusedLine& line, Finding& f);
 bool calls_in_value(const RefusedLine& line, Finding& f);
 bool names_arguments(const RefusedLine& line, Finding& f);
 bool has_label_behind(const RefusedLine& line, Finding& f);

@@ -1,7 +1,9 @@
 // Idioms of assignments: operators of other languages, names without their signs, and equal signs that are missing.
 #include <algorithm>
 #include <array>
+#include <cctype>
 
+#include "analyzer/syntax/known_line.h"
 #include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
 
@@ -36,6 +38,56 @@ size_t apart_at(const RefusedLine& line, size_t from, size_t to) {
 bool is_name(std::string_view text) {
   return text.size() > 1 && is_small_letter(text[0]) && !is_digit(text[1]) &&
       std::ranges::all_of(text, [](char c) { return is_small_letter(c) || is_digit(c) || c == '_'; });
+}
+
+/// The parameters of Siemens in a value, `R1*2`, as LinuxCNC writes them, in brackets if they are a calculation.
+std::string with_parameters(std::string_view written) {
+  std::string out;
+  bool computes = false;
+  for (size_t i = 0; i < written.size(); ++i) {
+    const bool letter = std::string_view("rRqQ").find(written[i]) != std::string_view::npos;
+    const bool begins = i == 0 || std::isalnum(static_cast<unsigned char>(written[i - 1])) == 0;
+    out += letter && begins && i + 1 < written.size() && is_digit(written[i + 1]) ? '#' : written[i];
+    computes = computes || (i > 0 && std::string_view("+-*/").find(written[i]) != std::string_view::npos);
+  }
+  const bool bare = computes && !out.starts_with('[') && surely_runs("#1=[" + out + "]");
+  return bare ? "[" + out + "]" : out;
+}
+
+/// A word of another controller or of English that is assigned, and the word of LinuxCNC that has its value.
+struct AssignedWord {
+  std::string_view word;
+  std::string_view what;    ///< of Siemens; empty: plain English
+  std::string_view before;  ///< of the value in LinuxCNC
+  std::string_view help;    ///< in place of a line of its own
+};
+constexpr std::array kAssignedWords = std::to_array<AssignedWord>({
+    {"spos", "turns the spindle to an angle on Siemens", "M19 R", {}},
+    {"lims", "limits the speed of the spindle on Siemens", "D", "on the line of `G96`"},
+    {"feed", {}, "F", {}},
+    {"feedrate", {}, "F", {}},
+    {"speed", {}, "S", {}},
+    {"rpm", {}, "S", {}},
+    {"spindle", {}, "S", {}},
+});
+
+/// `SPOS=90`, `FEED = 100`, where the program has no parameter of that name.
+bool assigns_known_word(const RefusedLine& line, size_t from, size_t equal, const std::string& value, Finding& f) {
+  const std::string_view word = line.text.text().substr(from, equal - from);
+  const auto* known = std::ranges::find(kAssignedWords, word, &AssignedWord::word);
+  if (known == kAssignedWords.end() || line.is_parameter(word)) return false;
+  const std::string written = line.written(from, equal);
+  // A calculation needs brackets; `ACP(90)` is no value.
+  const bool whole = surely_runs("#1=" + value) && value.find('(') == std::string::npos;
+  const bool computes = !whole && surely_runs("#1=[" + value + "]") && value.find('(') == std::string::npos;
+  const std::string right = std::string(known->before) + (whole ? value : computes ? "[" + value + "]" : "...");
+  const std::string instead = "write `" + right + "`" + (known->help.empty() ? "" : " ") + std::string(known->help);
+  f.message = known->what.empty() ? "LinuxCNC has no word `" + written + "`"
+                                  : "`" + written + "` " + std::string(known->what) + "; LinuxCNC does not have it";
+  f.help = instead;
+  if (known->what.empty()) f.help += ", or `#<" + written + "> = " + value + "` if it is a parameter";
+  if (known->help.empty() && (whole || computes)) line.propose(f, instead, {line.put(from, line.end, right)}, false);
+  return true;
 }
 
 constexpr std::array<std::string_view, 11> kDeclarations = {"var",  "let",    "dim",   "set",   "def",  "int",
@@ -109,10 +161,11 @@ bool assigns_to_word(const RefusedLine& line, Finding& f) {
           std::ranges::all_of(text.substr(from + 1, equal - from - 1), is_digit);
       number) {
     const std::string digits = line.written(from + 1, equal);
+    const std::string right = "#" + digits + " = " + with_parameters(value);
     f.message =
         "`" + line.written(from, equal) + "` cannot be assigned: LinuxCNC's parameters are `#1`, `#2` and so on";
-    f.help = "write `#" + digits + " = " + value + "`";
-    line.propose(f, f.help, {line.put(from, from + 1, "#")}, false);
+    f.help = "write `" + right + "`";
+    line.propose(f, f.help, {line.put(from, line.end, right)}, false);
     return true;
   }
   if (text.substr(from).starts_with('$')) ++from;
@@ -122,10 +175,27 @@ bool assigns_to_word(const RefusedLine& line, Finding& f) {
     if (apart_at(line, from, equal) < equal) return false;
   }
   if (!is_name(text.substr(from, equal - from))) return false;
+  if (first == from && assigns_known_word(line, from, equal, value, f)) return true;
   const std::string name = "#<" + line.written(from, equal) + ">";
   f.message = "`" + line.written(first, equal) + "` is not the name of a parameter: a name is written `" + name + "`";
   f.help = "write `" + name + " = " + value + "`";
-  line.propose(f, f.help, {line.put(first, equal, name)}, true);
+  line.propose(f, f.help, {line.put(first, equal, name)}, line.is_parameter(text.substr(from, equal - from)));
+  return true;
+}
+
+/// `#[1 = 5`.
+bool lacks_bracket_of_number(const RefusedLine& line, Finding& f) {
+  const std::string_view before = line.before();
+  const size_t open = before.starts_with("#[") ? 0 : before.starts_with("/#[") ? 1 : std::string_view::npos;
+  if (line.kind() != StopKind::kExpression || !line.rest().starts_with("=") || open == std::string_view::npos ||
+      std::ranges::count(before, '[') != std::ranges::count(before, ']') + 1)
+    return false;
+  const std::string target = line.written(open, line.at);
+  const std::string right = target + "]";
+  f.message = "the `]` is missing after `" + target + "`";
+  f.help = "write `" + right + " = " + line.written(line.at + 1, line.end) + "`";
+  const uint64_t behind = line.text.offset(line.at - 1) + 1;
+  line.propose(f, "write `]`", {{{behind, behind}, "]"}}, false);
   return true;
 }
 

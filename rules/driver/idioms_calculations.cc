@@ -37,34 +37,6 @@ size_t value_start(const RefusedLine& line) {
   return start;
 }
 
-/// Behind the closing bracket of the one at `at`; nothing if it is not closed.
-std::optional<size_t> behind_bracket(std::string_view text, size_t at) {
-  for (int depth = 0; at < text.size(); ++at) {
-    depth += text[at] == '[' ? 1 : text[at] == ']' ? -1 : 0;
-    if (depth == 0) return at + 1;
-  }
-  return std::nullopt;
-}
-
-/// Behind the value that begins at `at`: `5`, `#<name>`, `[...]`, `ATAN[1]/[2]`.
-std::optional<size_t> behind_value(std::string_view text, size_t at) {
-  while (at < text.size() && (text[at] == '-' || text[at] == '+' || text[at] == '#')) ++at;
-  if (at >= text.size()) return std::nullopt;
-  if (text[at] == '[') return behind_bracket(text, at);
-  if (text[at] == '<') {
-    const size_t close = text.find('>', at);
-    return close == std::string_view::npos ? std::nullopt : std::optional(close + 1);
-  }
-  if (const std::string_view function = function_at(text.substr(at), '['); !function.empty()) {
-    const std::optional<size_t> behind = behind_bracket(text, at + function.size() - 1);
-    if (function != "atan[" || !behind || !text.substr(*behind).starts_with("/[")) return behind;
-    return behind_bracket(text, *behind + 1);
-  }
-  const size_t from = at;
-  while (at < text.size() && (is_digit(text[at]) || text[at] == '.')) ++at;
-  return at == from ? std::nullopt : std::optional(at);
-}
-
 /// How many characters the operator has that a text begins with; 0 if it begins with none.
 size_t operator_length(std::string_view text) {
   if (text.starts_with("**")) return 2;
@@ -147,6 +119,32 @@ std::string without_edges(std::string text) {
 }
 
 }  // namespace
+
+std::optional<size_t> behind_bracket(std::string_view text, size_t at) {
+  for (int depth = 0; at < text.size(); ++at) {
+    depth += text[at] == '[' ? 1 : text[at] == ']' ? -1 : 0;
+    if (depth == 0) return at + 1;
+  }
+  return std::nullopt;
+}
+
+std::optional<size_t> behind_value(std::string_view text, size_t at) {
+  while (at < text.size() && (text[at] == '-' || text[at] == '+' || text[at] == '#')) ++at;
+  if (at >= text.size()) return std::nullopt;
+  if (text[at] == '[') return behind_bracket(text, at);
+  if (text[at] == '<') {
+    const size_t close = text.find('>', at);
+    return close == std::string_view::npos ? std::nullopt : std::optional(close + 1);
+  }
+  if (const std::string_view function = function_at(text.substr(at), '['); !function.empty()) {
+    const std::optional<size_t> behind = behind_bracket(text, at + function.size() - 1);
+    if (function != "atan[" || !behind || !text.substr(*behind).starts_with("/[")) return behind;
+    return behind_bracket(text, *behind + 1);
+  }
+  const size_t from = at;
+  while (at < text.size() && (is_digit(text[at]) || text[at] == '.')) ++at;
+  return at == from ? std::nullopt : std::optional(at);
+}
 
 /// `N1 G0 X1 *45`.
 bool has_checksum(const RefusedLine& line, Finding& f) {

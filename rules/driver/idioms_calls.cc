@@ -4,6 +4,7 @@
 #include "analyzer/syntax/look_alike.h"
 #include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
+#include "rules/driver/modes.h"
 
 namespace owlint::rules {
 namespace {
@@ -49,42 +50,6 @@ size_t bare_name_end(const RefusedLine& line, size_t from) {
 
 }  // namespace
 
-/// `call 1 2`, `call [1], [2]`, `return #1`.
-bool passes_without_brackets(const RefusedLine& line, Finding& f) {
-  const bool call = line.statement.is(Keyword::kCall);
-  if (line.kind() != StopKind::kTrailingText ||
-      (!call && !line.statement.is(Keyword::kReturn) && !line.statement.is(Keyword::kEndsub)))
-    return false;
-  const std::string_view rest = line.rest();
-  if (std::string_view("0123456789#-+.,").find(rest[0]) == std::string_view::npos) return false;
-  if (rest[0] == ',') {
-    f.message = "there is a comma between the arguments";
-    f.help = "remove it: write the arguments one after the other, `[1] [2]`";
-    line.propose(f, "remove the comma", {line.put(line.at, line.at + 1, "")}, false);
-    return true;
-  }
-  // Blanks and commas divide them.
-  std::string values;
-  std::string value;
-  const std::string written = line.written(line.at, line.end);
-  for (size_t i = 0; i <= written.size(); ++i) {
-    if (i < written.size() && std::string_view(" \t,").find(written[i]) == std::string_view::npos) {
-      value += written[i];
-    } else if (!value.empty()) {
-      values += (values.empty() ? "[" : " [") + value + "]";
-      value.clear();
-    }
-  }
-  const bool one = values.find(' ') == std::string::npos;
-  f.message = (!call     ? "the returned value `"
-                   : one ? "the argument `"
-                         : "the arguments `") +
-      written + (call && !one ? "` are not in brackets" : "` is not in brackets");
-  f.help = "write `" + (line.statement.value_count == 0 ? line.keyword_text() + " " : std::string()) + values + "`";
-  if (written.find('[') == std::string::npos) line.propose(f, f.help, {line.put(line.at, line.end, values)}, false);
-  return true;
-}
-
 /// `o<drill> [5]`, `o<drill> = 5`.
 bool calls_without_keyword(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kKeywordUnknown || line.at >= line.text.size()) return false;
@@ -102,17 +67,45 @@ bool calls_without_keyword(const RefusedLine& line, Finding& f) {
   return true;
 }
 
-/// `M98 O7001`, `M98 <drill>`.
+/// `M98 O7001`, `M98 <drill>`, `M98 P<drill>`.
 bool calls_by_name(const RefusedLine& line, Finding& f) {
   if (line.statement.kind != LineKind::kM98 || line.at >= line.text.size()) return false;
-  const char c = line.text[line.at];
-  const bool number = c == 'o' && is_digit(line.text[line.at + 1]);
-  const bool name = c == '<' || (c == 'o' && line.text[line.at + 1] == '<');
+  const std::string_view rest = line.rest();
+  const bool number = rest.size() > 1 && rest[0] == 'o' && is_digit(rest[1]);
+  const bool letter = rest.starts_with("p<") || rest.starts_with("o<");
+  const bool name = (letter || rest[0] == '<') && !line.before().ends_with('#');
   if (!number && !name) return false;
-  f.message = number ? "`M98` needs the number of the sub after `P`" : "`M98` cannot call a sub by its name";
-  f.help = number ? "write `M98 P" + line.written(line.at + 1, line.end) + "`"
-                  : "call a sub with a name with `o<name> call`";
-  if (number) line.propose(f, "write `P`", {line.put(line.at, line.at + 1, "P")}, true);
+  if (number) {
+    f.message = "`M98` needs the number of the sub after `P`";
+    f.help = "write `M98 P" + line.written(line.at + 1, line.end) + "`";
+    line.propose(f, "write `P`", {line.put(line.at, line.at + 1, "P")}, true);
+    return true;
+  }
+  const size_t open = line.at + (letter ? 1 : 0);
+  const size_t close = std::min(line.text.text().find('>', open), line.text.size());
+  const std::string_view label = line.text.text().substr(open + 1, close - open - 1);
+  if (rest[0] == 'p' && !line.is_sub(label) && line.is_parameter(label)) return false;
+  f.message = "`M98` cannot call a sub by its name";
+  f.help = "call a sub with a name with `o<name> call`";
+  if (label.empty() || close == line.text.size()) return true;
+  const std::string right = "o<" + line.written(open + 1, close) + "> call";
+  f.help = "write `" + right + "`";
+  if (line.is_sub(label) && close + 1 == line.end)
+    line.propose(f, f.help, {{{line.statement.keyword_span().begin, line.text.offset(close) + 1}, right}}, false);
+  return true;
+}
+
+/// `G71 Q<profile>`.
+bool names_contour(const RefusedLine& line, Finding& f) {
+  const std::vector<WrittenWord> words = words_of(*line.program.source, line.statement.whole());
+  if (!line.rest().starts_with("q<") || find_word(words, "G70 G71 G71.1 G71.2 G72 G72.1 G72.2") == nullptr)
+    return false;
+  const size_t close = line.text.text().find('>', line.at);
+  if (close == std::string_view::npos) return false;
+  const std::string_view label = line.text.text().substr(line.at + 2, close - line.at - 2);
+  if (!line.is_sub(label) && line.is_parameter(label)) return false;
+  f.message = "`Q` takes the number of a sub, not its name";
+  f.help = "give the sub a number, such as `o100 sub` … `o100 endsub`, and write `Q100`";
   return true;
 }
 
@@ -181,7 +174,8 @@ bool labels_with_word(const RefusedLine& line, Finding& f) {
   const Meant meant = meant_by(line.program, line.id);
   if (meant.keyword == Keyword::kUnknown || !meant.has_label) return false;
   const std::string words(line.program.source->slice(meant.words));
-  const std::string label = label_text(meant.name);
+  const bool closed = meant.name.ends_with('>') && meant.name.find('<') == std::string::npos;  // `of> sub`
+  const std::string label = label_text(closed ? meant.name.substr(0, meant.name.size() - 1) : meant.name);
   f.message = "the label `" + words.substr(0, words.find_first_of(" \t(")) + "` is not written as `" + label + "`";
   f.help = "write `" + label + " " + std::string(spelling(meant.keyword)) + "`";
   line.propose(f, f.help, {{meant.words, label + " " + std::string(spelling(meant.keyword))}}, false);

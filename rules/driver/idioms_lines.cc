@@ -3,6 +3,7 @@
 
 #include "rules/driver/idioms.h"
 
+#include "analyzer/syntax/known_line.h"
 #include "analyzer/text/characters.h"
 
 namespace owlint::rules {
@@ -42,11 +43,35 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
     line.propose(f, f.help, {line.put(open, line.end, "[" + all + "]")}, false);
     return true;
   }
-  const std::string all = line.written(open, line.end);
-  f.message = "the condition ends before `" +
-      std::string(line.written(line.at, line.at + line.first_word().size() + (line.first_word().empty() ? 1 : 0))) +
+  // Up to where the condition goes on.
+  const std::string_view whole = line.text.text().substr(0, line.end);
+  const auto* const first =
+      std::ranges::find_if(kOperators, [&](std::string_view word) { return rest.starts_with(word); });
+  std::optional<size_t> behind_all = line.at;
+  for (const auto* word = first; behind_all && word != std::end(kOperators);) {
+    behind_all = behind_value(whole, *behind_all + word->size());
+    word = std::ranges::find_if(
+        kOperators, [&](std::string_view w) { return behind_all && whole.substr(*behind_all).starts_with(w); });
+  }
+  f.message = "the condition ends before `" + line.written(line.at, line.at + first->size()) +
       "`: put brackets around the whole condition";
+  const size_t all_end = behind_all.value_or(line.end);
+  const std::string all = line.written(open, all_end);
   f.help = "write `" + line.keyword_text() + " [" + all + "]`";
+  if (!behind_all) {
+    f.help = "write `" + line.keyword_text() + " [" + line.written(open, line.at) + " " +
+        line.written(line.at, line.at + first->size()) + " [...]]`";
+    return true;
+  }
+  const std::string behind_text = line.written(all_end, line.end);
+  if (whole.substr(all_end) == "]") {  // the outer bracket is only closed
+    line.propose(f, "write `[` before the condition", {line.put(open, open, "[")}, true);
+    return true;
+  }
+  if (!behind_text.empty()) {
+    f.help += ", and `" + behind_text + "` on a line of its own";
+    return true;
+  }
   const bool computes = line.first_word().empty() || rest.starts_with("mod");  // perhaps it is no part of the condition
   line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")},
                !computes);
@@ -128,6 +153,24 @@ bool jumps_behind_keyword(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+/// `o100 do while [#1 LT 3]`.
+bool tests_behind_do(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kTrailingText || !line.has_keyword(Keyword::kDo) || !line.rest().starts_with("while["))
+    return false;
+  const std::string label = line.program.label_at(line.id);
+  const std::string test = label + " " + line.written(line.at, line.end);
+  f.message = "LinuxCNC's `do` has its condition at the end of the loop";
+  f.help = "write `" + test + "` … `" + label + " endwhile`, or `" + label + " do` … `" + test + "`";
+  if (line.statement.label == kNoName) return true;
+  const auto lines = line.program.by_label[line.statement.label];
+  const bool ends = std::ranges::any_of(
+      lines, [&](StatementId other) { return other > line.id && line.program.at(other).is(Keyword::kEndwhile); });
+  if (!ends) return true;
+  const uint64_t from = line.statement.keyword_span().begin;
+  line.propose(f, "write `" + test + "`", {{{from, line.text.offset(line.at)}, ""}}, false);
+  return true;
+}
+
 /// `sub [x]`, `else [#1 EQ 1]`, `endif [..]`, `do [..]`.
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || !line.statement.has_bracket)
@@ -190,6 +233,16 @@ bool lacks_label(const RefusedLine& line, Finding& f) {
   const std::string word = line.keyword_text();
   if (line.statement.kind == LineKind::kOWord) {  // the line number was read in place of the label
     const size_t number = line.text.text().find('n');
+    size_t second = number + 2;
+    while (second < line.at && !line.apart(second)) ++second;
+    if (second < line.at) {  // `N100 100 if`
+      const std::string right = "o" + line.written(second, line.at);
+      f.message = "the letter `o` is missing before the label";
+      f.help = "write `" + right + " " + word + "`";
+      const uint64_t begin = line.text.offset(second);
+      line.propose(f, "write the letter `o`", {{{begin, begin}, "o"}}, !bounds_sub(line.statement));
+      return true;
+    }
     f.message =
         "the `o…` label is missing before `" + word + "`: `" + line.written(number, line.at) + "` is a line number";
     f.help = "write `" + p.head(line.id) + "`";
@@ -239,18 +292,24 @@ bool comes_before_percent(const RefusedLine& line, Finding& f) {
 bool has_other_comment(const RefusedLine& line, Finding& f) {
   const bool trailing = line.kind() == StopKind::kTrailingText;
   if ((!trailing && line.kind() != StopKind::kBadCharacter) || line.at == 0) return false;
-  constexpr std::string_view kMarks[] = {"//", "/*", "--", "'", "#"};
+  constexpr std::string_view kMarks[] = {"//", "/*", "--", "-", "'", "#"};
   const std::string_view rest = line.rest();
   const auto* mark = std::ranges::find_if(kMarks, [&](std::string_view m) { return rest.starts_with(m); });
   if (mark == std::end(kMarks)) return false;
   const bool value =
       line.has_keyword(Keyword::kCall) || line.has_keyword(Keyword::kReturn) || line.has_keyword(Keyword::kEndsub);
   const char next = rest.size() > mark->size() ? rest[mark->size()] : ' ';
-  if ((*mark == "#" || *mark == "--" || *mark == "'") && (!trailing || value || !is_small_letter(next))) return false;
+  if (*mark == "-" && std::ranges::any_of(kFunctionNames, [&](std::string_view name) {
+        return rest.substr(1).starts_with(std::string(name) + "[");
+      }))
+    return false;
+  if ((*mark == "#" || *mark == "--" || *mark == "-" || *mark == "'") && (!trailing || value || !is_small_letter(next)))
+    return false;
   f.message = "`" + std::string(*mark) + "` does not begin a comment";
   f.help = "begin a comment with `;`, or write it in `( )`";
   if (*mark == "/*") return true;
-  line.propose(f, "write `;`", {line.put(line.at, line.at + mark->size(), ";")}, true);
+  line.propose(f, "write `;`", {line.put(line.at, line.at + mark->size(), ";")},
+               *mark != "-" || surely_refused(line.written(line.at + 1, line.end)));
   return true;
 }
 

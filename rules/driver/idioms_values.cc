@@ -1,10 +1,9 @@
-// Idioms in values: characters that look alike, names half written, operators and functions of other languages.
+// Idioms in values: names half written, operators and functions of other languages.
 #include <algorithm>
 #include <array>
 #include <cctype>
 
 #include "analyzer/syntax/known_line.h"
-#include "analyzer/syntax/look_alike.h"
 #include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
 
@@ -29,6 +28,8 @@ size_t open_name_end(const RefusedLine& line, size_t from) {
       return line.rest().substr(i - line.at).starts_with(word) && (behind >= to || apart(behind));
     };
     if (apart(i) && std::ranges::any_of(kWordOperators, begins)) return i;
+    // `X#<rot Y5`: words behind a name of the program.
+    if (apart(i) && line.is_parameter(line.text.text().substr(from, i - from))) return i;
   }
   return to;
 }
@@ -38,16 +39,6 @@ std::string name_at(const RefusedLine& line, size_t from) { return line.written(
 
 bool has_name(const RefusedLine& line, std::string_view name) {
   return line.program.syntax.names.find(name) != kNoName;
-}
-
-/// What to write for the character at `at` that looks like `plain`. LinuxCNC reads neither commas nor quotation marks.
-std::string readable(const RefusedLine& line, size_t at, const std::string& plain) {
-  if (plain == "\"" || plain == "'") return at == 0 ? ";" : "";  // there it begins a comment of other languages
-  if (plain != ",") return plain;
-  size_t behind = at;
-  while (is_foreign(line.text[behind])) ++behind;
-  const bool digits = at > 0 && is_digit(line.text[at - 1]) && is_digit(line.text[behind]);
-  return !digits ? "" : line.statement.is(Keyword::kCall) ? "] [" : ".";
 }
 
 struct Other {
@@ -77,7 +68,7 @@ constexpr std::array<Other, 17> kOperators = {{
 }};
 
 constexpr std::array<Other, 21> kFunctions = {{
-    {"not", "use the opposite comparison: `LE` for not `GT`, `EQ 0` for not true"},
+    {"not", "use the opposite comparison: `LE` for not `GT`, `[[...] EQ 0]` for not true"},
     {"sqr", "write `SQRT[...]`"},
     {"pow", "write `[a ** b]`"},
     {"int", "write `FIX[...]`, which rounds down, or `ROUND[...]`"},
@@ -102,63 +93,23 @@ constexpr std::array<Other, 21> kFunctions = {{
 
 }  // namespace
 
-/// `X−5` with the minus sign of a web page.
-bool has_look_alike(const RefusedLine& line, Finding& f) {
-  const Source& source = *line.program.source;
-  // The error begins with it, or it is within the word that is not known.
-  const std::string_view text = source.slice({line.error.span.begin, line.statement.end()});
-  const uint64_t length = line.error.span.end - line.error.span.begin;
-  const auto foreign = std::ranges::find_if(text, is_foreign);
-  if (foreign == text.end() || static_cast<uint64_t>(foreign - text.begin()) > length) return false;
-  const std::string_view from(foreign, text.end());
-  const auto same = look_alike(character_at(from).code);
-  if (!same) return false;
-  size_t first = line.at;
-  while (first + 1 < line.text.size() &&
-         line.text.offset(first) < line.error.span.begin + static_cast<uint64_t>(foreign - text.begin()))
-    ++first;
-  const std::string instead = readable(line, first, same->plain);
-  f.message = look_alike_text(from);
-  f.help = instead.empty() ? "remove it" : instead == " " ? "type an ordinary space" : "type `" + instead + "`";
-  std::string thousands;
-  const auto may_be_of_thousands = [&](size_t comma) {
-    return may_be_thousands(line, comma, comma + foreign_run(line.text.text(), comma), &thousands);
-  };
-  if (same->plain == "," && may_be_of_thousands(first)) f.help = thousands;
-  // All of them on the line at once, but for its comments and names.
-  bool surely_meant = true;
-  std::vector<Edit> edits;
-  for (size_t i = 0; i < line.text.size();) {
-    const char c = line.text[i];
-    if (c == ';') break;
-    if (c == '(' || c == '<') {
-      const size_t close = line.text.text().find(c == '(' ? ')' : '>', i);
-      i = close == std::string_view::npos ? line.text.size() : close;
-      continue;
-    }
-    const uint64_t at = line.text.offset(i);
-    const Character character = character_at(source.slice({at, line.statement.end()}));
-    const auto plain = is_foreign(c) ? look_alike(character.code) : std::nullopt;
-    if (plain) {
-      if (plain->plain == "," && may_be_of_thousands(i)) return true;
-      edits.push_back({{at, at + character.length}, readable(line, i, plain->plain)});
-      surely_meant = surely_meant && edits.back().text == plain->plain;
-    }
-    i += character.length;
-  }
-  if (edits.empty()) return true;
-  const std::string what = edits.size() == 1 ? f.help : "type ordinary characters";
-  line.propose(f, what, std::move(edits), surely_meant);
-  return true;
-}
-
 /// `#depth = 5`, and `#depth> = 5`.
 bool names_without_brackets(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kExpression || line.at == 0 || line.text[line.at - 1] != '#' ||
-      !is_small_letter(line.text[line.at]))
+  // `Z-#depth` is refused at its letter.
+  const bool signed_value = line.kind() == StopKind::kNumberMalformed &&
+      (line.rest().substr(1).starts_with("-#") || line.rest().substr(1).starts_with("+#"));
+  const size_t from = line.at + (signed_value ? 3 : 0);
+  if ((line.kind() != StopKind::kExpression && !signed_value) || from == 0 || line.text[from - 1] != '#' ||
+      (!is_small_letter(line.text[from]) && line.text[from] != '_'))
     return false;
-  const std::string name = name_at(line, line.at);
-  const size_t to = name_end(line, line.at);
+  const size_t to = name_end(line, from);
+  const std::string name = line.written(from, to);
+  if (signed_value) {
+    f.message = "the parameter name `" + name + "` is not in `< >`";
+    f.help = "write `" + line.written(line.at, from - 1) + "#<" + name + ">`";
+    line.propose(f, f.help, {line.put(from, to, "<" + name + ">")}, false);
+    return true;
+  }
   const bool closed = line.text[to] == '>';
   const bool assigns = line.text[closed ? to + 1 : to] == '=';
   const bool apart = line.text.offset(line.at) > line.text.offset(line.at - 1) + 1;  // `# text`
@@ -299,6 +250,27 @@ bool has_other_operator(const RefusedLine& line, Finding& f) {
   const auto blank_at = [&](uint64_t offset) { return line.program.source->slice({offset, offset + 1}) == " "; };
   line.propose(f, f.help, {{sign, (blank_at(sign.begin - 1) ? "" : " ") + instead + (blank_at(sign.end) ? "" : " ")}},
                false);
+  return true;
+}
+
+/// `if NOT [#1 EQ 1]`, `[NOT [#1 EQ 1]]`, `if ![#1 EQ 1]`.
+bool has_not_before_bracket(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const std::string_view rest = line.rest();
+  const bool value = rest.starts_with("not[") || rest.starts_with("not#");
+  const size_t length = value ? 3 : rest.starts_with("![") || rest.starts_with("!#") ? 1 : 0;
+  const bool of_keyword = line.kind() == StopKind::kBracketMissing && !line.has_keyword(Keyword::kRepeat);
+  if (length == 0 || (!of_keyword && line.kind() != StopKind::kExpression)) return false;
+  const std::optional<size_t> behind = behind_value(text, line.at + length);
+  if (!behind || (of_keyword && *behind != line.end)) return false;
+  const std::string inside = line.written(line.at + length, *behind) + " EQ 0";
+  // With other parts of a condition around it, it needs brackets of its own.
+  const bool alone = !of_keyword && line.before().ends_with('[') && text.substr(*behind).starts_with(']');
+  const std::string right = alone ? inside : "[" + inside + "]";
+  f.message = "LinuxCNC has no `" + line.written(line.at, line.at + length) + "`";
+  f.help =
+      "write `" + (of_keyword ? line.keyword_text() + " " : std::string()) + (alone ? "[" + right + "]" : right) + "`";
+  line.propose(f, f.help, {line.put(line.at, *behind, right)}, false);
   return true;
 }
 

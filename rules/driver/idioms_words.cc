@@ -210,6 +210,28 @@ bool repeats_until(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+/// `o100 fi`, `o100 done`: ends of blocks in a shell. LinuxCNC reads the `do` of the latter.
+bool ends_as_shell(const RefusedLine& line, Finding& f) {
+  const bool done = line.kind() == StopKind::kTrailingText && line.has_keyword(Keyword::kDo) && line.rest() == "ne";
+  const bool known = line.kind() == StopKind::kKeywordUnknown && (line.rest() == "fi" || line.rest() == "od");
+  if (!done && !known) return false;
+  const Span word = done ? Span{line.statement.keyword_span().begin, line.text.span(line.at, line.end).end}
+                         : line.text.span(line.at, line.end);
+  f.message = done ? "LinuxCNC has no `DONE`, and reads it as `do`" : "LinuxCNC has no `" + upper(line.rest()) + "`";
+  const std::string end = end_of_open(line);
+  const std::string label = line.program.label_at(line.id);
+  if (!end.empty()) {
+    f.help = "write `" + label + " " + end + "`";
+    line.propose(f, "write `" + end + "`", {{word, end}}, false);
+  } else if (line.statement.label != kNoName && line.ends_do()) {
+    f.help = "close the `do` with `" + label + " while [...]`";
+  } else {
+    f.help = line.rest() == "fi" ? "write `endif`, with the label of the `if`"
+                                 : "write `endwhile` or `endrepeat`, with the label of the loop";
+  }
+  return true;
+}
+
 /// A keyword of another language, after a label or alone.
 bool is_other_word(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown &&

@@ -6,6 +6,7 @@
 #include "analyzer/syntax/further_faults.h"
 #include "analyzer/syntax/look_alike.h"
 #include "rules/driver/behind_stops.h"
+#include "rules/driver/idioms.h"
 #include "rules/driver/words.h"
 
 namespace owlint {
@@ -122,6 +123,8 @@ void Index::add_line(const Program& program, StatementId id) {
     if (!at[id] && !spoken_for.contains(id)) unmet_by_code[rules::code_of(unmet, program)].push_back(id);
     if ((s.is(Keyword::kUnknown) || s.is(Keyword::kBare)) && s.label != kNoName)
       unreadable.insert(key_of(program.region_of[id], s.label));
+    if (const NameId meant = rules::mistyped_label(program, id); meant != kNoName)
+      unreadable.insert(key_of(program.region_of[id], meant));
     if (unmet.kind == StopKind::kBadCharacter) odd_lines.push_back(id);
   }
   if (s.kind == LineKind::kMachineCheck && !at[id]) machine_checks_.push_back(id);

@@ -70,6 +70,22 @@ std::optional<Habit> pair(const Source& source, const std::vector<WrittenWord>& 
   return std::nullopt;
 }
 
+constexpr std::string_view kContourAsSub =
+    "write the contour as a sub, and name it as `Q`: `G71 Q100 X50 Z2 D1 I0.2 R0.5`";
+
+/// `G71 U2 R1`: the first line of two.
+std::optional<Habit> first_of_cycle(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const code = find_word(line, "G71 G72");
+  const WrittenWord* const depth = find_word(line, "U W");
+  const WrittenWord* const retract = find_word(line, "R");
+  if (code == nullptr || depth == nullptr || retract == nullptr || find_word(line, "P") != nullptr ||
+      find_word(line, "Q") != nullptr || find_word(line, "X") != nullptr || find_word(line, "Z") != nullptr)
+    return std::nullopt;
+  return Habit{fmt::format("{} with {} and {} is the first of two lines on Fanuc, and not LinuxCNC's",
+                           of_word(source, *code), of_word(source, *depth), of_word(source, *retract)),
+               std::string(kContourAsSub)};
+}
+
 /// `G71 P10 Q20 U0.5`: the contour is between two line numbers. `G76 P010060 Q100 R50`: the first line of two.
 std::optional<Habit> turning_cycle(const Source& source, const std::vector<WrittenWord>& line) {
   const WrittenWord* const contour = find_word(line, "G70 G71 G72 G73");
@@ -87,7 +103,7 @@ std::optional<Habit> turning_cycle(const Source& source, const std::vector<Writt
   }
   return Habit{fmt::format("{} with {} and {} is a cycle of Fanuc: the contour stands between these two line numbers",
                            of_word(source, *contour), of_word(source, *from), of_word(source, *to)),
-               "write the contour as a sub, and name it as `Q`: `G71 Q100 X50 Z2 D1 I0.2 R0.5`"};
+               std::string(kContourAsSub)};
 }
 
 /// The nearest line above with words of places: the code on it that counts for its own line only, if it has one.
@@ -113,7 +129,7 @@ std::optional<Habit> habit_of(const Input& in, StatementId statement) {
   const Source& source = *in.program.source;
   const std::vector<WrittenWord> line = words_of(source, in.program.at(statement).whole());
   if (std::optional<Habit> found = look_ahead(source, line)) return found;
-  for (const auto& habit : {dwell, pair, turning_cycle}) {
+  for (const auto& habit : {dwell, pair, first_of_cycle, turning_cycle}) {
     if (std::optional<Habit> found = habit(source, line)) return found;
   }
   if (find_word(line, "G") != nullptr) return std::nullopt;

@@ -8,6 +8,7 @@
 
 #include "rules/driver/ini_places.h"
 #include "rules/driver/stops.h"
+#include "rules/driver/words.h"
 
 namespace owlint::rules::ow208 {
 namespace {
@@ -46,6 +47,41 @@ bool repeats_in_number(const Program& p, const Statement& s, const std::string& 
   return true;
 }
 
+/// The line that begins with `N1000` or `:1000`; empty if there is none.
+Span numbered_line(const Source& source, std::string_view number) {
+  const std::string_view bytes = source.bytes();
+  for (size_t at = bytes.find(number); at != std::string_view::npos; at = bytes.find(number, at + 1)) {
+    const size_t behind = at + number.size();
+    if (at == 0 || (behind < bytes.size() && bytes[behind] >= '0' && bytes[behind] <= '9')) continue;
+    const size_t sign = bytes.find_last_not_of('0', at - 1);
+    if (sign == std::string_view::npos || std::string_view("nN:").find(bytes[sign]) == std::string_view::npos) continue;
+    const size_t line = sign == 0 ? std::string_view::npos : bytes.find_last_not_of(" \t", sign - 1);
+    if (line == std::string_view::npos || bytes[line] == '\n') return {sign, behind};
+  }
+  return {};
+}
+
+/// `M98 P1000` of a sub that begins with `N1000` or `:1000`, and `G71 P10 Q20` of the lines `N10` to `N20`.
+bool means_line(const Input& in, const Statement& s, StatementId id, const std::string& name, Finding& f) {
+  if ((s.kind != LineKind::kM98 && s.kind != LineKind::kContour) || number_only(name).empty()) return false;
+  const Source& source = *in.program.source;
+  const Span line = numbered_line(source, name);
+  if (line.end == line.begin) return false;
+  const std::string written(source.slice(line));
+  if (s.kind == LineKind::kContour) {
+    const std::optional<Habit> habit = habit_of(in, id);
+    if (!habit) return false;
+    f.message = habit->message;
+    f.help = habit->help;
+    return true;
+  }
+  f.help = written[0] == ':'
+      ? "write `O" + name + "` in place of `" + written + "`"
+      : "write `O" + name + "` on a line of its own before the sub: `" + written + "` is only a line number";
+  f.related.push_back({line, "`" + written + "` is here", nullptr});
+  return true;
+}
+
 /// A definition in another file of the run, which comes too late.
 Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
   for (const LinkedFile& file : in.linked.files()) {
@@ -69,6 +105,7 @@ void check(const Input& in, Reporter& out) {
     if (known.size() < kMaxCandidates) known.push_back(p.name(region.name));
   }
   size_t suggestions = 0;
+  size_t searches = 0;                                      // for lines with a number
   std::unordered_map<std::string, std::string> near_files;  // by name
   std::optional<std::vector<Related>> folders;              // lines of the INI
   const auto relate_folders = [&](Finding& f) {
@@ -113,6 +150,7 @@ void check(const Input& in, Reporter& out) {
       return &f;
     }
     if (without_ending(in, s, stop.detail, f) || repeats_in_number(p, s, stop.detail, f)) return &f;
+    if (searches < kMaxListings && ++searches > 0 && means_line(in, s, stop.statement, stop.detail, f)) return &f;
     std::string near;
     std::string near_file;
     const Elsewhere late = defined_elsewhere(in, stop.detail);
@@ -182,6 +220,8 @@ void check(const Input& in, Reporter& out) {
     if (number_only(p.name(call.callee)).empty() && in.profile.setup == nullptr) continue;
     Finding& f = out.add(p.at(call.statement).head_span(), "no sub `" + p.label_text(call.callee) + "` is defined");
     f.help = "define the sub, or correct the label";
+    if (searches < kMaxListings && ++searches > 0)
+      means_line(in, p.at(call.statement), call.statement, p.name(call.callee), f);
     f.reach = Reach::kNever;
   }
 }

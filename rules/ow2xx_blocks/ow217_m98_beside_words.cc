@@ -6,6 +6,7 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/questions.h"
+#include "rules/driver/modes.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow217 {
@@ -143,12 +144,21 @@ void report_dropped(const Input& in, Reporter& out, StatementId id) {
                        "`" + text + "` on an `M98` line: LinuxCNC " +
                            (!may_stop(p, id) ? "reads it but does not execute it"
                                              : "checks it and may stop here, but never executes it"));
-  f.help = "write it on a line of its own, before `M98`";
+  // What ends a sub or the program, and would end it before the call.
+  const bool ends = find_word(words_of(*p.source, s.rest_span()), "M99 M2 M30") != nullptr;
+  f.help = std::string("write it on a line of its own, ") + (ends ? "after" : "before") + " `M98`";
+  if (ends) f.help += ", or remove it";
   f.reach = in.flow.reach(id);
   if (!runs || s.block_delete) return;
   // Never safe: the words would begin to work.
   uint64_t blanks = s.rest_span().begin;
   while (p.source->slice({blanks - 1, blanks}).find_first_of(" \t") == 0) --blanks;
+  if (ends) {
+    const std::string moved =
+        line_end(*p.source, s) + indent_of(*p.source, s) + std::string(p.source->slice(s.rest_span()));
+    f.fixes.push_back({"write it on a line of its own, after `M98`", false, {{{blanks, s.rest_span().end}, moved}}});
+    return;
+  }
   f.fixes.push_back({f.help,
                      false,
                      {{{s.offset, s.offset},

@@ -1,19 +1,49 @@
 // OW307 zero-for-letter-o: the figure zero typed where the letter O belongs.
 // Depends on: a line cannot begin with a digit; while skipping, the line is not an O-word and ends
 // nothing.
+#include <algorithm>
+#include <vector>
+
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow307 {
 namespace {
 
+/// The lines with this mistake that belong together by their label: a block is a block again only if all of its lines are
+/// corrected.
+std::vector<StatementId> lines_with(const Program& p, StatementId id) {
+  const Statement& s = p.at(id);
+  std::vector<StatementId> lines;
+  if (s.label == kNoName) return {id};
+  for (const StatementId other : p.by_label[s.label]) {
+    const LineError* error = p.syntax.error(p.at(other));
+    const bool one_space = global_label(s.keyword)
+        ? global_label(p.at(other).keyword)
+        : !global_label(p.at(other).keyword) && p.region_of[other] == p.region_of[id];
+    if (error != nullptr && error->kind == StopKind::kZeroForO && one_space) lines.push_back(other);
+  }
+  if (std::ranges::find(lines, id) == lines.end()) lines.push_back(id);
+  return lines;
+}
+
 Finding* report(const Input& in, Reporter& out, StatementId id) {
-  const LineError* error = in.program.syntax.error(in.program.at(id));
-  Finding& f = out.add(error->span, "this O-word begins with the digit zero instead of the letter O");
+  const Program& p = in.program;
+  Finding& f =
+      out.add(p.syntax.error(p.at(id))->span, "this O-word begins with the digit zero instead of the letter O");
   f.help = "write the letter `o`";
-  f.fixes.push_back({"write the letter `o`",
-                     !bounds_sub(in.program.at(id)),
-                     {{{error->span.begin, error->span.begin + 1}, "o"}},
-                     true});
+  constexpr size_t kMost = 20;  // of one label
+  const size_t words = p.at(id).label == kNoName ? 1 : p.by_label[p.at(id).label].size();
+  const bool all = words <= 10 * kMost;
+  std::vector<StatementId> lines = all ? lines_with(p, id) : std::vector{id};
+  const bool safe = all && lines.size() <= kMost;
+  if (!safe) lines = {id};
+  Fix fix{lines.size() > 1 ? "write the letter `o` on all lines of the label" : f.help, safe, {}, true};
+  for (const StatementId line : lines) {
+    const uint64_t zero = p.syntax.error(p.at(line))->span.begin;
+    fix.edits.push_back({{zero, zero + 1}, "o"});
+    fix.safe = fix.safe && !bounds_sub(p.at(line));
+  }
+  f.fixes.push_back(std::move(fix));
   return &f;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/syntax/last_statement.h"
-#include "rules/driver/stops.h"
+#include "rules/driver/idioms.h"
 
 namespace owlint::rules::ow317 {
 namespace {
@@ -26,7 +26,11 @@ void check(const Input& in, Reporter& out) {
       const size_t end = apart.find_first_not_of(" \t", at);
       apart.replace(at, end - at, "] [");
     }
-    f.help = "write each argument in its own brackets: `[" + apart + "]`";
+    const Statement& s = p.at(id);
+    std::string_view behind = p.source->slice({s.keyword_span().end, s.end()});
+    behind = behind.substr(0, behind.find_first_of("(;\r"));
+    const std::string all = arguments_in_brackets(behind);
+    f.help = "write each argument in its own brackets: `" + (all.empty() ? "[" + apart + "]" : all) + "`";
     f.fixes.push_back({"write each argument in its own brackets", false, {{span, apart}}});
   }
 }

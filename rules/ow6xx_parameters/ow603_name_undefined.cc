@@ -2,6 +2,7 @@
 // Depends on: reading an unassigned name stops the run; `#<name>` is local to the sub that runs,
 // `#<_name>` is global. A name reads 0 in the value that it is first assigned, and a comment shows one that is not assigned as
 // `######` (measured).
+#include <cctype>
 #include <optional>
 #include <set>
 
@@ -233,6 +234,27 @@ void check_unreached(const Input& in, LocalNames& names, Reporter& out) {
   }
 }
 
+/// `X#<rot Y#<rot>`: the next name is read as a part of the one whose `>` is missing. That one, as it is written; empty for
+/// other names.
+std::string open_name(const Program& p, const Statement& s, const std::string& name) {
+  if (name.find("#<") == std::string::npos) return {};
+  const std::string_view line = p.source->slice(s.whole());
+  for (size_t open = line.find('<'); open != std::string_view::npos; open = line.find('<', open + 1)) {
+    const size_t close = line.find('>', open);
+    if (close == std::string_view::npos) break;
+    std::string read = small_letters(line.substr(open + 1, close - open - 1));
+    std::erase_if(read, [](char c) { return c == ' ' || c == '\t'; });
+    if (read != name) continue;
+    const std::string_view text = line.substr(open + 1, close - open - 1);
+    size_t end = text.find_first_not_of(" \t");
+    while (end < text.size() &&
+           (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_' || is_foreign(text[end])))
+      ++end;
+    return std::string(text.substr(0, std::min(end, text.size())));
+  }
+  return {};
+}
+
 /// Names the line that assigns the name which looks like this one.
 void relate_look_alike(const Input& in, const std::string& name, RegionId reader, Finding& f) {
   const Program& p = in.program;
@@ -262,6 +284,11 @@ void check(const Input& in, Reporter& out) {
     f.uncertain = cases || (some && local && p.syntax.runs_python);  // a list of cases may name all that there are
     // Then all names that the sub assigns in these cases are one question to its author.
     if (cases) f.group = fmt::format("cases of region {} in {}", p.region_of[s.statement], p.source->path());
+    if (const std::string open = open_name(p, p.at(s.statement), s.detail); !open.empty()) {
+      f.message = "the name `" + open + "` has no `>`: LinuxCNC reads " + name;
+      f.help = "write `#<" + open + ">`: a `>` is missing after `" + open + "`";
+      return &f;
+    }
     // A global that the program says it needs comes from outside.
     if (!documented) documented = leading_comment(*p.source);
     if (s.detail.starts_with("_") && documented->find("#<" + s.detail + ">") != std::string::npos) {

@@ -100,6 +100,15 @@ void doubt_unit(const Input& in, const FlowStop& stop, Finding& f) {
                        inches ? "inches" : "millimeters", at.word, inches ? "G20" : "G21");
 }
 
+/// `G71 U2 R1`: the first of two lines on Fanuc.
+void tell_of_two_lines(const Input& in, const FlowStop& stop, Finding& f) {
+  if (!stop.interpreter.ends_with("requires a Q word")) return;
+  const std::optional<Habit> habit = habit_of(in, stop.statement);
+  if (!habit) return;
+  f.message = habit->message;
+  f.help = habit->help;
+}
+
 /// An arc in the sub of a contour whose `R` does not reach its end: the interpreter says of it that the contour turns back.
 struct SmallArc {
   uint32_t line = 0;
@@ -156,6 +165,7 @@ void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     doubt_unit(in, stop, f);
+    tell_of_two_lines(in, stop, f);
     doubt_radius(in, stop, f);
     tell_of_lost_contour(in, stop, f);
     relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
