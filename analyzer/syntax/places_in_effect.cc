@@ -41,8 +41,8 @@ bool has_code_for_the_flow(const WordLine& words) {
       (store != nullptr && store->number >= code::kM70 && store->number <= code::kM73) || words.has_polar_words();
 }
 
-/// Whether only the flow knows where the line goes: the numbers of its axes, or the code itself, or what such a code takes (the D of
-/// G41, the P of G10).
+/// Whether only the flow knows where the line goes: the numbers of its axes, or the code itself, or what such a code takes (the D
+/// of G41, the P of G10).
 bool has_computed_place(const WordLine& words) {
   const bool takes_any = has_code_for_the_flow(words);
   for (size_t i = 0; i < words.size(); ++i) {

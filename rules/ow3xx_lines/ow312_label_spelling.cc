@@ -14,7 +14,8 @@ void check(const Input& in, Reporter& out) {
     const std::string written(p.source->slice(s.label_span()));
     const std::string plain = s.named ? "o<" + p.name(s.label) + ">" : p.label_text(s.label);
     // The letter itself is OW311's, or OW307's.
-    if (written[0] == '0' || written.substr(1) == plain.substr(1) || written.find_first_of("[#") != std::string::npos) continue;
+    if (written[0] == '0' || written.substr(1) == plain.substr(1) || written.find_first_of("[#") != std::string::npos)
+      continue;
     Finding& f = out.add(s.label_span(), "`" + written + "` is read as `" + plain + "`");
     f.help = "write `" + plain + "`";
     f.reach = in.flow.reach(id);

@@ -34,8 +34,8 @@ class ModeMap {
   std::optional<std::vector<ModeThere>> before(uint32_t line) const;
   /// The same for many lines, which ascend, in one pass; lines without a change are left out.
   std::vector<ModeStep> steps(std::span<const uint32_t> lines) const;
-  /// What each line changes by itself, in the order of the lines; of a call: what its sub does. Lines where nothing changes are left
-  /// out. The first line that no run gets to is there too, if there is one behind a line that is reached.
+  /// What each line changes by itself, in the order of the lines; of a call: what its sub does. Lines where nothing changes are
+  /// left out. The first line that no run gets to is there too, if there is one behind a line that is reached.
   std::vector<ModeStep> changes() const;
   /// Whether a run stops at a line of the program's own file.
   bool stops_at(uint32_t line) const;
