@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analyzer/machine/ini_hidden.h"
 #include "analyzer/machine/remap_line.h"
 #include "analyzer/text/paths.h"
 
@@ -97,8 +98,9 @@ bool Configuration::read_machine_ini(const std::string& path, Profile* profile, 
       *error = fmt::format("cannot read the INI {}: {}", path, *error);
       return false;
     }
-    // A byte order mark hides the section behind it, which a finding says.
-    if (!setup->ini.has_sections() && !setup->ini.source()->bytes().starts_with("\xEF\xBB\xBF[")) {
+    // A byte order mark hides the section behind it, other forms of text hide all of them: a finding says so.
+    const std::string_view bytes = setup->ini.source()->bytes();
+    if (!setup->ini.has_sections() && !bytes.starts_with("\xEF\xBB\xBF[") && how_hidden(bytes) == IniHidden::kNone) {
       *error = fmt::format("{} is not a machine INI: it has no [SECTION]", path);
       return false;
     }

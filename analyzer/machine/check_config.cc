@@ -19,16 +19,17 @@ std::optional<double> number_in(std::string_view text) {
   return value;
 }
 
-/// Measured: as numbers if both are, otherwise as text.
+/// A value in the words of the message: as an element of a Tcl list.
+std::string shown(std::string_view value) {
+  const bool plain = !value.empty() && value.find_first_of(" \t") == std::string_view::npos;
+  return plain ? std::string(value) : fmt::format("{{{}}}", value);
+}
+
+/// Measured: as numbers if both are, otherwise as the text that the message shows, so that `300 < {}` and `300 < {100 # mm}`.
 bool is_less(std::string_view a, std::string_view b) {
   const auto x = number_in(a);
   const auto y = number_in(b);
-  return x && y ? *x < *y : a < b;
-}
-
-/// A value in the words of the message.
-std::string shown(std::string_view value) {
-  return value.find_first_of(" \t") == std::string_view::npos ? std::string(value) : fmt::format("{{{}}}", value);
+  return x && y ? *x < *y : shown(a) < shown(b);
 }
 
 class Checker {
@@ -118,7 +119,7 @@ class Checker {
     if (of_joint.size() != 1 || of_axis.size() > 1) return;
     const std::string_view a = text_.value(*of_joint[0]);
     const std::string_view b = of_axis.empty() ? (min ? "-1e99" : "+1e99") : text_.value(*of_axis[0]);
-    if (a.empty() || b.empty() || !(min ? is_less(b, a) : is_less(a, b))) return;
+    if (!(min ? is_less(b, a) : is_less(a, b))) return;
     out_.push_back({min ? StartRefusal::Kind::kMinLimit : StartRefusal::Kind::kMaxLimit, of_joint[0],
                     of_axis.empty() ? nullptr : of_axis[0], joint, axis,
                     fmt::format("[{}]{} {} [{}]{} ({} {} {})", joint, key, min ? '>' : '<', axis, key, shown(a),

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <unordered_set>
 
+#include "analyzer/machine/ini_hidden.h"
 #include "analyzer/machine/ini_text.h"
 #include "analyzer/text/paths.h"
 
@@ -30,7 +31,11 @@ constexpr size_t kMaxContinued = kMostContinued;
 bool is_machine_ini(const Files& files, const std::string& path) {
   std::string error;
   Ini ini;
-  return ini.read(files, path, &error) && (ini.has_section("RS274NGC") || ini.has_section("EMC"));
+  const auto source = files.read(path, &error);
+  if (source == nullptr) return false;
+  const bool hidden = how_hidden(source->bytes()) != IniHidden::kNone;
+  ini.parse(files, hidden ? Source::own(path, text_as_seen(source->bytes())) : source);
+  return ini.has_section("RS274NGC") || ini.has_section("EMC");
 }
 
 std::string expand_home(std::string_view path) {
@@ -77,10 +82,10 @@ void Ini::parse(const Files& files, const std::shared_ptr<const Source>& source)
   source_ = source;
   std::vector<Line> lines;
   read_lines(files, source, false, lines);
-  // Measured: at a carriage return inside a line LinuxCNC gives up.
+  // Measured: at a carriage return that is not the last character of its line LinuxCNC gives up, also at two of them.
   const auto stray = std::ranges::find_if(lines, [](const Line& line) {
     const size_t first = line.text.find('\r');
-    return first != std::string_view::npos && line.text.find_first_not_of('\r', first) != std::string_view::npos;
+    return first != std::string_view::npos && first + 1 < line.text.size();
   });
   lines.erase(stray, lines.end());
   // LinuxCNC looks for the line of a section first, where a continued line is no different from others, and reads on

@@ -40,6 +40,12 @@ int integer_at(std::string_view text) {
   return value;
 }
 
+/// Whether a number follows the letter of a code. Measured: a sign is fine, so that `G-5` is accepted, and never called.
+bool has_number(std::string_view code) {
+  const size_t digit = code.find_first_not_of("+-", 1) == 2 ? 2 : 1;
+  return digit < code.size() && is_digit(code[digit]);
+}
+
 class RemapReader {
  public:
   RemapReader(std::string_view value, uint32_t line) : value_(value), line_(line) {}
@@ -132,10 +138,10 @@ class RemapReader {
                       : fmt::format("error: code '{}' : invalid modalgroup=<int> given  : {}", code, place()));
     }
     if (out_.ngc.empty() && out_.python.empty()) return no_target();
-    if (letter == 'M' && out_.m_number() < 0)
+    if (letter == 'M' && !has_number(code))
       fail(Problem::kNoNumber, code,
            fmt::format("parsing M-code: expecting integer like 'M420', got '{}' : {}", code, place()));
-    if (letter == 'G' && out_.g_number() < 0)
+    if (letter == 'G' && !has_number(code))
       fail(Problem::kNoNumber, code, fmt::format("code '{}' : can't parse G-code : {}", code, place()));
   }
 

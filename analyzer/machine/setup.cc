@@ -69,6 +69,15 @@ class SetupReader {
   /// LinuxCNC works in the INI's folder.
   std::string seen_from_ini(const std::string& path) const { return joined_path(folder_, expand_home(path)); }
 
+  /// A part of a continued value: where its text is there once, that is the place.
+  static Span place_in(const Ini::Entry& entry, std::string_view part) {
+    const std::string_view text = entry.source->slice(entry.span);
+    part = without_blanks(part);
+    const size_t at = part.empty() ? std::string_view::npos : text.find(part);
+    if (at == std::string_view::npos || text.find(part, at + 1) != std::string_view::npos) return entry.span;
+    return {entry.span.begin + at, entry.span.begin + at + part.size()};
+  }
+
   IniFolder& add_folder(std::string_view key, const Ini::Entry& entry, size_t from, size_t size) {
     IniFolder folder;
     folder.text = entry.value.substr(from, size);
@@ -77,9 +86,8 @@ class SetupReader {
     folder.path = normal_path(path);
     if (folder.path.size() > 1 && folder.path.ends_with('/')) folder.path.pop_back();
     folder.source = entry.source;
-    // A continued value has no single place for its parts.
     const bool whole = entry.span.end - entry.span.begin != entry.value.size();
-    folder.span = whole ? entry.span : Span{entry.span.begin + from, entry.span.begin + from + size};
+    folder.span = whole ? place_in(entry, folder.text) : Span{entry.span.begin + from, entry.span.begin + from + size};
     folder.exists = files_.is_folder(path);
     return m_.folders.emplace_back(std::move(folder));
   }
@@ -165,6 +173,7 @@ class SetupReader {
       if (at == std::string::npos) continue;
       const size_t from = at + kNgc.size();
       const size_t size = std::min(remap->value.find_first_of(" \t", from), remap->value.size()) - from;
+      if (size == 0) continue;  // LinuxCNC refuses the line
       add_call("REMAP", *remap, remap->value.substr(from, size), from, size);
     }
     for (const Ini::Entry* file : m_.ini.all("DISPLAY", "NGCGUI_SUBFILE")) {

@@ -62,6 +62,12 @@ bool stops_each_run(const Finding& f) {
   return f.stops && f.reach == Reach::kAlways && !f.unproven && !f.uncertain && f.block_delete.empty();
 }
 
+/// A global name that nothing has set: measured, no program has run before the start-up code. Python may have.
+bool lacks_global(const SetupInput& in, const Finding& f) {
+  return f.code == "OW603" && f.stops && f.reach == Reach::kAlways && !in.profile.may_be_python() &&
+      f.interpreter.find("#<_") != std::string::npos && f.interpreter.find("#<_hal") == std::string::npos;
+}
+
 class SureLines {
  public:
   SureLines(const SetupInput& in, std::vector<CommandRuns::SubLine>& out) : in_(in), out_(out) {}
@@ -133,7 +139,9 @@ std::vector<CommandStop> CommandRuns::stops(const std::string& code, RunsAt when
     return stop;
   };
   for (Finding& f : report.own.findings) {
-    if (!stops_each_run(f) || f.span.begin < before.size() || f.span.begin > before.size() + code.size()) continue;
+    const bool at_start = when == RunsAt::kStart && lacks_global(in_, f);
+    if ((!stops_each_run(f) && !at_start) || f.span.begin < before.size() || f.span.begin > before.size() + code.size())
+      continue;
     if (!missing_subs && (f.code == "OW208" || f.code == "OW402")) continue;
     // Behind a first call it is no error any more.
     if (when == RunsAt::kAny && f.code == "OW101" && f.interpreter != "Not in subroutine definition") continue;
@@ -145,13 +153,37 @@ std::vector<CommandStop> CommandRuns::stops(const std::string& code, RunsAt when
   if (!out.empty()) return out;
   for (FileReport& called : report.called) {
     for (Finding& f : called.findings) {
-      if (!stops_each_run(f)) continue;
+      if (!stops_each_run(f) && (when != RunsAt::kStart || !lacks_global(in_, f))) continue;
       const Span place = f.span;
       CommandStop& stop = add(f);
       stop.span = {0, code.size()};
       stop.in_sub = true;
       stop.related.push_back({place, "the sub stops here", called.source});
     }
+  }
+  return out;
+}
+
+std::vector<CommandStop> CommandRuns::beyond_limits(const std::string& code) const {
+  const std::string bare = bare_code(code);
+  std::vector<CommandStop> out;
+  // `G53` needs no offsets. In inches each end is further away, in millimetres on a machine in inches it is not.
+  const Ini::Entry* const units = in_.setup.ini.find("TRAJ", "LINEAR_UNITS");
+  const bool metric =
+      units != nullptr && (small_letters(units->value) == "mm" || small_letters(units->value) == "metric");
+  if (!has_code(bare, 'G', 53) || (!metric && !has_code(bare, 'G', 20) && !has_code(bare, 'G', 21))) return out;
+  for (Finding& f : run_alone(in_, code, RunsAt::kAny).own.findings) {
+    if (f.code != "OW907" || !stops_each_run(f) || f.span.end > code.size()) continue;
+    CommandStop& stop = out.emplace_back();
+    stop.code = f.code;
+    stop.span = f.span;
+    stop.message = std::move(f.message);
+    stop.help = std::move(f.help);
+    stop.interpreter = std::move(f.interpreter);
+    stop.related = std::move(f.related);
+    constexpr std::string_view kLine = " on line 1 ";
+    const size_t at = stop.interpreter.find(kLine);
+    if (at != std::string::npos) stop.interpreter.replace(at, kLine.size(), " on line 0 ");  // measured, of MDI
   }
   return out;
 }

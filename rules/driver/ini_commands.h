@@ -28,6 +28,8 @@ class CommandRuns {
 
   /// In the order of the line; those of subs come last. A sub that is nowhere is another rule's: only if `missing_subs`.
   std::vector<CommandStop> stops(const std::string& code, RunsAt when, bool missing_subs = false) const;
+  /// The line moves an axis beyond a limit, wherever the machine is and in whichever modes: what OW907 says of it.
+  std::vector<CommandStop> beyond_limits(const std::string& code) const;
   /// `o<sub> call` with `values` arguments reads more than these: what OW507 says of it; empty if it does not.
   std::vector<Finding> unpassed(const std::string& sub, size_t values) const;
   /// The lines of the called subs that each run gets to: those before any branch.

@@ -30,7 +30,13 @@ void refuses_machine(const SetupInput& in, Finding& finding, std::string message
 
 bool is_whole_machine(const SetupInput& in) {
   const Ini::Entry* version = in.setup.ini.find("EMC", "VERSION");
-  return version != nullptr && version->value == "1.1" && in.profile.version >= Version::k2_8 && !reads_strictly(in);
+  return version != nullptr && version_meant(version->value) == "1.1" && in.profile.version >= Version::k2_8 &&
+      !reads_strictly(in);
+}
+
+std::string_view version_meant(std::string_view value) {
+  const size_t comment = comment_in(value);
+  return comment == std::string_view::npos ? value : value.substr(0, value.find_last_not_of(" \t", comment - 1) + 1);
 }
 
 bool reads_strictly(const SetupInput& in) { return in.profile.version >= Version::k2_10; }

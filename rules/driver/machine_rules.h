@@ -24,6 +24,8 @@ void refuses_machine(const SetupInput& in, Finding& finding, std::string message
 /// Whether LinuxCNC 2.8 or 2.9 starts from this INI, rather than converting it first: `[EMC]VERSION` is 1.1. Parts of an INI, and
 /// those of 2.7, have no such line; what they lack is no mistake.
 bool is_whole_machine(const SetupInput& in);
+/// What a `VERSION` is without the comment behind it, which LinuxCNC takes for a part of it: OW415.
+std::string_view version_meant(std::string_view value);
 /// The version in effect is 2.10, which reads the INI otherwise.
 bool reads_strictly(const SetupInput& in);
 

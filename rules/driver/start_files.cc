@@ -24,21 +24,23 @@ class StartFiles {
     check_program("TASK", kTasks);
   }
 
-  /// Whether a HAL file that is here loads what `KINEMATICS` says.
-  bool hal_loads_kinematics() const {
+  /// Whether a line of a HAL file that is here has a text, and begins with a word.
+  bool hal_has(std::string_view text, std::string_view first_word) const {
     for (const IniLine* line : lines_of(text_, "HAL")) {
       if (text_.name(*line) != "HALFILE" || line->kind != IniLine::Kind::kKey) continue;
       const std::string path = path_beside(in_, text_.value(*line));
       std::string error;
       const auto source = in_.library.files().is_file(path) ? in_.library.files().read(path, &error) : nullptr;
       if (source == nullptr) continue;
-      constexpr std::string_view kValue = "[KINS]KINEMATICS";
       const std::string_view bytes = source->bytes();
-      for (size_t at = bytes.find(kValue); at != std::string_view::npos; at = bytes.find(kValue, at + 1)) {
+      for (size_t at = bytes.find(text); at != std::string_view::npos; at = bytes.find(text, at + 1)) {
         const size_t feed = bytes.rfind('\n', at);
-        const std::string_view before = bytes.substr(feed == std::string_view::npos ? 0 : feed + 1, at);
+        const size_t begin = feed == std::string_view::npos ? 0 : feed + 1;
+        const std::string_view before = bytes.substr(begin, at - begin);
         const size_t first = before.find_first_not_of(" \t");
-        if (first != std::string_view::npos && before.substr(first).starts_with("loadrt")) return true;
+        if (first == std::string_view::npos ? first_word.empty()
+                                            : before.substr(first).starts_with(first_word) && before[first] != '#')
+          return true;
       }
     }
     return false;
@@ -58,9 +60,10 @@ class StartFiles {
     const auto bad = std::find_if(words.begin() + 1, words.end(), [](std::string_view word) {
       return word.find('=') == std::string_view::npos || word.starts_with('=') || word.ends_with('=');
     });
+    const bool loads = hal_has("[KINS]KINEMATICS", "loadrt");
+    if (bad == words.end() && words[0] == "trivkins") return check_capitals(line, words, loads);
     if (bad != words.end()) {
       const std::string option(bad->substr(0, bad->find('=')));
-      const bool loads = hal_loads_kinematics();
       Finding& f = add_at(in_, out_, line, line.value,
                           (comment != std::string_view::npos ? "the comment is a part of the value: " : "") +
                               ("`" + std::string(words[0]) + "` has no option `" + std::string(*bad) +
@@ -85,6 +88,71 @@ class StartFiles {
                         "LinuxCNC has no kinematics module `" + std::string(words[0]) + "`");
     f.help = "did you mean `" + near + "`?";
     f.unproven = true;  // there may be one that is made for the machine
+  }
+
+  /// Measured: `COORDINATES=XYZ` is an unknown parameter of the module.
+  void check_capitals(const IniLine& line, const std::vector<std::string_view>& words, bool loads) {
+    for (const std::string_view word : words) {
+      const std::string option(word.substr(0, word.find('=')));
+      const std::string small = small_letters(option);
+      if (option == small || (small != "coordinates" && small != "kinstype")) continue;
+      const Span span = span_of(line, word.substr(0, option.size()));
+      Finding& f = add_at(in_, out_, line, span,
+                          "`trivkins` has no option `" + option +
+                              (loads ? "`, and LinuxCNC does not start"
+                                     : "`: LinuxCNC does not start if a HAL file loads `[KINS]KINEMATICS`"));
+      f.help = "write `" + small + "`; upper and lower case matter";
+      f.fixes.push_back({"write `" + small + "`", false, {{span, small}}});
+      if (loads) refuses_machine(in_, f, "Unknown parameter `" + std::string(word) + "'");
+      return;
+    }
+  }
+
+  /// Measured: LinuxCNC takes the name as it is, and starts without the file.
+  void check_file(const IniLine& line) {
+    if (line.continued) return;
+    const std::string value(text_.value(line));
+    const bool tools = text_.name(line) == "TOOL_TABLE";
+    if (tools && in_.setup.ini.find("EMCIO", "DB_PROGRAM") != nullptr) return;
+    const std::string effect = tools ? "it starts without tools" : "it starts with all parameters at 0";
+    const bool quoted = value.size() > 2 && (value[0] == '"' || value[0] == '\'') && value.back() == value[0];
+    if (reads_strictly(in_)) return;
+    if (quoted) {
+      Finding& f = add_at(in_, out_, line, line.value,
+                          "the quotes are a part of the name: LinuxCNC looks for a file `" + value + "`" +
+                              (is_beside(value) ? "" : ", and " + effect));
+      f.help = "remove the quotes";
+      f.fixes.push_back(write_value(line, value.substr(1, value.size() - 2), false));
+    } else if (value.starts_with("~/")) {
+      Finding& f = add_at(in_, out_, line, line.value,
+                          "`~` is not the home folder here: LinuxCNC looks for a folder `~` beside the INI" +
+                              (is_beside(value) ? "" : ", and " + effect));
+      f.help = "write the whole path, such as `/home/NAME" + value.substr(1) + "`, or one from the INI's folder";
+    } else if (tools && !value.starts_with('/') && !is_beside(value) && has_files_beside()) {
+      check_missing_tools(line, value);
+    }
+  }
+
+  bool is_beside(std::string_view value) const {
+    return in_.library.files().is_file(normal_path(joined_path(folder_of(in_.setup.path), value)));
+  }
+
+  /// An info, as LinuxCNC itself changes the file, and many keep it out of what they share.
+  void check_missing_tools(const IniLine& line, const std::string& value) {
+    const std::string path = normal_path(joined_path(folder_of(in_.setup.path), value));
+    std::vector<std::string> names;
+    std::string unread;  // then there are none
+    const std::string folder(folder_of(path));
+    for (const FolderEntry& entry : in_.library.files().list(folder.empty() ? "." : folder, &unread)) {
+      if (ending_of(entry.name) == ending_of(path) && names.size() < kMostNames) names.push_back(entry.name);
+    }
+    const std::string near = nearest(name_of(path), names, 2);
+    Finding& f = add_at(in_, out_, line, line.value,
+                        "there is no tool table `" + value + "`: LinuxCNC starts without tools, and `T1` stops");
+    f.help = near.empty() ? "put the file there, or correct the name" : "did you mean `" + near + "`?";
+    f.interpreter = "can't load tool table.";
+    f.missing = value;
+    if (near.empty()) f.weight = Weight::kAside;
   }
 
   Span span_of(const IniLine& line, std::string_view part) const {
@@ -193,6 +261,8 @@ class StartFiles {
     f.unproven = true;  // there may be one on the machine
   }
 
+  static constexpr size_t kMostNames = 1000;
+
   const SetupInput& in_;
   Reporter& out_;
   const IniText& text_;
@@ -205,6 +275,16 @@ void check_start_files(const SetupInput& in, Reporter& out) { StartFiles(in, out
 
 void check_kinematics(const SetupInput& in, Reporter& out, const IniLine& line) {
   StartFiles(in, out).check_module(line);
+}
+
+void check_machine_file(const SetupInput& in, Reporter& out, const IniLine& line) {
+  StartFiles(in, out).check_file(line);
+}
+
+bool hal_files_have(const SetupInput& in, std::string_view text) {
+  std::vector<Finding> unused;
+  Reporter none(*catalogue().front(), unused);
+  return StartFiles(in, none).hal_has(text, "");
 }
 
 }  // namespace owlint::rules

@@ -81,6 +81,11 @@ std::string meant_section(const IniText& text, std::string_view name) {
     if (fits && !is_there(wanted)) return wanted;
   }
   if (std::ranges::find(candidates, letters) != candidates.end()) return letters;
+  // `[RS274]`, `[TRAJECTORY]`: one name begins the other, and a key in it decides.
+  for (const std::string& candidate : candidates) {
+    if ((candidate.starts_with(letters) || letters.starts_with(candidate)) && has_key_of(text, name, candidate))
+      return candidate;
+  }
   if (letters.size() < 5) return {};
   const std::string near = nearest(letters, candidates, 1);
   return !near.empty() && has_key_of(text, name, near) ? near : std::string();

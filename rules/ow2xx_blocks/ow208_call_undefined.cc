@@ -186,11 +186,26 @@ void check(const Input& in, Reporter& out) {
   }
 }
 
+/// Measured: `ngc=~/name` is looked for in the home folder of whoever starts LinuxCNC, and nowhere else.
+void check_home(const SetupInput& in, Reporter& out, const IniCall& call) {
+  const std::string path = expand_home(call.name) + ".ngc";
+  if (path.starts_with('~') || in.library.files().exists(path)) return;
+  Finding& f = out.add(call.source, call.span,
+                       "`REMAP` names `" + call.name + "`, but there is no file " + path + ": LinuxCNC does not start");
+  f.help =
+      "put the file there, or write its name without `~/`: LinuxCNC looks for it in the folders of `SUBROUTINE_PATH`";
+  f.interpreter = "INTERP_REMAP: NGC file not found: ngc=" + call.name;
+  f.unproven = true;  // the home folder may be another one on the machine
+}
+
 /// Subs that the INI calls, by a remap, a button or at the start: they must be files.
 void check_setup(const SetupInput& in, Reporter& out) {
   const bool whole = std::ranges::all_of(in.setup.folders, [](const IniFolder& folder) {
     return folder.exists || (folder.key != "PROGRAM_PREFIX" && folder.key != "SUBROUTINE_PATH");
   });
+  for (const IniCall& call : in.setup.calls) {
+    if (call.key == "REMAP" && call.name.starts_with("~/")) check_home(in, out, call);
+  }
   if (!whole) return;  // a folder is missing, which OW407 says: the files may be meant to be there
   for (const IniCall& call : in.setup.calls) {
     for (const std::string& name : called_names(call.code)) {

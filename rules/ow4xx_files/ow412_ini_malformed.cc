@@ -5,6 +5,7 @@
 #include <map>
 
 #include "analyzer/machine/ini_keys.h"
+#include "rules/driver/ini_form.h"
 #include "rules/driver/machine_rules.h"
 #include "rules/driver/start_refusals.h"
 #include "rules/driver/stops.h"
@@ -19,11 +20,7 @@ constexpr size_t kMostFindings = 200;  // likewise
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-std::string code(std::string_view text) {
-  constexpr size_t kShown = 40;
-  const char quote = text.find('`') == std::string_view::npos ? '`' : '"';
-  return quote + std::string(text.substr(0, kShown)) + (text.size() > kShown ? "…" : "") + quote;
-}
+std::string code(std::string_view text) { return as_code(text); }
 
 class Checker {
  public:
@@ -36,6 +33,7 @@ class Checker {
   }
 
   void run() {
+    if (check_hidden_ini(in_, out_)) return;
     check_marks();
     for (size_t i = 0; i < text_.lines().size() && found_ < kMostFindings; ++i) check(i);
     check_end();
@@ -79,30 +77,7 @@ class Checker {
           marked_ = first;
         }
       }
-      check_bytes(source);
-    }
-  }
-
-  void check_bytes(const std::shared_ptr<const Source>& source) {
-    const std::string_view bytes = source->bytes();
-    for (size_t at = bytes.find('\r'); at != std::string_view::npos; at = bytes.find('\r', at + 1)) {
-      const size_t behind = bytes.find_first_not_of('\r', at);
-      if (behind == std::string_view::npos || bytes[behind] == '\n') {
-        at = behind == std::string_view::npos ? bytes.size() : behind;
-        continue;
-      }
-      Finding& f = out_.add(source, {at, at + 1},
-                            "a carriage return inside a line: LinuxCNC finds no key on this line or below it");
-      f.help = "save the file with Unix line endings (LF)";
-      f.interpreter = "inifile: error: File contains ambiguous carriage returns";
-      const IniLine* units = find_line(text_, "TRAJ", "LINEAR_UNITS");
-      if (is_whole_machine(in_) && units != nullptr && text_.source(*units) == source && units->span.end > at)
-        refuses(f, f.interpreter);
-      break;
-    }
-    if (const size_t at = bytes.find('\0'); at != std::string_view::npos) {
-      Finding& f = out_.add(source, {at, at + 1}, "a NUL byte: LinuxCNC ignores the rest of the line");
-      f.help = "remove it; the file may be damaged, or saved as UTF-16";
+      check_bytes(in_, out_, source);
     }
   }
 
@@ -132,21 +107,15 @@ class Checker {
       refuse(line, f);
     }
     const std::string_view name = ini_include(text);
+    if (name.empty() && !strict_) return check_near_include(in_, out_, line);
     if (name.empty() || strict_) return;
     const bool indented = text_.source(line)->position(line.span.begin).column > 1;
-    if (line.source == 0 && !indented) return check_include(line, name);
+    if (line.source == 0 && !indented) return check_include(in_, out_, line);
     Finding& f =
         add(line, line.span,
             line.source == 0 ? "a space before `#INCLUDE`: LinuxCNC takes the line for a comment"
                              : "`#INCLUDE` in a file that is itself included: LinuxCNC takes the line for a comment");
     f.help = line.source == 0 ? "begin the line with `#INCLUDE`" : "include the file in the machine's INI";
-  }
-
-  void check_include(const IniLine& line, std::string_view name) {
-    if (name.find_first_of("`;|&<>") == std::string_view::npos && name.find("$(") == std::string_view::npos) return;
-    Finding& f =
-        add(line, line.span, "LinuxCNC passes the file name of `#INCLUDE` to a shell, which would run " + code(name));
-    f.help = "write a plain file name; owlint ran nothing, and did not read the file";
   }
 
   void check_open_section(const IniLine& line) {
@@ -323,8 +292,8 @@ extern const Rule kRule{
                 R"(A line of the machine's INI that LinuxCNC reads differently from people: `[NAME` without `]`, spaces
 inside the brackets, text after `]`, a line without `=`, a key before the first section, a line
 longer than 255 bytes, a `\` that joins the next key or section to the line, a carriage return
-inside a line, a byte order mark, an `#INCLUDE` that LinuxCNC takes for a comment or that would run
-a command.)",
+inside a line or two of them at its end, a byte order mark, UTF-16, an `#INCLUDE` that LinuxCNC takes for
+a comment, whose file is not there, or that would run a command.)",
             .why = R"(LinuxCNC gives no message about a line that it does not understand: it does not find the key, and
 uses its default. LinuxCNC's check before the start reads the file differently. That check does not
 see the section `[KINS] # my machine`, and it fails at a line with `=` before the first section:

@@ -131,11 +131,31 @@ class Checker {
         {first.span, "the value that is used", first.source == line.source ? nullptr : text_.source(first)});
   }
 
+  /// Whether the name of an unknown section is said to be wrong: here, or by OW412 for `[ RS274NGC ]`.
+  bool is_said(const std::string& section) const {
+    const size_t first = section.find_first_not_of(" \t");
+    if (first == std::string::npos) return true;
+    const std::string plain = section.substr(first, section.find_last_not_of(" \t") + 1 - first);
+    return is_known_section(plain) || !meant_section(text_, section).empty();
+  }
+
+  /// Names that nobody gives to a key of their own.
+  static bool is_of_machine(std::string_view name) {
+    return name == "PARAMETER_FILE" || name == "SUBROUTINE_PATH" || name == "REMAP" || name == "USER_M_PATH" ||
+        name == "RS274NGC_STARTUP_CODE" || name == "ON_ABORT_COMMAND";
+  }
+
   /// A key that LinuxCNC itself does not read.
   void check_name(const std::string& section, const IniLine& line,
                   const std::map<std::string_view, const IniLine*>& values) {
     const std::string name(text_.name(line));
-    if (!is_known_section(section) || is_display_key(section, name)) return;
+    const bool known = is_known_section(section);
+    if (!known && section == "MACRO" && name == "MACRO" && text_.find_section("MACROS") == nullptr) {
+      Finding& f = add_at(in_, out_, line, line.name, "displays look for `MACRO` in `[MACROS]`, not in `[MACRO]`");
+      f.help = "name the section `[MACROS]`";
+      return;
+    }
+    if (known ? is_display_key(section, name) : !is_of_machine(name) || is_said(section)) return;
     for (const Home& home : kHomes) {
       if (name != home.key) continue;
       if (find_line(text_, home.section, home.key) != nullptr) return;
@@ -145,6 +165,7 @@ class Checker {
       f.help = "move the line into `[" + std::string(home.section) + "]`";
       return;
     }
+    if (!known) return;
     const std::string near = near_key(section, name);
     if (near.empty() || values.contains(near)) return;
     Finding& f =
@@ -189,7 +210,7 @@ extern const Rule kRule{
     .page =
         {
             .what =
-                R"(A key or section whose name is nearly one that LinuxCNC reads and that this INI lacks; a key in the wrong
+                R"(A key or section whose name is nearly one that LinuxCNC reads and that this INI lacks, or only a part of it; a key in the wrong
 section; a key that is set twice, to two values; a value below an empty line of the same key.)",
             .why =
                 R"(LinuxCNC looks for each key by its exact name, in one section, and uses the first value. If there is

@@ -65,7 +65,8 @@ class Checker {
       f.fixes.push_back(comment_above(text_, line, comment));
     } else if (const std::optional<bool> meant = ini_truth(value); meant && wants_number(*key)) {
       f.help = std::string("write `") + (*meant ? "1" : "0") + "`";
-      f.fixes.push_back(write_value(line, *meant ? "1" : "0", true));
+      // With that one on, a mistake in an O-word crashes LinuxCNC where it only stopped the program before.
+      f.fixes.push_back(write_value(line, *meant ? "1" : "0", key->name != "OWORD_WARNONLY"));
     } else if (!ini_real(value) && begins_with_number(value) &&
                (key->type == Type::kNumber || key->type == Type::kInteger)) {
       f.help =
@@ -179,12 +180,47 @@ class Checker {
       if (name == "PROGRAM_PREFIX")
         f.message = "the comment is a part of the value: LinuxCNC finds no user M codes in `" + value + "`";
       f.help = "put the comment on a line of its own";
+      const bool there = key.type == Type::kPath && is_file_beside(value);
+      if (there) {
+        f.message += ", which is there";
+        f.help += "; take over what LinuxCNC has written to that file before";
+      }
       f.fixes.push_back(comment_above(text_, line, comment));
+      f.fixes.back().safe = !there;
+    } else if (name == "TOOL_TABLE" || name == "PARAMETER_FILE") {
+      check_machine_file(in_, out_, line);
     } else if (key.type == Type::kPaths && value.find(',') != std::string::npos) {
       Finding& f =
           add_at(in_, out_, line, line.value, "`,` does not separate folders: LinuxCNC reads it as a part of the name");
       f.help = "separate the folders with `:`";
     }
+  }
+
+  /// Measured with LinuxCNC: such a name counts as it is written, blanks and all.
+  bool is_file_beside(std::string_view value) const {
+    return in_.library.files().is_file(normal_path(joined_path(folder_of(in_.setup.path), value)));
+  }
+
+  /// Measured without a screen: with any other text than `1.1` LinuxCNC wants to convert the INI first.
+  void check_version(const IniLine& line, size_t comment) {
+    if (version_meant(text_.value(line)) != "1.1") return;  // OW424
+    Finding& f =
+        add_at(in_, out_, line, line.value,
+               "the comment is a part of the value: LinuxCNC does not find that `VERSION` is 1.1, and does not "
+               "start before it has converted the INI");
+    f.help = "put the comment on a line of its own";
+    f.fixes.push_back(comment_above(text_, line, comment));
+    refuses(f, "INI file [EMC]VERSION indicates update is needed, but the update GUI can't run without an X display");
+  }
+
+  /// Measured: with `5,5,5` the first M6 never ends, with `5 5 5` it moves there.
+  void check_change_position(const IniLine& line) {
+    const std::string value(text_.value(line));
+    if (value.find(',') == std::string::npos) return;
+    Finding& f = add_at(in_, out_, line, line.value,
+                        "`,` does not separate the numbers of `TOOL_CHANGE_POSITION`: LinuxCNC waits for ever at `M6`");
+    f.help = "separate the numbers with spaces";
+    f.never_ends = true;
   }
 
   /// The list goes on where LinuxCNC has stopped to read it.
@@ -234,9 +270,11 @@ class Checker {
       f.help = "write `1`";
       f.interpreter = "invalid [TRAJ] NO_FORCE_HOMING in " + std::string(name_of(text_.source(line)->path())) + " (" +
           std::string(value) + "); using default 0";
-      f.fixes.push_back(write_value(line, "1", true));
+      f.fixes.push_back(write_value(line, "1", false));  // the machine then moves without being homed
       return;
     }
+    if (section == "EMC" && name == "VERSION" && comment != std::string_view::npos) return check_version(line, comment);
+    if (section == "EMCIO" && name == "TOOL_CHANGE_POSITION") return check_change_position(line);
     if (section == "DISPLAY" && name == "LATHE" && !ini_truth(value).value_or(true)) {
       Finding& f = add_at(in_, out_, line, line.value,
                           "`LATHE = " + std::string(value) + "` turns lathe mode on in AXIS and QtVCP: any text does");
@@ -277,7 +315,7 @@ extern const Rule kRule{
             .what = R"(A value with a comment after it, `YES` where LinuxCNC reads a number, `7mm`, an unknown unit, a
 tolerance that is out of range, a search path with `,` or without a folder, the 11th and later folders of
 `SUBROUTINE_PATH` or the 6th and later ones of `USER_M_PATH`, kinematics, a HAL file or a display that
-does not exist.)",
+does not exist, a tool table that is not there, quotes or `~` in its name or that of `PARAMETER_FILE`.)",
             .why =
                 R"(A comment must be on a line of its own: after a value, it is a part of the value. LinuxCNC does not
 convert a value that is only partly a number. In `[RS274NGC]` and `[EMCIO]` it then uses the default

@@ -46,6 +46,7 @@ bool has(const List& list, int number) {
 
 std::string of_m_code(const RemapLine& remap, const std::string& code, bool strict) {
   const int number = remap.m_number();
+  if (number < 0) return "LinuxCNC never uses this remap: a program cannot write a code such as " + code;
   if (strict && (number == 7 || number == 8)) return {};
   const bool user = number >= kFirstUserCode && number <= kLastUserCode;
   if (!has(kBuiltInM, number) && !user && number <= kLastMCode) return {};
@@ -67,6 +68,7 @@ std::string of_m_code(const RemapLine& remap, const std::string& code, bool stri
 std::string of_g_code(const RemapLine& remap, const std::string& code) {
   const int number = remap.g_number();
   constexpr int kMost = 999;
+  if (number < 0) return "LinuxCNC never uses this remap: a program cannot write a code such as " + code;
   if (has(kMotion, number)) return "LinuxCNC never uses this remap: " + code + " keeps its built-in meaning";
   if (has(kOtherG, number))
     return "LinuxCNC never uses this remap: " + code + " stops the program, `All axes missing with motion code`";

@@ -1,9 +1,10 @@
 // OW419 command-in-ini: a line of G-code in the INI that stops, hangs or crashes LinuxCNC.
 // Depends on: which lines LinuxCNC and its displays run, and how (measured with LinuxCNC without a screen; displays: read).
 #include <algorithm>
+#include <cctype>
 
-#include "analyzer/machine/ngcgui_file.h"
 #include "rules/driver/ini_commands.h"
+#include "rules/driver/ini_pages.h"
 #include "rules/driver/machine_rules.h"
 
 namespace owlint::rules::ow419 {
@@ -25,7 +26,9 @@ class Checker {
     for (const IniLine* line : lines_of(text_, "HALUI")) {
       if (text_.name(*line) != "MDI_COMMAND") continue;
       if (line->value.begin == line->value.end || ++count > kMostCommands) break;
-      if (!line->continued) check_command(*line, line->value, "halui runs it as an MDI command");
+      if (line->continued) continue;
+      check_command(*line, line->value, "halui runs it as an MDI command");
+      check_rest(*line);
     }
     for (const IniLine* line : lines_of(text_, "MDI_COMMAND_LIST")) {
       if (line->kind == IniLine::Kind::kKey && text_.name(*line).starts_with("MDI_COMMAND") && !line->continued &&
@@ -33,24 +36,10 @@ class Checker {
         check_parts(*line);
     }
     for (const std::string_view section : {"MACROS", "TOUCHY", "DISPLAY"}) check_macros(section);
-    check_pages();
+    check_ngcgui_pages(in_, out_);
   }
 
  private:
-  bool has_all_folders(std::string_view key) const {
-    const auto& folders = in_.setup.folders;
-    return std::ranges::all_of(folders, [&](const IniFolder& folder) { return folder.key != key || folder.exists; });
-  }
-
-  /// The path of a file that lies in a folder of this key; empty if there is none.
-  std::string file_in(std::string_view key, const std::string& name) const {
-    for (const IniFolder& folder : in_.setup.folders) {
-      std::string path = joined_path(folder.path, name);
-      if (folder.key == key && in_.library.files().is_file(path)) return path;
-    }
-    return {};
-  }
-
   /// `MACRO = name word word`: a button of gmoccapy, touchy or QtVCP that calls a sub.
   void check_macros(std::string_view section) {
     size_t count = 0;
@@ -67,9 +56,10 @@ class Checker {
     const Span span{line.value.begin, line.value.begin + name.size()};
     const std::string called = small_letters(name);
     const auto found = in_.setup.search_path->find(called);
-    const std::string listed = file_in("SUBROUTINE_PATH", name + ".ngc");
+    const std::string listed = file_in(in_, "SUBROUTINE_PATH", name + ".ngc");
     const bool has_path = in_.setup.ini.find("RS274NGC", "SUBROUTINE_PATH") != nullptr;
-    if (!has_all_folders("SUBROUTINE_PATH") || !has_all_folders("PROGRAM_PREFIX") || in_.profile.may_be_python())
+    if (!has_all_folders(in_, "SUBROUTINE_PATH") || !has_all_folders(in_, "PROGRAM_PREFIX") ||
+        in_.profile.may_be_python())
       return;
     if (section == "MACROS" && has_path && listed.empty()) {
       Finding& f =
@@ -125,65 +115,17 @@ class Checker {
     }
   }
 
-  /// Files of which ngcgui makes pages.
-  void check_pages() {
-    size_t count = 0;
-    for (const IniLine* line : lines_of(text_, "DISPLAY")) {
-      const std::string_view key = text_.name(*line);
-      const bool sub = key == "NGCGUI_SUBFILE";
-      if (!sub && key != "NGCGUI_PREAMBLE" && key != "NGCGUI_POSTAMBLE") continue;
-      if (line->continued || ++count > kMostCommands) continue;
-      const std::string name(text_.value(*line));
-      const std::string ending(ending_of(name));
-      if (name.find('/') != std::string::npos || (ending != ".ngc" && ending != ".nc")) continue;
-      std::string path = file_in("NGCGUI_SUBFILE_PATH", name);
-      if (path.empty()) path = file_in("PROGRAM_PREFIX", name);
-      if (!path.empty() && sub) check_page(*line, name, path);
-      const bool missing = path.empty() && !sub && in_.setup.ini.find("DISPLAY", "NGCGUI_SUBFILE_PATH") != nullptr &&
-          has_all_folders("NGCGUI_SUBFILE_PATH") && has_all_folders("PROGRAM_PREFIX");
-      if (!missing) continue;
-      Finding& f = add(*line, line->value, "there is no file `" + name + "` in the folders of `NGCGUI_SUBFILE_PATH`");
-      f.help = "put the file there, or correct the name";
-    }
-  }
-
-  void check_page(const IniLine& line, const std::string& name, const std::string& path) {
-    using Kind = NgcguiProblem::Kind;
-    std::string error;
-    const auto source = in_.library.files().read(path, &error);
-    if (source == nullptr) return;
-    const std::string stem(stem_of(name));
-    const auto problem = ngcgui_problem(stem, source->bytes());
-    if (!problem) return;
-    const auto [message, help] = [&]() -> std::pair<std::string, std::string> {
-      switch (problem->kind) {
-        case Kind::kGenerated: return {"ngcgui has written this file itself", "name the file with the sub"};
-        case Kind::kNotASubfile: return {"the file is marked `(not_a_subfile)`", "name another file"};
-        case Kind::kNumberedSub: return {"a numbered sub is in the file", "put it into a file of its own"};
-        case Kind::kSeveralSubs: return {"the file has a second sub", "put it into a file of its own"};
-        case Kind::kOtherName:
-          return {"the label is not the file's name, `" + stem + "`", "write it so: capitals count here"};
-        case Kind::kCodeBefore: return {"there is code before the sub", "only comments may be there"};
-        case Kind::kCodeBehind: return {"there is code behind the sub", "only comments and `M2` may be there"};
-        case Kind::kOutOfSequence:
-          return {"arguments get their names out of order", "name `#1` first, then `#2` and so on"};
-        case Kind::kNoSub: return {"the file has no sub", "write one with the file's name"};
-        case Kind::kNoEnd: break;
-      }
-      return {"the sub has no `endsub`", "close it"};
-    }();
-    Finding& f = add(line, line.value, "ngcgui refuses this file: " + message);
-    f.help = help;
-    f.interpreter = problem->message;
-    if (problem->span.end > problem->span.begin) f.related.push_back({problem->span, "this line", source});
-  }
-
   Finding& add(const IniLine& line, Span span, std::string message) {
     return add_at(in_, out_, line, span, std::move(message));
   }
 
   void check_start(const IniLine& line) {
     const std::string code(text_.value(line));
+    if (is_quoted(code)) {
+      refuses(add_quotes(line, line.value, "LinuxCNC does not start with this start-up code"),
+              std::string("Bad character '") + code[0] + "' used");
+      return;
+    }
     if (check_start_codes(line, bare_code(code), nullptr)) return;
     if (code.starts_with('%')) {
       Finding& f = add(line, line.value, "LinuxCNC does not start with this start-up code: `%` belongs into files");
@@ -204,6 +146,20 @@ class Checker {
     for (const CommandRuns::SubLine& in_sub : runs_.lines_in_subs(code)) {
       if (check_start_codes(line, in_sub.code, &in_sub.place)) return;
     }
+  }
+
+  static bool is_quoted(std::string_view code) {
+    return code.size() > 2 && (code[0] == '"' || code[0] == '\'') && code.back() == code[0];
+  }
+
+  /// The value is taken as it is.
+  Finding& add_quotes(const IniLine& line, Span span, const std::string& what) {
+    const std::string_view code = text_.slice(line, span);
+    Finding& f = add(line, span, what + ": the quotes are a part of it");
+    f.help = "remove the quotes";
+    const std::string plain(code.substr(1, code.size() - 2));
+    f.fixes.push_back({"remove the quotes", false, {{span, plain}}});
+    return f;
   }
 
   static std::string words_of(const CommandStop& stop) {
@@ -266,6 +222,10 @@ class Checker {
   /// LinuxCNC appends the reason to the text.
   void check_abort(const IniLine& line) {
     const std::string code(text_.value(line));
+    if (is_quoted(code)) {
+      add_quotes(line, line.value, "LinuxCNC runs this at each abort, and it stops each time");
+      return;
+    }
     const std::vector<CommandStop> found = runs_.stops(code + " [1]", RunsAt::kAny);
     const bool calls =
         small_letters(bare_code(code)).ends_with("call") || small_letters(bare_code(code)).ends_with(']');
@@ -284,7 +244,13 @@ class Checker {
 
   void check_command(const IniLine& line, Span span, const char* who, bool missing_subs = false) {
     const std::string code(text_.slice(line, span));
-    for (const CommandStop& found : runs_.stops(code, RunsAt::kAny, missing_subs)) {
+    if (is_quoted(code)) {
+      add_quotes(line, span, std::string(who) + ", and it stops each time");
+      return;
+    }
+    std::vector<CommandStop> stops = runs_.stops(code, RunsAt::kAny, missing_subs);
+    if (stops.empty()) stops = runs_.beyond_limits(code);
+    for (const CommandStop& found : stops) {
       if (depends_on_others(found)) continue;
       Finding& f = add(line, inside(line, span.begin - line.value.begin, found.span),
                        std::string(who) + ", and it stops each time: " + words_of(found));
@@ -293,6 +259,33 @@ class Checker {
       f.related = found.related;
       return;
     }
+  }
+
+  /// Measured: halui runs the value as one line, in which `;` begins a comment.
+  void check_rest(const IniLine& line) {
+    const std::string_view value = text_.value(line);
+    const size_t at = value.find(';');
+    if (at == std::string_view::npos || at == 0 || value.substr(0, at).find('(') != std::string_view::npos) return;
+    const std::string_view rest = value.substr(at + 1);
+    if (!is_code(bare_code(rest))) return;
+    const size_t last = value.find_last_not_of(" \t", at - 1);
+    if (last == std::string_view::npos) return;
+    Finding& f = add(line, {line.value.begin + at, line.value.end},
+                     "`;` begins a comment: halui runs `" + std::string(value.substr(0, last + 1)) + "` only");
+    f.help = "put the lines into a sub, and call it";
+  }
+
+  /// Whether a text without blanks is words of G-code and nothing else: a G or M code, then more.
+  static bool is_code(std::string_view words) {
+    if (words.starts_with("O<")) return words.find(">CALL") != std::string_view::npos;
+    if (words.empty() || (words[0] != 'G' && words[0] != 'M')) return false;
+    for (size_t at = 0; at < words.size();) {
+      if (std::isalpha(static_cast<unsigned char>(words[at])) == 0) return false;
+      const size_t end = std::min(words.find_first_not_of("+-.0123456789", at + 1), words.size());
+      if (end == at + 1) return false;
+      at = end;
+    }
+    return true;
   }
 
   /// Whether another line that operators run may have saved the modes that M72 restores, or set the name that is read.
@@ -325,7 +318,7 @@ class Checker {
       const size_t end = std::min(code.find(';', at), code.size());
       if (code.find_first_not_of(" \t", at) < end)
         check_command(line, {line.value.begin + at, line.value.begin + end}, "a button runs it as an MDI command",
-                      has_all_folders("SUBROUTINE_PATH") && has_all_folders("PROGRAM_PREFIX"));
+                      has_all_folders(in_, "SUBROUTINE_PATH") && has_all_folders(in_, "PROGRAM_PREFIX"));
       at = end + 1;
     }
   }

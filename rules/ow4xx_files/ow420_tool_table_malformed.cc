@@ -40,6 +40,7 @@ class Checker {
 
   void add_skipped(const ToolLine& line, size_t count) {
     const std::string_view word = source_->slice(line.bad);
+    if (says_why(line, word, count)) return;
     const bool carriage = word.empty() || word == "\r";
     Finding& f =
         out_.add(source_, carriage ? line.row.span : line.bad,
@@ -51,6 +52,31 @@ class Checker {
                            : "begin comments with `;`";
     f.interpreter = "File: " + std::string(name_of(source_->path())) + " Unrecognized line skipped:";
     if (!names_tool(line)) f.weight = Weight::kAside;
+  }
+
+  /// A byte order mark, or `T 1 P 1`.
+  bool says_why(const ToolLine& line, std::string_view word, size_t count) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    const std::string more = count > 1 ? ", and " + std::to_string(count - 1) + " more" : "";
+    if (word.starts_with(kMark) && line.bad.begin == 0) {
+      Finding& f = out_.add(source_, {0, kMark.size()},
+                            "the file begins with a byte order mark: LinuxCNC skips its first line" + more);
+      f.help = "remove the mark: save the file as UTF-8 without BOM";
+      f.fixes.push_back({"remove the byte order mark", false, {{{0, kMark.size()}, ""}}});
+      if (word == kMark) f.weight = Weight::kAside;  // before a comment
+      return true;
+    }
+    const std::string_view text = source_->slice({line.bad.begin, line.row.span.end});
+    const auto is_letter = [](char c) { return std::string_view("tTpPdDzZxX").find(c) != std::string_view::npos; };
+    const size_t behind = text.find_first_not_of(' ', 1);
+    if (word.size() != 1 || !is_letter(word[0]) || behind == std::string_view::npos || text[behind] < '0' ||
+        text[behind] > '9')
+      return false;
+    const std::string number(text.substr(behind, std::min(text.find_first_of(" \t\r;", behind), text.size()) - behind));
+    Finding& f = out_.add(source_, {line.bad.begin, line.bad.begin + behind + number.size()},
+                          "a space after `" + std::string(word) + "`: LinuxCNC skips the line" + more);
+    f.help = "write `" + std::string(word) + number + "`";
+    return true;
   }
 
   /// A number with a comma: what is behind it does not count.
@@ -141,7 +167,7 @@ extern const Rule kRule{
         {
             .what =
                 R"(In the file that `[EMCIO]TOOL_TABLE` names: a line with a word that LinuxCNC does not know, a tab between
-words, a number with a comma, a line without `T` or without `P`, two lines for one tool.)",
+words, a space inside a word, a byte order mark, a number with a comma, a line without `T` or without `P`, two lines for one tool.)",
             .why =
                 R"(LinuxCNC skips a line with an unknown word, and prints a message only on the console. A program that asks
 for this tool does not find it. Only spaces separate words: LinuxCNC reads nothing after a tab, so the tool

@@ -113,6 +113,71 @@ size_t comma_in_value(const Source& source, const VarRow& row) {
       : 0;
 }
 
+size_t behind_blanks(std::string_view text, size_t at) {
+  return std::min(text.find_first_not_of(" \t\r", at), text.size());
+}
+
+size_t behind_digits(std::string_view text, size_t at) {
+  return std::min(text.find_first_not_of("0123456789", at), text.size());
+}
+
+/// A line that LinuxCNC ignores, though it has a parameter's number (measured with `rs274 -v`): `500=3`, `#500 = 3`, `500`. With
+/// the same number in another line it is a comment.
+void check_ignored(const std::shared_ptr<const Source>& source, Span whole, const VarFile& file, Reporter& out) {
+  const std::string_view text = source->slice(whole);
+  size_t at = behind_blanks(text, 0);
+  const bool sign = at < text.size() && text[at] == '#';
+  const size_t begin = at;
+  at = sign ? at + 1 : at;
+  const size_t end = behind_digits(text, at);
+  constexpr size_t kMostDigits = 4;
+  if (end == at || end - at > kMostDigits) return;
+  const std::string number(text.substr(at, end - at));
+  const size_t behind = behind_blanks(text, end);
+  const bool equals = behind < text.size() && text[behind] == '=';
+  if (std::ranges::find(file.rows, std::stol(number), &VarRow::number) != file.rows.end()) return;
+  if (!equals && (sign || behind < text.size())) return;
+  const std::string_view value = text.substr(behind_blanks(text, equals ? behind + 1 : behind));
+  if (equals && (value.empty() || std::string_view("+-.0123456789").find(value[0]) == std::string_view::npos)) return;
+  const size_t last = std::min(text.find_last_not_of(" \t\r") + 1, text.size());
+  Finding& f = out.add(source, {whole.begin + begin, whole.begin + last},
+                       equals ? "LinuxCNC ignores this line: only blanks may be between the number and its value"
+                              : "LinuxCNC ignores this line: the number has no value");
+  f.help = equals ? "write `" + number + " " + std::string(value.substr(0, value.find_first_of(" \t\r"))) + "`"
+                  : "write a value behind it, such as `" + number + " 0`";
+}
+
+/// What hides numbers from LinuxCNC: a byte order mark that of the first line, Mac line ends all but the first.
+void check_form(const std::shared_ptr<const Source>& source, const VarFile& file, Reporter& out) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  constexpr size_t kMostLines = 10'000, kMostFindings = 100;
+  const std::string_view bytes = source->bytes();
+  if (bytes.starts_with(kMark) && bytes.size() > kMark.size() && bytes[kMark.size()] >= '0' &&
+      bytes[kMark.size()] <= '9') {
+    Finding& f = out.add(source, {0, kMark.size()},
+                         "the file begins with a byte order mark: LinuxCNC ignores the number in its first line");
+    f.help = "remove the mark: save the file as UTF-8 without BOM";
+    f.fixes.push_back({"remove the byte order mark", false, {{{0, kMark.size()}, ""}}});
+  }
+  const size_t end_of_first = bytes.find('\r');
+  const bool alone =
+      end_of_first + 1 < bytes.size() && bytes[end_of_first + 1] != '\r' && end_of_first != std::string_view::npos;
+  if (const size_t end = end_of_first; alone && bytes.find('\n') > end + 1) {
+    Finding& f = out.add(source, {end, end + 1},
+                         "the lines end with a carriage return alone: LinuxCNC reads only the first number");
+    f.help = "save the file with Unix line endings (LF)";
+    return;
+  }
+  size_t found = 0, lines = 0;
+  for (size_t at = 0; at < bytes.size() && found < kMostFindings && lines < kMostLines; ++lines) {
+    const size_t end = std::min(bytes.find('\n', at), bytes.size());
+    const bool row =
+        std::ranges::any_of(file.rows, [&](const VarRow& one) { return one.span.begin >= at && one.span.begin < end; });
+    if (!row) check_ignored(source, {at, end}, file, out);
+    at = end + 1;
+  }
+}
+
 void check_setup(const SetupInput& in, Reporter& out) {
   const std::string path = path_of_file(in.setup);
   std::string error;
@@ -135,6 +200,7 @@ void check_setup(const SetupInput& in, Reporter& out) {
     if (order) f.related.push_back({problem.before.span, "the number before it", nullptr});
     refuses(f, order ? "Parameter file out of order" : "Parameter number out of range");
   }
+  if (!file.problem) check_form(source, file, out);  // else the rest is not read
   for (const VarRow& row : file.rows) {
     if (const size_t comma = comma_in_value(*source, row); comma != 0) {
       const Span value = value_of(*source, row);
@@ -164,7 +230,8 @@ extern const Rule kRule{
         {
             .what =
                 R"(In the file that `PARAMETER_FILE` names: a line whose number is not greater than the one before it,
-is not from 1 to 5601, or has a decimal point, or whose value has a comma. In a program: a parameter
+is not from 1 to 5601, or has a decimal point, or whose value has a comma; a line such as `500=3` or `500`, which
+LinuxCNC ignores. In a program: a parameter
 from `#31` on that is meant to keep its value between runs (`#500 = [#500 + 1]`, and nothing else sets
 it), but is not in the file.)",
             .why =

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "rules/driver/ini_values.h"
+#include "rules/driver/start_files.h"
 #include "rules/driver/start_refusals.h"
 
 namespace owlint::rules::ow422 {
@@ -15,6 +16,7 @@ class Checker {
 
   void run() {
     check_start();
+    check_joints();
     if (is_whole_machine(in_) && has_most()) {
       check_unit("LINEAR_UNITS", "mm");
       check_unit("ANGULAR_UNITS", "degree");
@@ -80,7 +82,9 @@ class Checker {
 
   void add_limit(const StartRefusal& refusal) {
     const std::string_view value = text_.value(*refusal.line);
-    if (!ini_real(value) || (refusal.axis != nullptr && !ini_real(text_.value(*refusal.axis)))) return;  // OW415
+    const std::string_view of_axis = refusal.axis == nullptr ? "" : text_.value(*refusal.axis);
+    if (value.empty() || (refusal.axis != nullptr && of_axis.empty())) return add_empty(refusal);
+    if (!ini_real(value) || (refusal.axis != nullptr && !ini_real(of_axis))) return;  // OW415
     const bool min = refusal.kind == StartRefusal::Kind::kMinLimit;
     const std::string key = min ? "MIN_LIMIT" : "MAX_LIMIT";
     const std::string joint = "`[" + refusal.joint_name + "]" + key + "` of " + std::string(value);
@@ -99,6 +103,62 @@ class Checker {
       f.related.push_back({refusal.axis->span, "the limit of the axis",
                            refusal.axis->source == refusal.line->source ? nullptr : text_.source(*refusal.axis)});
     refuse(f, refusal.message);
+  }
+
+  /// Measured: the check compares an empty limit as the text `{}`.
+  void add_empty(const StartRefusal& refusal) {
+    const bool of_joint = refusal.line->value.begin == refusal.line->value.end;
+    const IniLine& line = of_joint ? *refusal.line : *refusal.axis;
+    Finding& f = add_at(in_, out_, line,
+                        "`" + std::string(text_.name(line)) +
+                            "` is empty: LinuxCNC does not start, as its check takes "
+                            "`[" +
+                            refusal.joint_name + "]` and `[" + refusal.axis_name + "]` to contradict each other");
+    f.help = "write the limit, or remove the line";
+    if (!of_joint) f.help = "write the limit that `[" + refusal.joint_name + "]` has";
+    refuse(f, refusal.message);
+  }
+
+  /// Measured: motion has 1 to 16 joints, and trivkins gives each letter of `coordinates=` one.
+  void check_joints() {
+    const IniLine* line = find_line(text_, "KINS", "JOINTS");
+    const std::optional<int> count = line == nullptr ? std::nullopt : ini_integer(text_.value(*line));
+    if (!count || !is_whole_machine(in_)) return;
+    constexpr int kMostJoints = 16;
+    if (*count < 1 || *count > kMostJoints) {
+      Finding& f = add_at(in_, out_, *line, line->value,
+                          "LinuxCNC has 1 to 16 joints, and does not start with " + std::to_string(*count));
+      f.help = "write how many joints there are";
+      refuses(f, "num_joints is " + std::to_string(*count) + ", must be between 1 and 16");
+      return;
+    }
+    const IniLine* kinematics = find_line(text_, "KINS", "KINEMATICS");
+    const std::string letters = kinematics == nullptr ? "" : trivial_axes(text_.value(*kinematics));
+    const bool axes = letters.find_first_not_of("xyzabcuvwXYZABCUVW") == std::string::npos;
+    if (!axes || static_cast<size_t>(*count) >= letters.size()) return;
+    const auto joint = static_cast<size_t>(*count);
+    const std::string name = "joint." + std::to_string(joint) + ".";
+    const bool used = hal_files_have(in_, name);
+    Finding& f = add_at(
+        in_, out_, *line, line->value,
+        "`coordinates=" + letters + "` needs " + std::to_string(letters.size()) + " joints, and `JOINTS` is " +
+            std::to_string(joint) +
+            (used ? ": LinuxCNC does not start, as a HAL file uses `" + name + "…`"
+                  : ": no joint moves " +
+                     std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(letters[joint]))))));
+    f.help = "write `JOINTS = " + std::to_string(letters.size()) + "`, or name fewer axes";
+    f.related.push_back({kinematics->span, "the axes of the joints",
+                         kinematics->source == line->source ? nullptr : text_.source(*kinematics)});
+    if (used) refuses(f, "");
+  }
+
+  /// The letters of `trivkins coordinates=`; empty for other kinematics, and without the option.
+  static std::string trivial_axes(std::string_view kinematics) {
+    constexpr std::string_view kOption = "coordinates=";
+    const size_t at = kinematics.find(kOption);
+    if (!kinematics.starts_with("trivkins") || at == std::string_view::npos) return {};
+    const std::string_view letters = kinematics.substr(at + kOption.size());
+    return std::string(letters.substr(0, letters.find_first_of(" \t")));
   }
 
   void check_unit(const std::string& key, const std::string& example) {
@@ -134,15 +194,11 @@ class Checker {
 
   /// Of trivkins: LinuxCNC says that the two differ, and starts.
   void check_coordinates() {
-    constexpr std::string_view kOption = "coordinates=";
     const IniLine* kinematics = find_line(text_, "KINS", "KINEMATICS");
     const IniLine* coordinates = find_line(text_, "TRAJ", "COORDINATES");
     if (kinematics == nullptr || coordinates == nullptr || !is_whole_machine(in_)) return;
-    const std::string_view value = text_.value(*kinematics);
-    const size_t at = value.find(kOption);
-    if (!value.starts_with("trivkins") || at == std::string_view::npos) return;
-    std::string_view kins = value.substr(at + kOption.size());
-    kins = kins.substr(0, kins.find_first_of(" \t"));
+    const std::string kins = trivial_axes(text_.value(*kinematics));
+    if (kins.empty()) return;
     std::string_view traj = text_.value(*coordinates);
     traj = traj.substr(0, traj.find_first_of("#;"));
     if (letters_of(kins) == letters_of(traj)) return;
@@ -177,7 +233,8 @@ extern const Rule kRule{
     .page =
         {
             .what = R"(A joint that does not reach the limit of its axis, a maximum below the minimum, different axes in
-`[TRAJ]COORDINATES` and `[KINS]KINEMATICS`, an INI without `KINEMATICS`, `JOINTS` or units.)",
+`[TRAJ]COORDINATES` and `[KINS]KINEMATICS`, fewer joints than axes or a number of joints that LinuxCNC does
+not have, an empty limit, an INI without `KINEMATICS`, `JOINTS` or units.)",
             .why =
                 R"(With `trivkins`, LinuxCNC compares the limits before it starts. It does not start if a joint cannot go as
 far as its axis may: `[JOINT_0]MAX_LIMIT < [AXIS_X]MAX_LIMIT (50 < 100)`. An axis without a limit may go

@@ -1,5 +1,6 @@
 // OW424 ini-refused-by-version: what another LinuxCNC version refuses in this INI.
 // Depends on: the INI reader of 2.10, and the version that an INI of 2.8 and 2.9 has (measured).
+#include "analyzer/machine/ini_hidden.h"
 #include "analyzer/machine/strict_ini.h"
 #include "rules/driver/machine_rules.h"
 
@@ -86,7 +87,7 @@ void check_age(const SetupInput& in, Reporter& out) {
   const IniText& text = in.setup.text;
   const Ini::Entry* version = in.setup.ini.find("EMC", "VERSION");
   const bool machine = in.setup.ini.has_section("EMC") && in.setup.ini.has_section("TRAJ");
-  if (!machine || (version != nullptr && version->value == "1.1")) return;
+  if (!machine || (version != nullptr && version_meant(version->value) == "1.1")) return;
   const std::vector<const IniLine*> lines = lines_of(text, "EMC");
   const IniLine* line = find_line(text, "EMC", "VERSION");
   if (line == nullptr) {
@@ -106,6 +107,7 @@ void check_age(const SetupInput& in, Reporter& out) {
 }
 
 void check_setup(const SetupInput& in, Reporter& out) {
+  if (how_hidden(in.setup.ini.source()->bytes()) != IniHidden::kNone) return;  // OW412
   check_strict(in, out);
   check_age(in, out);
 }

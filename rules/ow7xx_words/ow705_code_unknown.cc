@@ -10,6 +10,8 @@
 
 #include "rules/driver/code_facts.h"
 #include "rules/driver/ini_places.h"
+#include "rules/driver/machine_rules.h"
+#include "rules/driver/remap_rules.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules::ow705 {
@@ -33,6 +35,26 @@ int number_of(const WordStop& at, std::string_view interpreter) {
   return number;
 }
 
+/// A file that LinuxCNC does not take for the program of a code: `M103.sh`, `m103`, or one that may not be executed.
+bool has_other_file(const Files& files, const IniFolder& folder, const std::string& name, Finding& f) {
+  constexpr size_t kMostNames = 10'000;
+  std::string unread;  // then there are none
+  size_t count = 0;
+  for (const FolderEntry& entry : files.list(folder.path, &unread)) {
+    if (++count > kMostNames) return false;
+    const std::string path = joined_path(folder.path, entry.name);
+    const bool same = entry.name == name;
+    if (!same && small_letters(stem_of(entry.name)) != small_letters(name)) continue;
+    if (!files.is_file(path)) continue;
+    f.message = fmt::format("`{}` runs a program of the machine, but {} ", name, path) +
+        (same ? "is not executable" : fmt::format("is not named `{}`", name));
+    f.help = same ? fmt::format("make it executable: `chmod +x {}`", path)
+                  : fmt::format("rename it to `{}`, in capitals and without an ending, and make it executable", name);
+    return true;
+  }
+  return false;
+}
+
 /// M100 to M199: a program of the machine.
 void user_code(const Input& in, int number, Finding& f) {
   f.group = "code " + m_name(number);
@@ -54,6 +76,12 @@ void user_code(const Input& in, int number, Finding& f) {
     f.help = "put the program there under this name, and give the folder another one";
     f.interpreter.clear();
     f.habit_severity.reset();
+    return;
+  }
+  for (const IniFolder* folder : searched) {
+    if (in.profile.setup->user_code(number) != UserCode::kMissing) break;
+    if (!has_other_file(in.profile.setup->search_path->files(), *folder, m_name(number), f)) continue;
+    relate_user_folders(in.profile, f);
     return;
   }
   if (in.profile.setup->user_code(number) == UserCode::kUnknown) {
@@ -80,6 +108,23 @@ std::string sub_without_p(const Input& in, const WordStop& at) {
   return text.find_first_not_of("0123456789") == std::string_view::npos ? std::string(text) : std::string();
 }
 
+/// The INI remaps the code, in a line with which LinuxCNC does not start: OW416.
+bool is_refused(const Profile& profile, bool m, int number, Finding& f) {
+  if (profile.setup == nullptr) return false;
+  const IniText& text = profile.setup->text;
+  for (const Remap& remap : remaps_of(text)) {
+    if (remap.read.problem == RemapLine::Problem::kNone) continue;
+    if ((m ? remap.read.m_number() : remap.read.g_number()) != number) continue;
+    f.message = fmt::format("`{}` is not known, as LinuxCNC refuses its `REMAP` line and does not start",
+                            m ? m_name(number) : g_name(number));
+    f.help = "correct the `REMAP` line first";
+    f.weight = Weight::kAside;  // said there
+    f.related.push_back({remap.line->span, "this line", text.source(*remap.line)});
+    return true;
+  }
+  return false;
+}
+
 void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   const bool m = f.interpreter.find("m code") != std::string::npos || f.interpreter.starts_with("M-code");
   const std::string name = number < 0 || number > kRemappedLast ? at.word : m ? m_name(number) : g_name(number);
@@ -96,6 +141,7 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
     f.unproven = f.uncertain = true;
     return;
   }
+  if (number >= 0 && is_refused(in.profile, m, number, f)) return;
   if (number >= 0) relate_unread_remap(in.profile, m ? 'm' : 'g', number, f);
   if (!m || number <= kUserLast) return;
   if (const std::string sub = sub_without_p(in, at); !sub.empty()) {
@@ -135,6 +181,51 @@ void check(const Input& in, Reporter& out) {
   });
 }
 
+/// The first line of a program, if it is the kernel's `#!`: which interpreter runs it.
+void check_user_program(const SetupInput& in, Reporter& out, const std::string& path, const std::string& name) {
+  constexpr uint64_t kMostBytes = 1'000'000;
+  const Files& files = in.library.files();
+  if (files.info(path).bytes > kMostBytes) return;
+  std::string error;
+  const auto source = files.read(path, &error);
+  if (source == nullptr || !source->bytes().starts_with("#!")) return;
+  const std::string_view bytes = source->bytes();
+  const size_t end = std::min(bytes.find('\n'), bytes.size());
+  const std::string_view line = bytes.substr(0, end);
+  const std::string stops = fmt::format(": `{}` stops the program without a message", name);
+  if (line.ends_with('\r')) {
+    Finding& f = out.add(source, {0, end},
+                         fmt::format("`{}` ends with a carriage return, so LinuxCNC cannot run this file{}",
+                                     line.substr(0, end - 1), stops));
+    f.help = "save the file with Unix line endings (LF)";
+    f.stops = true;
+    return;
+  }
+  const size_t first = std::min(line.find_first_not_of(" \t", 2), line.size());
+  const std::string interpreter(line.substr(first, std::min(line.find_first_of(" \t", first), line.size()) - first));
+  // Where there is no shell, this is not the computer of a machine.
+  if (!interpreter.starts_with('/') || files.exists(interpreter) || !files.exists("/bin/sh")) return;
+  Finding& f = out.add(source, {first, first + interpreter.size()},
+                       fmt::format("there is no `{}` on this computer; if the machine has none{}", interpreter, stops));
+  f.message.replace(f.message.rfind(": "), 2, ", ");
+  f.help = "name a program that is there, such as `/bin/sh` or `/usr/bin/env python3`";
+  f.unproven = true;
+}
+
+/// Measured with LinuxCNC: a program that the system cannot run stops the G-code without a word.
+void check_setup(const SetupInput& in, Reporter& out) {
+  for (int number = kUserFirst; number <= kUserLast; ++number) {
+    if (in.setup.user_code(number) != UserCode::kThere) continue;
+    for (const IniFolder* folder : user_code_folders(in.setup)) {
+      const std::string path = joined_path(folder->path, m_name(number));
+      const FileInfo info = in.library.files().info(path);
+      if (info.kind != FileKind::kFile || !info.executable) continue;
+      check_user_program(in, out, path, m_name(number));
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 extern const Rule kRule{
@@ -150,7 +241,9 @@ controllers have, owlint says what LinuxCNC has instead; of others, which codes 
 same. docs/codes.md lists all codes.
 
 An INI can add codes with `REMAP`, and M100 to M199 are programs that the machine's owner adds. With the
-machine's INI (`--ini`) owlint knows them. Without it, a code that only some machines have is a warning.)",
+machine's INI (`--ini`) owlint knows them. Without it, a code that only some machines have is a warning.
+With the INI, owlint also looks at the first line of these programs: LinuxCNC cannot run one whose `#!` line
+ends with a carriage return, or names an interpreter that does not exist.)",
             .why =
                 R"(LinuxCNC stops when it reads the line, with `Unknown g code used`, `Unknown m code used: M17` or `M-code
 greater than 199: M428`. Nothing of the line is executed. M100 to M199 are read without an error, and
@@ -180,6 +273,7 @@ INI.)",
             .options = "",
         },
     .check = check,
+    .check_setup = check_setup,
 };
 
 }  // namespace owlint::rules::ow705

@@ -65,6 +65,13 @@ void explain_other_way(const Input& in, const Setter& setter, uint32_t stops, Fi
   const Block* const block = block_of_setter(in, setter, stops);
   const bool same_file = setter.program == &in.program;
   const std::string place = where(in, setter);
+  if (const Ini::Entry* const remap = remap_entry(in.profile, 'f', 0);
+      remap != nullptr && setter.word.starts_with('F')) {
+    f.message += fmt::format(": `{}` {} calls the sub of a `REMAP`, which sets no feed here", setter.word, place);
+    f.help = "let the sub set the feed, with an `F` of its own";
+    relate_ini(f, *remap, "`F` is remapped here");
+    return relate_setter(in, f, setter, "is here");
+  }
   if (block == nullptr && same_file && has_above(*p.source, setter.line + 1, "G93")) {
     f.message += fmt::format(": in `G93`, `{}` {} does not set the feed", setter.word, place);
     f.help = "write `G94` and `F` on this line or before it";

@@ -125,7 +125,8 @@ std::string Wording::message(const WrittenWord* word) const {
     return fmt::format("the moves from line {} on go {} along {}, and the machine has {}", fault_.from_line,
                        size(fault_.position), axis, size(fault_.limit));
   const std::string written = word == nullptr ? "this line" : "`" + shown(*in_.program.source, word->span) + "`";
-  const std::string beyond = size(std::abs(fault_.position - fault_.limit));
+  const double distance = std::abs(fault_.position - fault_.limit);
+  const std::string beyond = number_text(distance) == "0" ? "just" : size(distance);
   const std::string limit =
       fmt::format("the {} limit of {}, {}", fault_.greatest ? "positive" : "negative", axis, size(fault_.limit));
   const bool same = word != nullptr && word->value && number_text(*word->value) == number_text(fault_.position);

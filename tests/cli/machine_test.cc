@@ -1,4 +1,6 @@
 // Programs on their machine, as users check them: which INI is taken, what is reported of called files, and how often.
+#include <sys/stat.h>
+
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -366,6 +368,62 @@ TEST_CASE("an INI that includes itself without end is read to a limit", "[machin
   const Run run = check(folder, "--isolated machine.ini");
   CHECK(run.status == 0);
   CHECK(contains(run.out, "owlint checks only the first 100000 lines"));
+}
+
+TEST_CASE("an INI in UTF-16 is known as one, and is an error", "[machine]") {
+  const Scratch folder;
+  std::string wide = "\xFF\xFE";
+  for (const char c : kIni) wide += {c, '\0'};
+  folder.write("machine.ini", wide);
+  for (const char* arguments : {"--isolated .", "--isolated --ini machine.ini ."}) {
+    const Run run = check(folder, arguments);
+    CHECK(run.status == 1);
+    CHECK(contains(run.out, "machine.ini:1:"));
+    CHECK(contains(run.out,
+                   "the file is saved as UTF-16: LinuxCNC finds no section and no key in it, and does not start"));
+  }
+}
+
+TEST_CASE("programs of user M codes that cannot run are found, and files that are none are named", "[machine]") {
+  const Scratch folder;
+  folder.write("machine.ini", kIni + "USER_M_PATH = codes\n");
+  const auto program = [&](const char* name, const char* text) {
+    ::chmod(folder.write(std::string("codes/") + name, text).c_str(), 0755);
+  };
+  program("M101", "#!/bin/sh\nexit 0\n");
+  program("M102", "#!/bin/sh\r\nexit 0\r\n");
+  program("M103", "#!/usr/bin/no-such-owlint\n");
+  program("M104.sh", "#!/bin/sh\n");
+  folder.write("codes/M105", "#!/bin/sh\n");
+  folder.write("a.ngc", "G21 G90\nM101\nM2\n");
+  folder.write("b.ngc", "G21 G90\nM104\nM2\n");
+  folder.write("c.ngc", "G21 G90\nM105\nM2\n");
+  const Run run = check(folder, "--isolated --format gcc .");
+  CHECK(contains(run.out, "codes/M102:1:1: "));
+  CHECK(contains(run.out,
+                 "`#!/bin/sh` ends with a carriage return, so LinuxCNC cannot run this file: `M102` stops the "
+                 "program without a message"));
+  CHECK(contains(run.out, "codes/M103:1:3: warning: there is no `/usr/bin/no-such-owlint` on this computer"));
+  CHECK(contains(run.out, "M104.sh is not named `M104`"));
+  CHECK(contains(run.out, "M105 is not executable"));
+  CHECK_FALSE(contains(run.out, "a.ngc"));
+  CHECK_FALSE(contains(run.out, "M101:"));
+}
+
+TEST_CASE("fixes of an INI that change what a machine does are not safe", "[machine]") {
+  const Scratch folder;
+  const std::string ini =
+      "[EMC]\nVERSION = 1.1\n[TRAJ]\nNO_FORCE_HOMING = YES\n[RS274NGC]\nOWORD_WARNONLY = TRUE\n"
+      "PARAMETER_FILE = a.var # offsets\nRETAIN_G43 = YES\n";
+  folder.write("machine.ini", ini);
+  folder.write("a.var", "5161 1\n");
+  folder.write("a.var # offsets", "5161 2\n");
+  check(folder, "--isolated --fix machine.ini");
+  CHECK(read_file(folder.path() + "/machine.ini") == ini.substr(0, ini.rfind("YES")) + "1\n");
+  check(folder, "--isolated --fix --unsafe machine.ini");
+  const std::string fixed = read_file(folder.path() + "/machine.ini");
+  CHECK(contains(fixed, "NO_FORCE_HOMING = 1\n"));
+  CHECK(contains(fixed, "PARAMETER_FILE = a.var\n"));
 }
 
 }  // namespace machine_test
