@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "rules/driver/ini_places.h"
+#include "rules/driver/machine_rules.h"
 #include "rules/driver/stops.h"
 #include "rules/driver/words.h"
 
@@ -230,11 +231,12 @@ void check(const Input& in, Reporter& out) {
 void check_home(const SetupInput& in, Reporter& out, const IniCall& call) {
   const std::string path = expand_home(call.name) + ".ngc";
   if (path.starts_with('~') || in.library.files().exists(path)) return;
-  Finding& f = out.add(call.source, call.span,
-                       "`REMAP` names `" + call.name + "`, but there is no file " + path + ": LinuxCNC does not start");
+  Finding& f =
+      out.add(call.source, call.span,
+              "`REMAP` names `" + call.name + "`, but that file is not in the home folder: LinuxCNC does not start");
   f.help =
       "put the file there, or write its name without `~/`: LinuxCNC looks for it in the folders of `SUBROUTINE_PATH`";
-  f.interpreter = "INTERP_REMAP: NGC file not found: ngc=" + call.name;
+  refuses(f, "INTERP_REMAP: NGC file not found: ngc=" + call.name);
   f.unproven = true;  // the home folder may be another one on the machine
 }
 
