@@ -13,7 +13,7 @@ bool is_utf16(std::string_view bytes) {
 /// Whether already the first line ends so that LinuxCNC gives up: then it has found nothing before.
 bool ends_with_returns(std::string_view bytes) {
   const size_t end = bytes.find_first_of("\r\n");
-  return end + 1 < bytes.size() && bytes[end] == '\r' && bytes[end + 1] != '\n';
+  return end != std::string_view::npos && end + 1 < bytes.size() && bytes[end] == '\r' && bytes[end + 1] != '\n';
 }
 
 IniHidden form_of(std::string_view bytes) {

@@ -110,7 +110,9 @@ void depends_on(Finding& f, bool on) {
                  on ? "when block delete is on, as when LinuxCNC starts (lines that begin with `/` are skipped)"
                     : "when block delete is off (lines that begin with `/` run)",
                  nullptr});
-  // The fix is made of the lines that run in this case, and may be wrong in the other one.
+  // The fix is made of the lines that run in this case, and may be wrong in the other one. Another block's label on a part or an
+  // end is, as a rule.
+  if (rule_of(f).group == Group::kAbortList && f.code > "OW104") f.fixes.clear();
   for (Fix& fix : f.fixes) fix.safe = false;
 }
 
