@@ -30,7 +30,7 @@ TEST_CASE("known findings are not reported, new ones are", "[cli][baseline]") {
   const Run known = check(s, {path});
   CHECK(known.status == 0);
   CHECK(known.out.empty());
-  CHECK(known.err == "1 known finding not shown (listed in " + s.path() + "/base.json)\nnothing found in 1 file\n");
+  CHECK(known.err == "1 known finding not shown (listed in " + s.path() + "/base.json)\nnothing new found in 1 file\n");
   s.write("bad.ngc", "o9 endif\n" + kBad);
   const Run next = check(s, {path, "--format", "gcc"});
   CHECK(next.status == 1);
