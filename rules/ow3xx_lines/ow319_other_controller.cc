@@ -32,6 +32,7 @@ void check(const Input& in, Reporter& out) {
   if (nature.other_mark.end > nature.other_mark.begin)
     f.related.push_back({nature.other_mark, "LinuxCNC does not have this either", nullptr});
   stop_at_first_line(in, f);
+  f.group = "programs for " + std::string(nature.controller);  // a folder of them is one question to its author
   f.help = "leave the file out of the check with `--exclude`, or write the program for LinuxCNC";
   f.reach = Reach::kAlways;
 }
