@@ -11,10 +11,15 @@ bool calls(const Statement& s) { return s.calls() || s.runs_remap(); }
 
 }  // namespace
 
-StatementId stop_of_every_run(const FlowResult& flow) {
+const FlowStop* stop_that_ends_all(const FlowResult& flow) {
   const auto stop = std::ranges::find_if(
       flow.stops, [](const FlowStop& s) { return s.reach == Reach::kAlways && s.kind != StopKind::kFileEnd; });
-  return stop == flow.stops.end() ? kNoStatement : stop->statement;
+  return stop == flow.stops.end() ? nullptr : &*stop;
+}
+
+StatementId stop_of_every_run(const FlowResult& flow) {
+  const FlowStop* const stop = stop_that_ends_all(flow);
+  return stop == nullptr ? kNoStatement : stop->statement;
 }
 
 BehindStops::BehindStops(const Program& program, const FlowResult& flow)

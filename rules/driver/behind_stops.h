@@ -8,7 +8,9 @@
 
 namespace owlint::rules {
 
-/// The line where every run stops; kNoStatement if there is none.
+/// The stop that ends every run; null if there is none.
+const FlowStop* stop_that_ends_all(const FlowResult& flow);
+/// Its line; kNoStatement if there is none.
 StatementId stop_of_every_run(const FlowResult& flow);
 
 class BehindStops {

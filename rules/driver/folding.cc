@@ -234,8 +234,7 @@ void fold_into_other_controller(std::vector<Finding>& findings) {
 /// The same mistake as the one at which every run stops, further down: more places of it.
 void fold_repeated(std::vector<Finding>& findings) {
   constexpr size_t kMostPlaces = 4;
-  const auto stop = std::ranges::find_if(
-      findings, [](const Finding& f) { return f.stops && f.reach == Reach::kAlways && f.source == nullptr; });
+  const auto stop = std::ranges::find_if(findings, stops_every_run);
   if (stop == findings.end()) return;
   const auto repeats = [code = stop->code, message = stop->message](const Finding& f) {
     return f.group.starts_with(kBehind) && f.code == code && f.message == message;
@@ -254,6 +253,8 @@ void fold_repeated(std::vector<Finding>& findings) {
 }
 
 }  // namespace
+
+bool stops_every_run(const Finding& f) { return f.stops && f.reach == Reach::kAlways && f.source == nullptr; }
 
 void fold_consequences(const Program& program, const FlowResult& flow, std::vector<Finding>& findings) {
   fold_into_other_controller(findings);

@@ -5,6 +5,9 @@
 
 namespace owlint::rules {
 
+/// Whether every run of the report's own file stops at the finding.
+bool stops_every_run(const Finding& f);
+
 /// Moves findings about parts of blocks into the consequences of the finding that speaks of their mistake: those that no run
 /// reaches and that have the label of another finding, and a block that is not closed because its end has a wrong label. The
 /// same for what no run reaches in a program for another controller, and for mistakes in one stretch of lines that every run

@@ -105,9 +105,7 @@ std::vector<Suppression> suppressions_of(const Program& program) {
 
 /// What is behind a stop that is suppressed or not selected: its author says that the line runs, so those behind it do as well.
 void raise_behind_suppressed(const SeverityPolicy& policy, std::vector<Finding>& findings) {
-  const bool stops = std::ranges::any_of(
-      findings, [](const Finding& f) { return f.stops && f.reach == Reach::kAlways && f.source == nullptr; });
-  if (stops) return;
+  if (std::ranges::any_of(findings, rules::stops_every_run)) return;
   for (Finding& f : findings) {
     if (!f.group.starts_with(rules::kBehind)) continue;
     f.stops = true;

@@ -10,13 +10,11 @@ namespace {
 
 /// Where every run stops at a line, the finding is about that line: others in the file are info.
 void stop_at_first_line(const Input& in, Finding& f) {
-  const StatementId at = stop_of_every_run(in.flow);
-  const auto stop = std::ranges::find_if(
-      in.flow.stops, [&](const FlowStop& s) { return s.statement == at && s.reach == Reach::kAlways && !s.unproven; });
-  if (at == kNoStatement || stop == in.flow.stops.end()) return;
+  const FlowStop* const stop = stop_that_ends_all(in.flow);
+  if (stop == nullptr || stop->statement == kNoStatement || stop->unproven) return;
   f.stops = true;
   f.interpreter = stop->interpreter;
-  const Span line = in.program.at(at).whole();
+  const Span line = in.program.at(stop->statement).whole();
   const auto is_here = [&](Span span) { return span.begin >= line.begin && span.end <= line.end; };
   std::erase_if(f.related, [&](const Related& other) { return is_here(other.span); });
   if (is_here(f.span)) return;
