@@ -70,6 +70,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   const StopKind comment = line_.assign(raw, offset);
   has_words_ = has_words_of_call_ = false;
   unsure_ = kNoError;
+  repeated_.clear();
   s.nul = line_.has_nul();
   s.inner_cr = line_.has_inner_cr();
   if (comment != StopKind::kNone) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "analyzer/syntax/statement.h"
 #include "analyzer/syntax/word_line.h"
@@ -23,6 +25,8 @@ class LineParser {
   const WordLine* words_of_call() const { return has_words_of_call_ ? &words_ : nullptr; }
   /// The error with which some machines stop at that line, others not; UINT32_MAX if there is none.
   uint32_t unsure() const { return unsure_; }
+  /// The same of the line's second P and Q words behind computed ones: an index for each.
+  std::span<const uint32_t> repeated() const { return repeated_; }
   /// Records a fault of the words against each other, or in the modes that are in effect: returns its index in Syntax::errors.
   uint32_t add_error(const Fault& fault, ModeMask decided_by);
   /// Whether a comment begins on the line that was parsed last.
@@ -75,6 +79,7 @@ class LineParser {
   bool has_words_of_call_ = false;
   std::array<ExprId, 2> value_of_{};  // of the line's last P and Q
   uint32_t unsure_ = kNoError;        // an error with which some machines stop
+  std::vector<uint32_t> repeated_;    // errors that depend on a value
   ExprId contour_sub_ = kNoExpr;      ///< the value of the line's Q word
   size_t contour_from_ = 0, contour_to_ = 0;
   bool cuts_contour_ = false;                  ///< the line has a G70, G71 or G72

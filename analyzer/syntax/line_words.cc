@@ -205,9 +205,16 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
   const char letter = line_[from];
   const std::optional<Fault> letter_fault = words_.letter(letter);
   if (letter_fault && letter_fault->kind != StopKind::kWordUnknown) {
-    fail(s, *letter_fault, from, from + 1);
-    if (!letter_fault->certain && s.has_error()) out_.errors[s.error].first_value = value_of_[letter == 'q' ? 1 : 0];
-    return false;
+    const ExprId first = letter_fault->certain ? kNoExpr : value_of_[letter == 'q' ? 1 : 0];
+    if (first == kNoExpr || s.kind == LineKind::kM98) {
+      fail(s, *letter_fault, from, from + 1);
+      if (s.has_error()) out_.errors[s.error].first_value = first;
+      return false;
+    }
+    const auto read = static_cast<ExprId>(out_.exprs.size());
+    repeated_.push_back(static_cast<uint32_t>(out_.errors.size()));
+    out_.errors.push_back({letter_fault->kind, line_.span(from, from + 1), letter_fault->message,
+                           span_of_word(letter_fault->other), first, line_begins_, read, 0});
   }
   ++in.cursor;
   if (letter_fault && letter_fault->certain && begins_value(line_[in.cursor])) {

@@ -304,6 +304,8 @@ class Reader {
     }
     const WordLine* const words = view.matters && !too_long ? parser_.words() : nullptr;
     const bool unsure = view.matters && !too_long && parser_.unsure() != kNoError;
+    const std::span<const uint32_t> repeated =
+        view.matters && !too_long ? parser_.repeated() : std::span<const uint32_t>();
     const bool asks_machine = unsure || (words != nullptr && words->is_user_m());
     if (!keep && !asks_machine) return;
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;
@@ -311,6 +313,7 @@ class Reader {
     make_room(out_.exprs, begin);
     make_room(out_.values, begin);
     if (unsure) ask(statement, LineKind::kMachineCheck, parser_.unsure());
+    for (const uint32_t error : repeated) ask(statement, LineKind::kMachineCheck, error);
     if (keep) modes_.push(statement);
     if (words != nullptr && words->is_user_m()) {
       const Word& code = (*words)[words->word_of(MGroup::kUser)];

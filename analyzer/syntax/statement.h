@@ -37,7 +37,7 @@ enum class LineKind : uint8_t {
   kContour,       // G70, G71 or G72 with Q: runs the sub of that number for the contour
   kWords,         // any other line that is kept
   kUserCode,      // no line of its own: a line has M100 to M199, whose number is `first`, and whose word is the keyword
-  kMachineCheck,  // no line of its own: only some machines stop at the line, with the error
+  kMachineCheck,  // no line of its own: only some machines stop at the line with the error, or some values do
   kModeLine,      // no line of its own: the words of a line, for what they need of the modes, and do to them
   kRemap,  // no line of its own: a line has a code that the INI remaps, and runs its sub if that has a label; a kModeLine follows
   kFileEnd,  // no line: where one file ends in a program joined from several

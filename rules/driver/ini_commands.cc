@@ -11,8 +11,9 @@
 namespace owlint::rules {
 namespace {
 
-/// A call of nobody knows what: behind it any modes may be in effect, and any global parameter may have any value.
-constexpr std::string_view kAnything = "O#4999 call\n";
+/// A call of nobody knows what, whose number is an answer of the machine: behind it any modes may be in effect, and any global
+/// parameter may have any value.
+constexpr std::string_view kAnything = "O#5399 call\n";
 
 /// The machine before its start-up code has run.
 std::shared_ptr<const MachineSetup> without_startup(const SetupInput& in) {

@@ -55,6 +55,28 @@ Span asked_span(const Program& program, StatementId statement, std::string_view 
   return mention(program, statement, name, true);
 }
 
+void tell_unset(const Input& in, const FlowStop& stop, Finding& finding) {
+  if (stop.unset.empty()) return;
+  const auto on_line = [&](uint32_t number) {
+    if (stop.statement == kNoStatement) return false;
+    const Span found = mention(in.program, stop.statement, "#" + std::to_string(number), false);
+    return found.begin < found.end;
+  };
+  std::vector<uint32_t> read;
+  std::ranges::copy_if(stop.unset, std::back_inserter(read), on_line);
+  const std::vector<uint32_t>& named = read.empty() ? stop.unset : read;
+  constexpr size_t kNamed = 3;
+  std::string list;
+  for (size_t i = 0; i < std::min(named.size(), kNamed); ++i)
+    list += (i == 0 ? "`#" : ", `#") + std::to_string(named[i]) + "`";
+  if (named.size() > kNamed) list += ", …";
+  const bool one = named.size() == 1;
+  finding.message +=
+      "; nothing sets " + list + (one ? ", which is" : ", which are") + " 0 when LinuxCNC has just started";
+  finding.help = "set " + list + " before " + (one ? "it is" : "they are") + " used";
+  finding.fixes.clear();
+}
+
 std::string region_words(const Program& program, RegionId region) {
   return region == kMainRegion ? "the main program" : "`" + program.label_text(program.regions[region].name) + "`";
 }

@@ -6,6 +6,7 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/look_alike.h"
+#include "rules/driver/parameter_helpers.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules {
@@ -272,6 +273,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
         {s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
          decision.program == nullptr ? nullptr : decision.program->source});
   }
+  tell_unset(in, stop, finding);
   if (finding.further) relate_first_mistake(in, stop, finding);
   relate(in, finding, stop.call_elsewhere, "called here");
   relate(finding, in.program, telling_call(in.program, stop), "called here");

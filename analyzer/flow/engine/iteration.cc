@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analyzer/flow/engine/new_machine.h"
+
 namespace owlint::flow {
 
 Iteration::Iteration(const Linked& linked, const Profile& profile, Detail detail, KnownCalls* known,
@@ -23,7 +25,7 @@ Iteration::Iteration(const Linked& linked, const Profile& profile, Detail detail
       calls_(machine_, limits, precision_, separation_, worklist_, *trace_, memo_ ? &*memo_ : nullptr, memory_),
       marked_(program_.size()) {}
 
-void Iteration::start() {
+void Iteration::start(Machines machines) {
   follow_precision();
   State state;
   if (program_.sub_file) {
@@ -48,12 +50,22 @@ void Iteration::start() {
       machine_.modes().set_place(state.parameters, program_.syntax.place_at_start);
     if (program_.syntax.runs_python) machine_.evaluator().expect_from_python(state.parameters);
   }
+  // The first record is that of any machine: what all its runs pass, those of a new one pass as well.
+  successor(state);
+  if (machines == Machines::kAlsoNew && !coarse_ && !program_.sub_file) start_new_machine(std::move(state));
+}
+
+void Iteration::start_new_machine(State state) {
+  unset_ = read_and_never_set(program_, machine_.tracked());
+  if (unset_.empty()) return;
+  begin_on_new_machine(unset_, state.parameters, machine_.evaluator(), pool_);
+  state.mixed = true;
   successor(std::move(state));
 }
 
-void Iteration::run(Events& events) {
+void Iteration::run(Events& events, Machines machines) {
   events_ = &events;
-  start();
+  start(machines);
   while (!worklist_.empty()) {
     // All states that wait at the foremost line arrive together.
     const StatementId position = worklist_.position();

@@ -15,6 +15,10 @@
 
 namespace owlint::flow {
 
+/// With what machines a program begins. kAlsoNew: those of kAny, and by itself one that was just started, where it makes a
+/// difference; what only that one does is not proven.
+enum class Machines : uint8_t { kAny, kAlsoNew };
+
 /// What happens in runs, as the iteration comes across it.
 class Events {
  public:
@@ -45,7 +49,7 @@ class Iteration final : private Listener {
   ~Iteration() override = default;
 
   /// Once. Afterwards the fixpoint is in the parts below.
-  void run(Events& events);
+  void run(Events& events, Machines machines = Machines::kAny);
 
   const Linked& linked() const { return linked_; }
   const Program& program() const { return program_; }
@@ -57,6 +61,8 @@ class Iteration final : private Listener {
   AbstractMachine& machine() { return machine_; }
   const AbstractMachine& machine() const { return machine_; }
   const std::shared_ptr<Trace>& trace() const { return trace_; }
+  /// The numbers that are 0 on a machine that was just started, if the program begins with one by itself.
+  const std::vector<uint32_t>& unset() const { return unset_; }
   /// Of the finished analysis, see CallMemo; none where calls are not kept.
   std::shared_ptr<std::vector<LearnedCall>> learned_calls(const std::vector<bool>& stuck);
   /// Names of called subs that were computed on the way, sorted.
@@ -71,7 +77,8 @@ class Iteration final : private Listener {
   void call(const State& at, State entry, Context callee, int repeats) override;
   void leave(const State& at) override;
 
-  void start();
+  void start(Machines machines);
+  void start_new_machine(State state);
   void arrive(State state);
   void execute(State state, Partition& partition, uint64_t hash);
   void execute_joined(Partition& partition);
@@ -95,6 +102,7 @@ class Iteration final : private Listener {
   std::optional<CallMemo> memo_;
   Calls calls_;
   std::vector<bool> marked_;  ///< by opener: the sub is called from a stretch, and its lines are marked as executed
+  std::vector<uint32_t> unset_;
   Events* events_ = nullptr;
 };
 

@@ -73,9 +73,9 @@ struct AbstractMachine::Step {
     state.mixed = mixed;
   }
   void hazard(HazardKind kind, StatementId other = kNoStatement) { out.hazard(state, HazardReport::of(kind, other)); }
-  /// What is read before the line's error may stop first. False if it stops every run.
-  bool settle_before_error() {
-    for (ExprId id = error()->read_from; id < error()->read_to; ++id) {
+  /// What is read before an error of the line may stop first. False if it stops every run.
+  bool settle_before(const LineError& error) {
+    for (ExprId id = error.read_from; id < error.read_to; ++id) {
       const Expr& expr = m.program_.syntax.exprs[id];
       if (expr.op == Operator::kNumber) continue;
       if (expr.target && expr.op == Operator::kNamed) {
@@ -96,8 +96,8 @@ struct AbstractMachine::Step {
     return true;
   }
   void stop_error() {
-    if (!settle_before_error()) return;
     const LineError& e = *error();
+    if (!settle_before(e)) return;
     out.stop(state, {e.kind, kNoStatement, e.message, {}, {kNoWord, kNoWord, e.decided_by, false, nullptr}});
   }
 
@@ -262,6 +262,7 @@ struct AbstractMachine::Step {
   void repeated_word(const LineError& repeated);
   bool may_end(const Statement& line) const;
   static bool passes_in_contour(const LineError& error);
+  static bool is_carried_out(const LineError& error);
   void call_elsewhere(FullLabel sub);
   void find_sub(State enter, Context callee, int repeats);
   bool times_called(const Evaluation& of_l, int* times);

@@ -20,7 +20,7 @@ void AbstractMachine::Step::run() {
       ((e->kind < StopKind::kKeywordUnknown && e->kind != StopKind::kLabelExpression) || s.kind == LineKind::kM98);
   if (anywhere) {
     if (e->first_value == kNoExpr) return stop_error();
-    if (settle_before_error()) repeated_word(*e);
+    if (settle_before(*e)) repeated_word(*e);
     return;
   }
   // Measured: `O…` and M98 stop where they are read, also where lines are skipped; M99 only where it would return.
@@ -63,12 +63,11 @@ void AbstractMachine::Step::plain() {
   if (m.mode_uses_.follows_place(here)) write_offsets();
   if (may_end(s)) out.end(state);
   if (context.contour && error() != nullptr && passes_in_contour(*error())) return next_line();
-  if (error() != nullptr && error()->first_value != kNoExpr) return repeated_word(*error());
-  if (error() != nullptr) return stop_error();
-  if (e.read_only != kNoName) {
+  if (e.read_only != kNoName && (error() == nullptr || is_carried_out(*error()))) {
     const std::string& name = m.name(e.read_only);
     return stop(StopKind::kNameReadOnly, "Cannot assign to read-only parameter #<" + name + ">", kNoStatement, name);
   }
+  if (error() != nullptr) return stop_error();
   if (s.kind == LineKind::kM99Behind && called() && !context.contour)
     return stop(StopKind::kM99Behind, "Bug:  Reached convert_stop() from M99 as subprogram return");
   if (s.has_m99()) {
@@ -85,6 +84,11 @@ void AbstractMachine::Step::plain() {
   next_line();
 }
 
+/// Whether a line stops with this when it acts, for which its parameters have been set.
+bool AbstractMachine::Step::is_carried_out(const LineError& error) {
+  return is_of_modes_or_place(error.kind) && error.message != kPolarOutsideG17 && error.message != kIncrementalG53;
+}
+
 /// What no line of a contour stops with: nothing of it is executed, and some axes may be named that the machine does not have.
 bool AbstractMachine::Step::passes_in_contour(const LineError& error) {
   if (is_of_modes_or_place(error.kind)) return true;
@@ -97,7 +101,7 @@ bool AbstractMachine::Step::may_end(const Statement& line) const {
   return std::ranges::any_of(m.program_.syntax.items_of(line), [](const Item& item) { return item.letter == 'm'; });
 }
 
-/// A second P or Q behind one whose value is computed. What comes behind it on the line has not been read.
+/// A second P or Q behind one whose value is computed: where that is -1 or less, it counts as none.
 void AbstractMachine::Step::repeated_word(const LineError& repeated) {
   const ValueId first = evaluate(repeated.first_value).value;
   const Range range = m.values_.range(first);
@@ -119,6 +123,10 @@ void AbstractMachine::Step::user_code() {
 void AbstractMachine::Step::machine_check() {
   const LineError& what = m.program_.syntax.errors[s.first];
   if (context.contour && passes_in_contour(what)) return next_line();
+  if (what.first_value != kNoExpr) {
+    if (settle_before(what)) repeated_word(what);
+    return;
+  }
   if (is_mistake(what.kind, what.message)) return stop(what.kind, what.message);
   may_stop(what.kind, what.message);
   next_line();

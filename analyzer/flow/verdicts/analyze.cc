@@ -66,7 +66,7 @@ std::vector<FlowResult> analyze_flow(Linked& linked, const Profile& profile, Det
   for (int round = 1;; ++round) {
     flow::Iteration analysis(linked, profile, detail, known, limits);
     flow::Verdicts verdicts(analysis);
-    analysis.run(verdicts);
+    analysis.run(verdicts, flow::Machines::kAlsoNew);
     FlowResult result = verdicts.finish();
     bool grown = false;
     for (const std::string& name : analysis.computed_calls()) grown |= linked.add(name);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "analyzer/flow/engine/new_machine.h"
+
 namespace owlint::flow {
 namespace {
 
@@ -42,6 +44,7 @@ void add_if_missing(const Iteration& analysis, ContextId context, const Caller& 
     stop.unproven = machine.may_be_elsewhere(sub);
   }
   stop.unproven = stop.unproven || caller.state.mixed;
+  if (is_on_new_machine(caller.state.parameters)) stop.unset = analysis.unset();
   const uint32_t key = stops.add(caller.state.record, std::move(stop));
   for (const Partition* partition : seeking) {
     for (const auto& [hash, record] : partition->seen) analysis.trace()->terminate(record, key);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "analyzer/flow/engine/new_machine.h"
 #include "analyzer/flow/engine/reachability.h"
 #include "analyzer/flow/summaries/optional_arguments.h"
 #include "analyzer/flow/verdicts/endless_loops.h"
@@ -27,6 +28,7 @@ void Verdicts::end_of_file(const State& at) {
   stop.end_of = at.position;
   stop.call = analysis_.calls().call_of(analysis_.linked(), at.context, at.position);
   stop.unproven = at.mixed;
+  if (is_on_new_machine(at.parameters)) stop.unset = analysis_.unset();
   const bool percent = program_.syntax.percent || program_.syntax.blank;
   stop.interpreter = percent ? "File ended with no percent sign" : "File ended with no percent sign or program end";
   const auto blame = [&](FullLabel label) {
@@ -73,6 +75,7 @@ void Verdicts::stop(const State& at, StopReport report) {
   }
   stop.call = analysis_.calls().call_of(analysis_.linked(), at.context, at.position);
   stop.unproven = at.mixed;
+  if (is_on_new_machine(at.parameters)) stop.unset = analysis_.unset();
   // A called file does not know whether the program that calls it is between `%` lines.
   if (stop.kind == StopKind::kBadCharacter && program_.sub_file && program_.at(at.position).kind == LineKind::kPercent)
     stop.unproven = true;
