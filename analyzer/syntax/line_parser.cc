@@ -69,8 +69,8 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   s.length = static_cast<uint32_t>(raw.size());
   const StopKind comment = line_.assign(raw, offset);
   has_words_ = has_words_of_call_ = false;
-  unsure_ = kNoError;
-  repeated_.clear();
+  questions_.clear();
+  unsure_ = false;
   s.nul = line_.has_nul();
   s.inner_cr = line_.has_inner_cr();
   if (comment != StopKind::kNone) {

@@ -23,10 +23,8 @@ class LineParser {
   const WordLine* words() const { return has_words_ ? &words_ : nullptr; }
   /// The same of a line with M98. They are checked, but nothing of them is executed.
   const WordLine* words_of_call() const { return has_words_of_call_ ? &words_ : nullptr; }
-  /// The error with which some machines stop at that line, others not; UINT32_MAX if there is none.
-  uint32_t unsure() const { return unsure_; }
-  /// The same of the line's second P and Q words behind computed ones: an index for each.
-  std::span<const uint32_t> repeated() const { return repeated_; }
+  /// The errors with which that line stops on some machines, or for some values: indices in Syntax::errors.
+  std::span<const uint32_t> questions() const { return questions_; }
   /// Records a fault of the words against each other, or in the modes that are in effect: returns its index in Syntax::errors.
   uint32_t add_error(const Fault& fault, ModeMask decided_by);
   /// Whether a comment begins on the line that was parsed last.
@@ -78,8 +76,8 @@ class LineParser {
   bool has_words_ = false;
   bool has_words_of_call_ = false;
   std::array<ExprId, 2> value_of_{};  // of the line's last P and Q
-  uint32_t unsure_ = kNoError;        // an error with which some machines stop
-  std::vector<uint32_t> repeated_;    // errors that depend on a value
+  std::vector<uint32_t> questions_;   // see questions()
+  bool unsure_ = false;               // one of them is about the machine
   ExprId contour_sub_ = kNoExpr;      ///< the value of the line's Q word
   size_t contour_from_ = 0, contour_to_ = 0;
   bool cuts_contour_ = false;                  ///< the line has a G70, G71 or G72

@@ -1,5 +1,6 @@
 // Lines without an O-word: words and assignments, and what makes the interpreter refuse them.
 #include <algorithm>
+#include <utility>
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
@@ -177,8 +178,8 @@ bool LineParser::passes(Statement& s, const Fault& fault, size_t from, size_t to
     fail(s, fault, from, to);
     return false;
   }
-  if (unsure_ == kNoError) {
-    unsure_ = static_cast<uint32_t>(out_.errors.size());
+  if (!std::exchange(unsure_, true)) {
+    questions_.push_back(static_cast<uint32_t>(out_.errors.size()));
     out_.errors.push_back({fault.kind, line_.span(from, to), fault.message, {}, kNoExpr, 0, 0, 0});
   }
   return true;
@@ -212,7 +213,7 @@ bool LineParser::word(ExpressionParser& in, Statement& s) {
       return false;
     }
     const auto read = static_cast<ExprId>(out_.exprs.size());
-    repeated_.push_back(static_cast<uint32_t>(out_.errors.size()));
+    questions_.push_back(static_cast<uint32_t>(out_.errors.size()));
     out_.errors.push_back({letter_fault->kind, line_.span(from, from + 1), letter_fault->message,
                            span_of_word(letter_fault->other), first, line_begins_, read, 0});
   }

@@ -302,18 +302,16 @@ class Reader {
       }
       if ((!keep || asked) && code) note_plain(number);
     }
-    const WordLine* const words = view.matters && !too_long ? parser_.words() : nullptr;
-    const bool unsure = view.matters && !too_long && parser_.unsure() != kNoError;
-    const std::span<const uint32_t> repeated =
-        view.matters && !too_long ? parser_.repeated() : std::span<const uint32_t>();
-    const bool asks_machine = unsure || (words != nullptr && words->is_user_m());
+    const bool parsed = view.matters && !too_long;
+    const WordLine* const words = parsed ? parser_.words() : nullptr;
+    const auto questions = parsed ? parser_.questions() : std::span<const uint32_t>();
+    const bool asks_machine = !questions.empty() || (words != nullptr && words->is_user_m());
     if (!keep && !asks_machine) return;
     out_.deletes_lines = out_.deletes_lines || statement.block_delete;
     make_room(out_.statements, begin);
     make_room(out_.exprs, begin);
     make_room(out_.values, begin);
-    if (unsure) ask(statement, LineKind::kMachineCheck, parser_.unsure());
-    for (const uint32_t error : repeated) ask(statement, LineKind::kMachineCheck, error);
+    for (const uint32_t error : questions) ask(statement, LineKind::kMachineCheck, error);
     if (keep) modes_.push(statement);
     if (words != nullptr && words->is_user_m()) {
       const Word& code = (*words)[words->word_of(MGroup::kUser)];
@@ -326,7 +324,6 @@ class Reader {
   Statement& ask(const Statement& line, LineKind kind, uint32_t first) {
     return out_.statements.emplace_back(question_about(line, kind, first));
   }
-
   void note_first_line(std::string_view line) {
     line = line.substr(0, line.find('\0'));  // where LinuxCNC's line ends
     const size_t first = line.find_first_not_of(" \t\r\v\f");

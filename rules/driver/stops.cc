@@ -10,7 +10,6 @@
 #include "rules/driver/words.h"
 
 namespace owlint::rules {
-
 namespace {
 
 /// Whether an error of reading is about a character that is not ASCII, such as a no-break space.
@@ -243,7 +242,7 @@ std::string file_name(const Source& source) {
   return path.substr(path.rfind('/') + 1);
 }
 
-/// The call in which it stops, if that matters: other calls of the same sub may pass values for which it does not stop.
+/// The call in which it stops, if that matters: others of the same sub may pass values for which it does not stop.
 StatementId telling_call(const Program& program, const FlowStop& stop) {
   if (stop.call == kNoStatement || stop.statement == kNoStatement) return kNoStatement;
   if (stop.kind < StopKind::kNameUndefined && program.at(stop.statement).label_expr == kNoExpr) return kNoStatement;
@@ -267,8 +266,8 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
     const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
     const Statement& s = place.program->at(decision.statement);
     const bool repeat = s.is(Keyword::kRepeat);
-    const std::string outcome =
-        repeat ? (decision.taken ? " repeats" : " does not repeat") : (decision.taken ? " is true" : " is false");
+    const char* const outcome =
+        decision.taken ? (repeat ? " repeats" : " is true") : (repeat ? " does not repeat" : " is false");
     finding.path.push_back(
         {s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
          decision.program == nullptr ? nullptr : decision.program->source});
@@ -390,8 +389,7 @@ std::string free_label(const Input& in, NameId label) {
   const std::string& text = program.name(label);
   if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string::npos) return {};
   constexpr long kTries = 200;
-  const long first = std::stol(text) + 1;
-  for (long number = first; number < first + kTries; ++number) {
+  for (long number = std::stol(text) + 1, last = number + kTries; number < last; ++number) {
     const NameId id = program.syntax.names.find(std::to_string(number));
     const bool used = id != kNoName && id < program.by_label.size() && !program.by_label[id].empty();
     if (!used && in.given_numbers.insert(number).second) return "o" + std::to_string(number);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analyzer/flow/engine/new_machine.h"
+#include "analyzer/flow/interpreter/new_machine.h"
 
 namespace owlint::flow {
 

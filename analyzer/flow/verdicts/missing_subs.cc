@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analyzer/flow/engine/new_machine.h"
+#include "analyzer/flow/interpreter/new_machine.h"
 
 namespace owlint::flow {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "analyzer/flow/engine/new_machine.h"
 #include "analyzer/flow/engine/reachability.h"
+#include "analyzer/flow/interpreter/new_machine.h"
 #include "analyzer/flow/summaries/optional_arguments.h"
 #include "analyzer/flow/verdicts/endless_loops.h"
 #include "analyzer/flow/verdicts/ends_in_subs.h"

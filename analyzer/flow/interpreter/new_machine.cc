@@ -1,4 +1,4 @@
-#include "analyzer/flow/engine/new_machine.h"
+#include "analyzer/flow/interpreter/new_machine.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,5 +1,5 @@
-// The run on a machine that was just started, beside that on one that has run other programs: numbered parameters that no line sets
-// are 0 there, and anything on the other.
+// The run on a machine that was just started, beside that on one that has run other programs: numbered parameters that no
+// line sets are 0 there, and anything on the other.
 #pragma once
 
 #include <cstdint>
