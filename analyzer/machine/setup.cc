@@ -55,6 +55,8 @@ class SetupReader {
     m_.has_python = m_.ini.has_section("PYTHON");
     m_.spindles = integer_of(m_.ini.find("TRAJ", "SPINDLES")).value_or(1);
     m_.change_keeps_spindle = is_on("TOOL_CHANGE_WITH_SPINDLE_ON");
+    m_.change_stays = !is_on("TOOL_CHANGE_AT_G30") && !is_on("TOOL_CHANGE_QUILL_UP") &&
+        m_.ini.find("EMCIO", "TOOL_CHANGE_POSITION") == nullptr;
     m_.retains_offset = is_number(rs274("RETAIN_G43"), 1);
     read_folders();
     read_user_codes();

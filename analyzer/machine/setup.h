@@ -58,6 +58,7 @@ struct MachineSetup {
   bool has_python = false;            ///< a called sub may be a Python function
   int32_t spindles = 1;               ///< [TRAJ]SPINDLES, as the interpreter has it: any number
   bool change_keeps_spindle = false;  ///< TOOL_CHANGE_WITH_SPINDLE_ON: M6 does not stop it
+  bool change_stays = false;          ///< M6 goes nowhere
   bool retains_offset = false;        ///< RETAIN_G43: each line repeats G43 while an offset is on
   std::vector<IniFolder> folders;     ///< PROGRAM_PREFIX, SUBROUTINE_PATH, NGCGUI_SUBFILE_PATH, USER_M_PATH
   std::bitset<100> user_codes;        ///< from M100 on: those whose file is there and may be executed

@@ -203,6 +203,7 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   }
   words.spindles = profile.setup->spindles;
   words.change_keeps_spindle = profile.setup->change_keeps_spindle;
+  words.change_stays = profile.setup->change_stays;
   words.retains_offset = profile.setup->retains_offset;
   if (profile.setup->tools) {
     for (const ToolRow& row : profile.setup->tools->rows)
@@ -222,7 +223,7 @@ std::string WordsOfMachine::key() const {
     key += code.sub;
   }
   key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "") +
-      (words.retains_offset ? "r" : "");
+      (words.change_stays ? "s" : "") + (words.retains_offset ? "r" : "");
   key += " =" + std::to_string(words.units_per_mm) + ',' + std::to_string(words.arc_tolerance_mm) + ',' +
       std::to_string(words.arc_tolerance_inch);
   if (words.measures_extents) key += " extents";

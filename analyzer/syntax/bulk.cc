@@ -290,7 +290,7 @@ Passed PlainLines::pass(size_t from, size_t to, const Proven& proven) {
   return out;
 }
 
-Proven proven_after(std::string_view line, const Proven& before, const Proven& always) {
+Proven proven_after(std::string_view line, const Proven& before, const Proven& always, uint32_t refused) {
   // The line without its comments.
   std::array<char, kLineLimit + 2> code;
   size_t length = 0;
@@ -305,7 +305,7 @@ Proven proven_after(std::string_view line, const Proven& before, const Proven& a
   }
   code[length] = '\n';
   PlainLine plain;
-  if (read_plain_line(code.data(), &plain) == nullptr) return always;
+  if (read_plain_line(code.data(), &plain) == nullptr || (plain.words() & refused) != 0) return always;
   Proven out = before;
   plain.learn(&out);
   return out;

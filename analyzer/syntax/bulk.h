@@ -94,7 +94,8 @@ class PlainLines {
 /// For tests alone: the scanner passes no line, and the parser reads each.
 inline bool no_line_is_plain = false;
 
-/// What is proven behind a line that was not passed, if the run goes on there; `always`: what is proven behind any line.
-Proven proven_after(std::string_view line, const Proven& before, const Proven& always = {});
+/// What is proven behind a line that was not passed, if the run goes on there; `always`: what is proven behind any line, also
+/// one with a letter of `refused`.
+Proven proven_after(std::string_view line, const Proven& before, const Proven& always = {}, uint32_t refused = 0);
 
 }  // namespace owlint

@@ -212,6 +212,7 @@ struct MachineWords {
   bool unsure = false;  ///< the machine is not known: it may have other axes, and codes M200 to M999 of its own
   int32_t spindles = 1;
   bool change_keeps_spindle = false;       ///< M6 does not stop the spindle
+  bool change_stays = false;               ///< M6 goes nowhere
   bool retains_offset = false;             ///< RETAIN_G43: each line repeats G43 for the tool in the spindle
   double units_per_mm = 0.03937007874016;  ///< of the machine
   double arc_tolerance_mm = 0.02 * 1.4142135623730951;  ///< of arcs by their center, in G21

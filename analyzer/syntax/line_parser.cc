@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analyzer/syntax/arithmetic.h"
+#include "analyzer/syntax/place_names.h"
 #include "analyzer/text/characters.h"
 
 namespace owlint {
@@ -50,6 +51,13 @@ void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::
                          0});
 }
 
+bool LineParser::reads_place() const {
+  for (ExprId id = line_begins_; id < out_.exprs.size(); ++id) {
+    if (PlaceName::read_by(out_, out_.exprs[id])) return true;
+  }
+  return false;
+}
+
 size_t LineParser::skip_comments(size_t at, bool* any) const {
   while (line_[at] == '(') {
     const size_t close = line_.text().find(')', at);
@@ -69,6 +77,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
   s.length = static_cast<uint32_t>(raw.size());
   const StopKind comment = line_.assign(raw, offset);
   has_words_ = has_words_of_call_ = false;
+  line_begins_ = static_cast<ExprId>(out_.exprs.size());
   questions_.clear();
   unsure_ = false;
   s.nul = line_.has_nul();
@@ -85,7 +94,7 @@ bool LineParser::parse(std::string_view raw, uint64_t offset, Statement* stateme
                            0});
     return true;
   }
-  line_begins_ = item_begins_ = static_cast<ExprId>(out_.exprs.size());
+  item_begins_ = line_begins_;
   size_t at = 0;
   number_at_ = std::string_view::npos;
   if (line_.text() == "%") {

@@ -25,6 +25,8 @@ class LineParser {
   const WordLine* words_of_call() const { return has_words_of_call_ ? &words_ : nullptr; }
   /// The errors with which that line stops on some machines, or for some values: indices in Syntax::errors.
   std::span<const uint32_t> questions() const { return questions_; }
+  /// Whether that line reads where the machine stands, or which tool it has.
+  bool reads_place() const;
   /// Records a fault of the words against each other, or in the modes that are in effect: returns its index in Syntax::errors.
   uint32_t add_error(const Fault& fault, ModeMask decided_by);
   /// Whether a comment begins on the line that was parsed last.

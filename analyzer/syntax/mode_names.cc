@@ -7,6 +7,7 @@
 
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/codes.h"
+#include "analyzer/syntax/line_parser.h"
 
 namespace owlint {
 namespace {
@@ -56,6 +57,9 @@ constexpr ModeName::Row kRows[] = {
 };
 static_assert(std::ranges::is_sorted(kRows, {}, &ModeName::Row::name));
 
+constexpr long kSystemNumber = 5220;
+constexpr ModeName::Row kSystem{"", Mode::kSystem, {1, 2, 3, 4, 5, 6, 7, 8, 9}};
+
 /// Where no motion is in effect, it reads as G80. Contours leave any motion.
 std::optional<double> number_of_motion(Motion motion) {
   if (motion == Motion::kNone) return code::kG80;
@@ -71,6 +75,20 @@ std::optional<ModeName> ModeName::find(std::string_view name) {
   const auto* const found = std::ranges::lower_bound(kRows, name, {}, &Row::name);
   if (found == std::end(kRows) || found->name != name) return std::nullopt;
   return ModeName(*found);
+}
+
+std::optional<ModeName> ModeName::find(long number) {
+  return number == kSystemNumber ? std::optional(ModeName(kSystem)) : std::nullopt;
+}
+
+std::optional<ModeName> ModeName::read_by(const Syntax& syntax, const Expr& expr) {
+  if (expr.op == Operator::kNamed) return find(syntax.names.text(expr.name()));
+  double number = 0;
+  long whole = 0;
+  if (expr.op != Operator::kParameter || !literal_value(syntax.exprs, expr.left(), &number) ||
+      !to_integer(number, &whole))
+    return std::nullopt;
+  return find(whole);
 }
 
 Mode ModeName::mode() const { return row_->mode; }

@@ -1,12 +1,13 @@
-// Names by which a program reads the modes of the machine, such as `#<_metric>`: which mode each one shows, and as what number.
+// Names by which a program reads the modes of the machine, such as `#<_metric>`, and the one number: which mode each shows, and
+// as what number.
 // Source: measured with rs274, name by name.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-#include "analyzer/syntax/expression.h"
 #include "analyzer/syntax/modes.h"
+#include "analyzer/syntax/statement.h"
 
 namespace owlint {
 
@@ -16,6 +17,10 @@ class ModeName {
 
   /// The mode that a predefined name shows, without `#<` and `>`; nothing for other names.
   static std::optional<ModeName> find(std::string_view name);
+  /// The same of a numbered parameter: #5220.
+  static std::optional<ModeName> find(long number);
+  /// What an expression reads; nothing if it is no such parameter.
+  static std::optional<ModeName> read_by(const Syntax& syntax, const Expr& expr);
 
   Mode mode() const;
   /// The number that is read while one of these values is in effect, if it is the same for all of them.

@@ -84,12 +84,21 @@ void restore_place(const ModeState& before, bool certain, Place* place) {
   places::convert_units(place, saved == value_bit(modes::kG20));
 }
 
-/// Before the next line is read, the interpreter asks the machine where it is.
 bool asks_position(const ModeLine& line) {
   if (line.at(MGroup::kToolChange) != kNoWord) return true;
   int32_t what = 0;
   const double* const l = line.value('l');
   return line.code(GGroup::kNonModal) == code::kG10 && (l == nullptr || (word_integer(*l, &what) && what == 0));
+}
+
+/// Before the next line is read, the interpreter asks the machine where it is.
+void ask_machine(ModeLine& line) {
+  Place* const place = line.place();
+  if (place == nullptr || !asks_position(line)) return;
+  // Of a curve the stand-alone interpreter's machine does not know where it ends.
+  constexpr MotionSet kNurbs = set_of(Motion::kG5_2) | set_of(Motion::kG6_2);
+  if ((line.now()[Mode::kMotion] & (kSplines | kNurbs)) != 0) return place->lose_point();
+  place->ask_machine(line.code(MGroup::kToolChange) == code::kM6 && !line.machine().change_stays);
 }
 
 /// M72, and the rest of its line if there was nothing to restore. False if no run goes on.
@@ -134,7 +143,7 @@ bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place
   if (stops_at(kFirstSteps, line)) return false;
   const bool restores = line.code(MGroup::kSpindle) == code::kM72;
   if (restores ? !run_from_m72(line) : stops_at(kRest, line)) return false;
-  if (place != nullptr && asks_position(line)) place->lose_point();
+  ask_machine(line);
   return true;
 }
 
@@ -167,7 +176,7 @@ bool ModeRun::act_part(const LinePart& part, ModeState* state, std::vector<ModeF
       runs = runs || step == step_of(*part.behind);
     }
   }
-  if (place != nullptr && asks_position(line)) place->lose_point();
+  ask_machine(line);
   return true;
 }
 

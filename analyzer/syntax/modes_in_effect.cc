@@ -284,6 +284,10 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   remaps_.clear();
   asks_ = asks_place_ = false;
   if (statement.item_count > 0 && writes_offsets(statement)) places_.leave_writing();
+  if (parser_.reads_place()) {
+    flush();
+    places_.leave_reading();
+  }
   const WordLine* words = parser_.words();
   if (words == nullptr || statement.has_error()) {
     if (const WordLine* of_call = parser_.words_of_call(); of_call != nullptr && !statement.has_error()) {

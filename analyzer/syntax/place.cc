@@ -87,6 +87,18 @@ Point operator-(const Point& a, const Point& b) {
   return difference;
 }
 
+void Place::ask_machine(bool may_move) {
+  Odd odd;
+  const bool turned = system.rotation.value != 0;  // also where that is unknown
+  for (size_t i = 0; i < kAxisCount; ++i) {
+    at[i].value += tool[i].value;
+    if (turned && i <= static_cast<size_t>(Axis::kY)) at[i].value = Coordinate::unknown().value;
+    if (may_move) at[i].other += odd.next().other;
+  }
+  lose_path();
+  settle();
+}
+
 void Place::lose_point() {
   at = Point::unknown();
   lose_path();

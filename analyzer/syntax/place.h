@@ -77,6 +77,9 @@ struct Place {
 
   /// Nothing is known of a compensated path.
   void lose_path() { path = {}; }
+  /// The interpreter asks the machine where it is. The stand-alone one has a machine that knows neither tool offsets nor a
+  /// rotation (measured); `may_move`: others may have gone elsewhere for a tool change.
+  void ask_machine(bool may_move);
   /// The machine is somewhere.
   void lose_point();
   /// The same, and its offsets are no longer known.

@@ -54,6 +54,15 @@ bool has_computed_place(const WordLine& words) {
 
 }  // namespace
 
+Place PlacesInEffect::started_on(const MachineWords& machine) {
+  Place place = Place::started(machine.units_per_mm);
+  for (size_t axis = 0; machine.tools && axis < kAxisCount; ++axis) {
+    const bool none = std::ranges::all_of(*machine.tools, [&](const Tool& tool) { return tool.offset[axis] == 0; });
+    if (none) place.tool[axis] = Coordinate::of(0);
+  }
+  return place;
+}
+
 void PlacesInEffect::assume(const ModeSets& before) {
   ModeSets& now = assumed_.now;
   for (size_t i = 0; i < kModes; ++i) {
@@ -77,6 +86,12 @@ void PlacesInEffect::leave(const Place& place) {
   const auto& origin = place.system.origin.axes;
   if (machine_.has_limits && std::ranges::any_of(origin, [](const Coordinate& axis) { return axis.is_known(); }))
     out_.asks_place = true;
+}
+
+void PlacesInEffect::leave_reading() {
+  leave();
+  out_.asks_place = true;
+  out_.unusual = out_.unusual || expected_ == Expected::kUsual;
 }
 
 void PlacesInEffect::leave_writing() {

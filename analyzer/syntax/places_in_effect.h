@@ -18,11 +18,7 @@ namespace owlint {
 class PlacesInEffect {
  public:
   PlacesInEffect(Syntax& out, const MachineWords& machine, Expected expected)
-      : out_(out),
-        machine_(machine),
-        expected_(expected),
-        limits_(machine),
-        place_(Place::started(machine.units_per_mm)) {
+      : out_(out), machine_(machine), expected_(expected), limits_(machine), place_(started_on(machine)) {
     if (machine.start != nullptr) assumed_ = *machine.start;
     if (machine.has_limits) visitor_ = &limits_;
     if (machine.measures_extents) visitor_ = extents_.get();
@@ -38,6 +34,8 @@ class PlacesInEffect {
   bool judge(const WordLine& words, const ModeSets& before, const Statement& statement, bool asked);
   /// The statement that is kept next is one from where runs may go elsewhere.
   void leave() { leave(place_); }
+  /// The same of one that reads where the machine stands.
+  void leave_reading();
   /// The same of one that writes numbers of the place.
   void leave_writing();
   /// All runs stop at a line.
@@ -54,6 +52,8 @@ class PlacesInEffect {
   }
 
  private:
+  /// Where it may begin: what no tool of the table has is no offset from before.
+  static Place started_on(const MachineWords& machine);
   /// Modes that a line's numbers are read in, as far as lines have said; else as an interpreter starts.
   void assume(const ModeSets& before);
   void leave(const Place& place);

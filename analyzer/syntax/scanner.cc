@@ -188,7 +188,7 @@ void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refus
     found.end = feed == nullptr ? stretch.end : static_cast<size_t>(feed - bytes.data());
     found.line = ++line;
     const std::string_view text = bytes.substr(at, found.end - at);
-    proven = proven_after(text, passed.proven, always);
+    proven = proven_after(text, passed.proven, always, refused);
     // The limit counts the line feed: a last line without one may be a character longer.
     const size_t limit = kLineLimit + (feed == nullptr ? 1 : 0);
     if (text.size() <= limit) {

@@ -44,6 +44,15 @@ bool computes_code(const Syntax& syntax, const Statement& asks) {
   });
 }
 
+/// Modes that the program reads as parameters. What it sets itself is not that of the mode any more.
+ModeMask modes_read(const Syntax& syntax) {
+  ModeMask read = 0, set = 0;
+  for (const Expr& expr : syntax.exprs) {
+    if (const auto shown = ModeName::read_by(syntax, expr)) (expr.target ? set : read) |= mask_of(shown->mode());
+  }
+  return read & ~set;
+}
+
 ModeSets only(ModeSets sets, const ModeChange& change) {
   sets[change.mode] |= change.value == ModeChange::kAny ? all_values(change.mode) : value_bit(change.value);
   return sets;
@@ -133,8 +142,11 @@ void ModeUses::find_followed() {
   }
   for (const ModeFault& fault : faults) followed_ |= fault.decided_by;
   refuses_ = !faults.empty();
-  if (reachable_[Mode::kCompensation] != value_bit(modes::kG40) && reads_position(program_.syntax))
-    followed_ |= mask_of(Mode::kCompensation);
+  const bool compensates = reachable_[Mode::kCompensation] != value_bit(modes::kG40);
+  if (compensates && reads_position(program_.syntax)) followed_ |= mask_of(Mode::kCompensation);
+  // A first move with compensation stops where it stays in place: only all of these together say that it is one.
+  if (compensates && (reachable_[Mode::kRadius] & value_bit(modes::kRadiusSet)) != 0)
+    followed_ |= mask_of(Mode::kCompensation) | mask_of(Mode::kRadius) | mask_of(Mode::kEntry) | mask_of(Mode::kPlane);
   // What moves mean differs only where a program has both.
   for (const auto* needs : {&program_.syntax.first_needs, &program_.syntax.mode_needs}) {
     for (const ModeNeed& need : *needs) {
@@ -153,11 +165,7 @@ void ModeUses::find_followed() {
       if (!is_single(reachable_[mode])) followed_ |= mask_of(mode);
     }
   }
-  for (NameId name = 0; name < program_.syntax.names.size(); ++name) {
-    const std::string_view text = program_.syntax.names.text(name);
-    if (!text.starts_with('_')) continue;
-    if (const auto shown = ModeName::find(text)) named_ |= mask_of(shown->mode());
-  }
+  named_ = modes_read(program_.syntax);
   followed_ |= named_;
   // What these depend on.
   const auto needs = [this](Mode mode, std::initializer_list<Mode> others) {

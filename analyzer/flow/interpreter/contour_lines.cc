@@ -39,6 +39,7 @@ std::optional<ContourSub> AbstractMachine::Step::contour_sub() const {
   if (opener == kNoStatement) return std::nullopt;
   const Region& region = m.program_.regions[m.program_.region_of[opener]];
   if (region.opener != opener || region.end == kNoStatement || region.early_end != kNoStatement) return std::nullopt;
+  if (m.program_.at(region.end).has_error()) return std::nullopt;  // it stops there before anything is cut
   for (StatementId id = opener + 1; id < region.end; ++id) {
     if (!is_plain(m.program_.syntax, m.program_.at(id), passes_in_contour)) return std::nullopt;
   }

@@ -192,6 +192,8 @@ Evaluation Evaluator::evaluate(ExprId id, const Parameters& in, const Reading& h
     } else if (is_position(number) && modes_ != nullptr && modes_->compensates(in)) {
       out.fails = StopKind::kCompensation;
       out.message = "Cannot read current position with cutter radius compensation on";
+    } else if (const auto shown = modes_ == nullptr ? std::nullopt : modes_->numbered(in, number)) {
+      out.value = values_.intern(*shown);
     } else {
       out.value = read_number(number, in);
       if (out.value == kNotPassed) {

@@ -3,7 +3,6 @@
 #include "analyzer/flow/facts/conditions.h"
 #include "analyzer/flow/interpreter/mode_access.h"
 #include "analyzer/syntax/line_parser.h"
-#include "analyzer/syntax/mode_names.h"
 
 namespace owlint::flow {
 
@@ -16,10 +15,33 @@ void ModeAccess::say(Parameters& p, ModeMask modes) {
     p.globals.set(pool_, said_key(static_cast<Mode>(std::countr_zero(set))), values_.intern(1));
 }
 
-std::optional<double> ModeAccess::named(const Parameters& p, std::string_view name) const {
-  const auto shown = ModeName::find(name);
-  if (!shown || !uses_.follows(shown->mode()) || !has_said(p, shown->mode())) return std::nullopt;
+std::optional<double> ModeAccess::shown(const Parameters& p, const std::optional<ModeName>& shown) const {
+  if (!shown || (uses_.named() & mask_of(shown->mode())) == 0 || !uses_.follows(shown->mode()) ||
+      !has_said(p, shown->mode()))
+    return std::nullopt;
   return shown->number(mode_values(values_, shown->mode(), p.globals.get(mode_key(shown->mode()))).may);
+}
+
+std::optional<double> ModeAccess::shown(const Parameters& p, const std::optional<PlaceName>& shown) const {
+  if (!shown || !uses_.follows_place() || p.outside) return std::nullopt;
+  const auto surely = [&](Mode mode, uint8_t value) {
+    if (!uses_.follows(mode)) return uses_.others()[mode] == value_bit(value);
+    return mode_values(values_, mode, p.globals.get(mode_key(mode))).may == value_bit(value);
+  };
+  // In diameter mode X is read as one, and on a compensated path nobody knows where the tool is.
+  const bool as_it_is =
+      !shown->axis() || (surely(Mode::kDiameter, modes::kG8) && surely(Mode::kCompensation, modes::kG40));
+  return as_it_is ? shown->number(place(p)) : std::nullopt;
+}
+
+std::optional<double> ModeAccess::named(const Parameters& p, std::string_view name) const {
+  const auto mode = shown(p, ModeName::find(name));
+  return mode ? mode : shown(p, PlaceName::find(name));
+}
+
+std::optional<double> ModeAccess::numbered(const Parameters& p, long number) const {
+  const auto mode = shown(p, ModeName::find(number));
+  return mode ? mode : shown(p, PlaceName::find(number));
 }
 
 bool ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth) {
@@ -27,10 +49,9 @@ bool ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bo
   bool possible = true;
   const auto visit = [&](ExprId side, Operator op, ExprId other, bool outcome) {
     double number = 0;
-    if (syntax.exprs[side].op != Operator::kNamed) return;
+    const auto shown = ModeName::read_by(syntax, syntax.exprs[side]);
+    if (!shown || (uses_.named() & mask_of(shown->mode())) == 0 || !uses_.follows(shown->mode())) return;
     if (other != kNoExpr && !literal_value(syntax.exprs, other, &number)) return;
-    const auto shown = ModeName::find(syntax.names.text(syntax.exprs[side].name()));
-    if (!shown || !uses_.follows(shown->mode())) return;
     const Mode mode = shown->mode();
     const bool said = has_said(p, mode);
     ModeValues values =

@@ -57,8 +57,8 @@ Evaluation AbstractMachine::Step::line_computes() const {
 bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
   if (faults.empty()) return true;
   // A number that its word may not have is what the values of the line stop with; this finding knows the word.
-  const StopKind before = line_computes().fails;
-  if (before != StopKind::kNone && before != StopKind::kNumberOutOfRange) return true;
+  const Evaluation before = line_computes();
+  if (before.fails != StopKind::kNone && before.fails != StopKind::kNumberOutOfRange) return true;
   for (const ModeFault& found : faults) {
     const Fault& fault = found.fault;
     if (!fault.certain && !found.believed) continue;
@@ -72,7 +72,13 @@ bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
               {},
               {fault.word, fault.other, found.decided_by, found.from_start, arc}});
     state.mixed = mixed;
-    if (fault.certain) return false;
+    if (!fault.certain) continue;
+    if (before.may_fail != StopKind::kNone) {
+      // Some of the joined runs have stopped before, for a value of the line.
+      state.position = here + 1;
+      settle(before);
+    }
+    return false;
   }
   return true;
 }
