@@ -44,7 +44,8 @@ struct FlowStop {
   Reach reach = Reach::kMaybe;
   bool unproven =
       false;  ///< depends on something that owlint cannot know: files elsewhere, how deep a recursion with an exit goes
-  std::vector<uint32_t> unset;  ///< if there are any: it stops only where these numbers, which nothing sets, are 0
+  bool on_new_machine = false;         ///< it stops only on a machine that was just started
+  std::vector<uint32_t> unset;         ///< then: numbers that nothing sets, so that they are 0
   StatementId end_of = kNoStatement;   ///< for ends of file: that end
   StatementId other = kNoStatement;    ///< the line that the message names (first definition, opener)
   StatementId call = kNoStatement;     ///< the call in which it happens, if in a sub

@@ -85,6 +85,7 @@ class Joiner {
       out.mode_needs.push_back(need);
     }
     out.asks_place = out.asks_place || in.asks_place;
+    out.reads_place = out.reads_place || in.reads_place;
     out.writes_tools = out.writes_tools || in.writes_tools;
     for (PlaceChange change : in.place_changes) {
       change.after += statement0_;

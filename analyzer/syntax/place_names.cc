@@ -30,10 +30,11 @@ std::optional<PlaceName> PlaceName::read_by(const Syntax& syntax, const Expr& ex
   return find(whole);
 }
 
-std::optional<double> PlaceName::number(const Place& place) const {
+std::optional<double> PlaceName::number(const Place& place, bool started) const {
   if (!axis_) return place.loaded_tool > 0 ? std::optional<double>(place.loaded_tool) : std::nullopt;
   const Coordinate at = place.at[*axis_];
-  return at.is_known() ? std::optional(at.value) : std::nullopt;
+  const bool known = started ? !at.is_unknown() : at.is_known();
+  return known ? std::optional(at.value) : std::nullopt;
 }
 
 }  // namespace owlint

@@ -20,8 +20,8 @@ class PlaceName {
 
   /// Nothing for the tool.
   std::optional<Axis> axis() const { return axis_; }
-  /// What is read, if it is the same wherever the program has begun.
-  std::optional<double> number(const Place& place) const;
+  /// What is read, if it is the same wherever the program has begun, or with `started` on a machine that was just started.
+  std::optional<double> number(const Place& place, bool started) const;
 
  private:
   explicit PlaceName(std::optional<Axis> axis) : axis_(axis) {}

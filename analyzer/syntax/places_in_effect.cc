@@ -90,7 +90,7 @@ void PlacesInEffect::leave(const Place& place) {
 
 void PlacesInEffect::leave_reading() {
   leave();
-  out_.asks_place = true;
+  out_.asks_place = out_.reads_place = true;
   out_.unusual = out_.unusual || expected_ == Expected::kUsual;
 }
 

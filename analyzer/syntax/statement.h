@@ -221,6 +221,7 @@ struct Syntax {
   std::vector<LimitFault> limit_faults;    ///< of lines up to that one
   std::shared_ptr<const Extents> extents;  ///< the same, if that is asked for
   bool writes_tools = false;               ///< lines write numbers of the tool table
+  bool reads_place = false;                ///< some line reads where the machine stands, or which tool it has
   bool asks_place = false;                 ///< some kModeLine may stop for where the machine is
   std::vector<ModeNeed> first_needs;       ///< of plain lines before the first statement
   std::vector<ModeChange> first_changes;   ///< by plain lines before the first statement

@@ -5,6 +5,7 @@
 
 #include "analyzer/machine/predefined.h"
 #include "analyzer/text/characters.h"
+#include "rules/driver/positions.h"
 
 namespace owlint::rules {
 
@@ -55,8 +56,8 @@ Span asked_span(const Program& program, StatementId statement, std::string_view 
   return mention(program, statement, name, true);
 }
 
-void tell_unset(const Input& in, const FlowStop& stop, Finding& finding) {
-  if (stop.unset.empty()) return;
+void tell_new_machine(const Input& in, const FlowStop& stop, Finding& finding) {
+  if (!stop.on_new_machine) return;
   const auto on_line = [&](uint32_t number) {
     if (stop.statement == kNoStatement) return false;
     const Span found = mention(in.program, stop.statement, "#" + std::to_string(number), false);
@@ -65,6 +66,7 @@ void tell_unset(const Input& in, const FlowStop& stop, Finding& finding) {
   std::vector<uint32_t> read;
   std::ranges::copy_if(stop.unset, std::back_inserter(read), on_line);
   const std::vector<uint32_t>& named = read.empty() ? stop.unset : read;
+  if (named.empty() || (read.empty() && in.program.syntax.reads_place)) return add_start(finding);
   constexpr size_t kNamed = 3;
   std::string list;
   for (size_t i = 0; i < std::min(named.size(), kNamed); ++i)

@@ -30,8 +30,8 @@ struct NearName {
 };
 NearName near_name(const Input& in, const std::string& name, RegionId reader);
 
-/// Of a stop that needs numbers that nothing sets (FlowStop::unset): says which, and to set them.
-void tell_unset(const Input& in, const FlowStop& stop, Finding& finding);
+/// Of a stop on a machine that was just started alone: says where that one stands, or which numbers nothing sets.
+void tell_new_machine(const Input& in, const FlowStop& stop, Finding& finding);
 
 /// Whether the lines of a sub are those that a call from elsewhere enters.
 bool enters_from_outside(const Program& program, RegionId region);

@@ -48,10 +48,14 @@ std::string length(double value, bool inch, int decimals) {
   return number_text(value, decimals) + (!inch ? " mm" : value > 1 ? " inches" : " inch");
 }
 
-void note_start(const FlowStop& stop, Finding& finding) {
-  if (!stop.words.from_start) return;
-  finding.message += ", on a machine that starts at X0 Y0 Z0 without offsets";
+void add_start(Finding& finding) {
+  constexpr std::string_view kStart = ", on a machine that starts at X0 Y0 Z0 without offsets";
+  if (!finding.message.ends_with(kStart)) finding.message += kStart;
   finding.unproven = true;
+}
+
+void note_start(const FlowStop& stop, Finding& finding) {
+  if (stop.words.from_start) add_start(finding);
 }
 
 bool relate_distance(const Input& in, const FlowStop& stop, Finding& finding) {

@@ -19,6 +19,8 @@ std::string length(double value, bool inch, int decimals = 4);
 
 /// Says that it is so from where a machine stands that was just started, if that is all that is known.
 void note_start(const FlowStop& stop, Finding& finding);
+/// The same of any stop.
+void add_start(Finding& finding);
 
 /// Adds the line that has set G91, if that is in effect; true then.
 bool relate_distance(const Input& in, const FlowStop& stop, Finding& finding);

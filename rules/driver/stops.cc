@@ -272,7 +272,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
         {s.head_span(), "when `" + place.program->head(decision.statement) + "` on " + line_words(in, place) + outcome,
          decision.program == nullptr ? nullptr : decision.program->source});
   }
-  tell_unset(in, stop, finding);
+  tell_new_machine(in, stop, finding);
   if (finding.further) relate_first_mistake(in, stop, finding);
   relate(in, finding, stop.call_elsewhere, "called here");
   relate(finding, in.program, telling_call(in.program, stop), "called here");

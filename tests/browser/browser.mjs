@@ -137,7 +137,7 @@ export async function eventually(assertion) {
 /** What axe-core finds against the page, of all rules or of some. */
 export async function violations(page, rules = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]) {
   await page.addScriptTag({ path: axeFile });
-  const found = await page.evaluate((runOnly) => window.axe.run(document, { runOnly }), rules);
+  const found = await page.evaluate((runOnly) => window.axe.run(document, { runOnly, resultTypes: ["violations"] }), rules);
   return found.violations.map((v) => `${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.target} ${n.failureSummary}`).join(" | ")}`);
 }
 

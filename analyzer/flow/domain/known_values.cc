@@ -77,6 +77,13 @@ Range KnownValues::range(ValueId id) const {
   return is_constant(id) ? Range::of(value(id)) : Range();
 }
 
+ValueId KnownValues::join_places(ValueId a, ValueId b) {
+  const uint64_t both = static_cast<uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
+  const auto [known, added] = joined_places_.try_emplace(both, kUnknown);
+  if (added) known->second = intern(owlint::join(place(a), place(b)));
+  return known->second;
+}
+
 ValueId KnownValues::join(ValueId a, ValueId b) {
   if (a == b) return a;
   const auto not_returned = [](ValueId v) { return v >= kNotReturned && v <= kMaybeNotReturned; };
@@ -84,7 +91,7 @@ ValueId KnownValues::join(ValueId a, ValueId b) {
   const auto assigned = [](ValueId v) { return v != kUnassigned && v != kMaybeUnassigned; };
   if (!assigned(a) || !assigned(b)) return kMaybeUnassigned;
   if (is_set(a) && is_set(b)) return intern(KnownSet{set(a).members | set(b).members, set(a).open || set(b).open});
-  if (is_place(a) && is_place(b)) return intern(owlint::join(place(a), place(b)));
+  if (is_place(a) && is_place(b)) return join_places(a, b);
   if (a >= kFirstSet || b >= kFirstSet) return kUnknown;
   return a >= kFirstConstant && b >= kFirstConstant ? intern(hull(range(a), range(b))) : kUnknown;
 }

@@ -74,6 +74,8 @@ class KnownValues {
   const Thresholds& thresholds() const { return thresholds_; }
 
  private:
+  ValueId join_places(ValueId a, ValueId b);
+
   std::vector<double> constants_;
   std::unordered_map<uint64_t, ValueId> ids_;  ///< of all but the first few
   std::vector<Range> ranges_;
@@ -82,6 +84,8 @@ class KnownValues {
   std::unordered_map<uint64_t, ValueId> set_ids_[2];  ///< by whether they are open
   std::deque<Place> places_;
   std::unordered_map<uint64_t, std::vector<ValueId>> place_ids_;
+  std::unordered_map<uint64_t, ValueId>
+      joined_places_;  ///< by two of them: in loops and calls the same ones meet again
   Thresholds thresholds_;
 };
 

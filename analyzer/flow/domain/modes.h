@@ -21,7 +21,9 @@ inline constexpr ModeMask kPlaceBit = ModeMask{1} << kPlaceNumber;
 constexpr uint32_t said_key(Mode mode) { return kPlaceKey + 1 + static_cast<uint32_t>(mode); }
 /// Set in a run on a machine that was just started, beside that on any machine (engine/new_machine.h).
 inline constexpr uint32_t kNewMachineKey = said_key(Mode::kSaved) + 1;
-inline constexpr uint32_t kLastModeKey = kNewMachineKey;
+/// The place that the values of the line are read in: a line moves when all of it has been read.
+inline constexpr uint32_t kReadPlaceKey = kNewMachineKey + 1;
+inline constexpr uint32_t kLastModeKey = kReadPlaceKey;
 static_assert(kModes <= kFeedNumber && kLastModeKey < kGlobalNames);
 
 /// The values of one mode.

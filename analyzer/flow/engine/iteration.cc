@@ -57,7 +57,7 @@ void Iteration::start(Machines machines) {
 
 void Iteration::start_new_machine(State state) {
   unset_ = read_and_never_set(program_, machine_.tracked());
-  if (unset_.empty()) return;
+  if (unset_.empty() && !program_.syntax.reads_place) return;
   begin_on_new_machine(unset_, state.parameters, machine_.evaluator(), pool_);
   state.mixed = true;
   successor(std::move(state));

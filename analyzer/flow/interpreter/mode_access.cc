@@ -154,6 +154,15 @@ void ModeAccess::set_place(Parameters& p, const Place& place) {
   p.globals.set(pool_, kPlaceKey, values_.intern(place));
 }
 
+void ModeAccess::begin_line(Parameters& p) {
+  if (!KnownValues::is_place(p.globals.get(kReadPlaceKey)))
+    p.globals.set(pool_, kReadPlaceKey, p.globals.get(kPlaceKey));
+}
+
+void ModeAccess::end_line(Parameters& p) {
+  if (p.globals.get(kReadPlaceKey) != kUnassigned) p.globals.set(pool_, kReadPlaceKey, kUnassigned);
+}
+
 void ModeAccess::go(Parameters& p, std::span<const PlaceChange> changes) {
   if (!uses_.follows_place() || changes.empty()) return;
   Place place = this->place(p);

@@ -27,6 +27,9 @@ class ModeAccess {
   /// Where the machine stands.
   Place place(const Parameters& p) const;
   void set_place(Parameters& p, const Place& place);
+  /// A line moves before its values are worked out here: they are read in the place that it begins in.
+  void begin_line(Parameters& p);
+  void end_line(Parameters& p);
   /// The machine goes as far as some lines that are not carried out one by one.
   void go(Parameters& p, std::span<const PlaceChange> changes);
   /// Tells where such lines go, before go().

@@ -2,6 +2,7 @@
 // set. Before the program has set a mode, its value is not known: the machine may have run another program before.
 #include "analyzer/flow/facts/conditions.h"
 #include "analyzer/flow/interpreter/mode_access.h"
+#include "analyzer/flow/interpreter/new_machine.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
@@ -31,7 +32,9 @@ std::optional<double> ModeAccess::shown(const Parameters& p, const std::optional
   // In diameter mode X is read as one, and on a compensated path nobody knows where the tool is.
   const bool as_it_is =
       !shown->axis() || (surely(Mode::kDiameter, modes::kG8) && surely(Mode::kCompensation, modes::kG40));
-  return as_it_is ? shown->number(place(p)) : std::nullopt;
+  if (!as_it_is) return std::nullopt;
+  const ValueId before = p.globals.get(kReadPlaceKey);
+  return shown->number(KnownValues::is_place(before) ? values_.place(before) : place(p), is_on_new_machine(p));
 }
 
 std::optional<double> ModeAccess::named(const Parameters& p, std::string_view name) const {

@@ -253,6 +253,7 @@ struct AbstractMachine::Step {
   bool is_mistake(StopKind kind, std::string_view message) const;
   bool read_words(const Statement& asks, WordLine& words, bool computes = true);
   Evaluation line_computes() const;
+  bool computes_later() const;
   bool take_faults(std::span<const ModeFault> faults);
   bool restore_modes();
   bool can_lose_end() const;

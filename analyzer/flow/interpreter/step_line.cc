@@ -60,6 +60,7 @@ void AbstractMachine::Step::plain() {
   report_reads();
   if (!settle(e)) return;
   state.parameters = std::move(after);
+  if (m.program_.syntax.reads_place) m.modes_.end_line(state.parameters);
   if (m.mode_uses_.follows_place(here)) write_offsets();
   if (may_end(s)) out.end(state);
   if (context.contour && error() != nullptr && passes_in_contour(*error())) return next_line();

@@ -53,6 +53,14 @@ Evaluation AbstractMachine::Step::line_computes() const {
   return m.evaluator_.assign(line, after, nullptr);
 }
 
+/// Whether values of this line are worked out behind the question.
+bool AbstractMachine::Step::computes_later() const {
+  for (StatementId id = here + 1; id < m.program_.size() && on_one_line(m.program_.at(id), s); ++id) {
+    if (m.program_.at(id).item_count > 0) return true;
+  }
+  return false;
+}
+
 /// Reports what the words stop with. False if no run goes on.
 bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
   if (faults.empty()) return true;
@@ -133,6 +141,7 @@ void AbstractMachine::Step::modes() {
     watch = {m.place_watch_, s.line};
     if (watch.visitor != nullptr) m.place_watch_->begin(state, here);
   }
+  if (goes && m.program_.syntax.reads_place && computes_later()) m.modes_.begin_line(state.parameters);
   Place* const at = place ? &*place : nullptr;
   if (around.before != nullptr || around.next != nullptr) {
     const auto code_of = [&](const Statement* remap) {

@@ -44,7 +44,8 @@ void add_if_missing(const Iteration& analysis, ContextId context, const Caller& 
     stop.unproven = machine.may_be_elsewhere(sub);
   }
   stop.unproven = stop.unproven || caller.state.mixed;
-  if (is_on_new_machine(caller.state.parameters)) stop.unset = analysis.unset();
+  stop.on_new_machine = is_on_new_machine(caller.state.parameters);
+  if (stop.on_new_machine) stop.unset = analysis.unset();
   const uint32_t key = stops.add(caller.state.record, std::move(stop));
   for (const Partition* partition : seeking) {
     for (const auto& [hash, record] : partition->seen) analysis.trace()->terminate(record, key);

@@ -17,7 +17,7 @@ uint32_t Stops::add(RecordId record, FlowStop stop) {
       stop.statement == kNoStatement && stop.end_of != kNoStatement ? linked_.file_of(stop.end_of) : 0;
   const Key key{stop.statement, stop.kind, stop.detail, file};
   const bool unproven = stop.unproven;
-  const bool on_any_machine = stop.unset.empty();
+  const bool on_any_machine = !stop.on_new_machine;
   auto found = found_.find(key);
   if (found == found_.end()) {
     found = found_.emplace(key, Found{next_key_++, record, std::move(stop)}).first;
@@ -25,7 +25,7 @@ uint32_t Stops::add(RecordId record, FlowStop stop) {
     found->second.stop.unproven = false;
     found->second.record = record;
   }
-  if (on_any_machine) found->second.stop.unset.clear();
+  if (on_any_machine) found->second.stop.on_new_machine = false;
   trace_.terminate(record, found->second.key, unproven);
   return found->second.key;
 }

@@ -28,7 +28,8 @@ void Verdicts::end_of_file(const State& at) {
   stop.end_of = at.position;
   stop.call = analysis_.calls().call_of(analysis_.linked(), at.context, at.position);
   stop.unproven = at.mixed;
-  if (is_on_new_machine(at.parameters)) stop.unset = analysis_.unset();
+  stop.on_new_machine = is_on_new_machine(at.parameters);
+  if (stop.on_new_machine) stop.unset = analysis_.unset();
   const bool percent = program_.syntax.percent || program_.syntax.blank;
   stop.interpreter = percent ? "File ended with no percent sign" : "File ended with no percent sign or program end";
   const auto blame = [&](FullLabel label) {
@@ -75,7 +76,8 @@ void Verdicts::stop(const State& at, StopReport report) {
   }
   stop.call = analysis_.calls().call_of(analysis_.linked(), at.context, at.position);
   stop.unproven = at.mixed;
-  if (is_on_new_machine(at.parameters)) stop.unset = analysis_.unset();
+  stop.on_new_machine = is_on_new_machine(at.parameters);
+  if (stop.on_new_machine) stop.unset = analysis_.unset();
   // A called file does not know whether the program that calls it is between `%` lines.
   if (stop.kind == StopKind::kBadCharacter && program_.sub_file && program_.at(at.position).kind == LineKind::kPercent)
     stop.unproven = true;
