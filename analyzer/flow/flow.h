@@ -45,7 +45,7 @@ struct FlowStop {
   bool unproven =
       false;  ///< depends on something that owlint cannot know: files elsewhere, how deep a recursion with an exit goes
   bool on_new_machine = false;         ///< it stops only on a machine that was just started
-  std::vector<uint32_t> unset;         ///< then: numbers that nothing sets, so that they are 0
+  std::vector<uint32_t> unset;         ///< then: numbers that nothing has set, so that they are 0
   StatementId end_of = kNoStatement;   ///< for ends of file: that end
   StatementId other = kNoStatement;    ///< the line that the message names (first definition, opener)
   StatementId call = kNoStatement;     ///< the call in which it happens, if in a sub

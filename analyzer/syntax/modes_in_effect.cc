@@ -227,15 +227,17 @@ void ModesInEffect::take(const ModeState& after, bool alone, uint32_t line) {
 }
 
 /// Leaves out what a line before has asked: a run that goes on behind it does not stop for the same in the same modes.
-void ModesInEffect::leave_out_asked() {
-  std::erase_if(faults_, [this](const ModeFault& fault) {
+void ModesInEffect::leave_out_asked(ModeMask assigned) {
+  std::erase_if(faults_, [&](const ModeFault& fault) {
     const auto same = [&](const ModeFault& before) {
       // A message belongs to one motion, or to all alike; but of a motion that was not known only some runs had it.
       constexpr ModeMask kMotion = mask_of(Mode::kMotion);
       return (before.decided_by | kMotion) == (fault.decided_by | kMotion) &&
           (before.decided_by & kMotion) <= (fault.decided_by & kMotion) && before.fault.message == fault.fault.message;
     };
-    return !fault.fault.certain && fault.decided_by != 0 && std::ranges::any_of(asked_, same);
+    // What the line itself sets has not been asked about.
+    const bool own = (fault.decided_by & assigned & ~mask_of(Mode::kMotion)) != 0;
+    return !own && !fault.fault.certain && fault.decided_by != 0 && std::ranges::any_of(asked_, same);
   });
 }
 
@@ -321,7 +323,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   stopped_ = !ModeRun(machine_, *words).run(&after, &faults_);
   set_feed(*words, &after.now);
   out_.unusual = out_.unusual || leaves_usual(anything_.now, after.now);
-  leave_out_asked();
+  leave_out_asked(after.now.assigned);
   // What M72 writes depends on modes that only the flow knows.
   const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;
   if (faults_.size() == 1 && faults_.front().fault.certain && !quotes_all) {

@@ -46,7 +46,7 @@ class ModesInEffect {
 
  private:
   void forget();
-  void leave_out_asked();
+  void leave_out_asked(ModeMask assigned);
   static void set_feed(const WordLine& words, ModeSets* after);
   bool asks(const WordLine& words, const ModeState& after, bool alone) const;
   bool judge_behind(Statement& statement, const WordLine& words);

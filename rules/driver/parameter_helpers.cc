@@ -73,8 +73,7 @@ void tell_new_machine(const Input& in, const FlowStop& stop, Finding& finding) {
     list += (i == 0 ? "`#" : ", `#") + std::to_string(named[i]) + "`";
   if (named.size() > kNamed) list += ", …";
   const bool one = named.size() == 1;
-  finding.message +=
-      "; nothing sets " + list + (one ? ", which is" : ", which are") + " 0 when LinuxCNC has just started";
+  finding.message += "; " + list + (one ? " is" : " are") + " not set before, and 0 when LinuxCNC has just started";
   finding.help = "set " + list + " before " + (one ? "it is" : "they are") + " used";
   finding.fixes.clear();
 }

@@ -30,7 +30,7 @@ struct NearName {
 };
 NearName near_name(const Input& in, const std::string& name, RegionId reader);
 
-/// Of a stop on a machine that was just started alone: says where that one stands, or which numbers nothing sets.
+/// Of a stop on a machine that was just started alone: says where that one stands, or which numbers nothing has set.
 void tell_new_machine(const Input& in, const FlowStop& stop, Finding& finding);
 
 /// Whether the lines of a sub are those that a call from elsewhere enters.

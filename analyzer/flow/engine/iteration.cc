@@ -56,7 +56,7 @@ void Iteration::start(Machines machines) {
 }
 
 void Iteration::start_new_machine(State state) {
-  unset_ = read_and_never_set(program_, machine_.tracked());
+  unset_ = read_and_not_set(program_, machine_.tracked());
   if (unset_.empty() && !program_.syntax.reads_place) return;
   begin_on_new_machine(unset_, state.parameters, machine_.evaluator(), pool_);
   state.mixed = true;
