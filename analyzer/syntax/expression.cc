@@ -104,7 +104,7 @@ bool ExpressionParser::plain_number(uint32_t* number) {
   while (line_[at] >= '0' && line_[at] <= '9') value = value * 10 + static_cast<uint32_t>(line_[at++] - '0');
   if (at == cursor || at - cursor > kMaxDigits || line_[at] == '.') return false;
   *number = value;
-  if (depth_ > 0) note_split(cursor, at);
+  note_split(cursor, at);
   cursor = at;
   return true;
 }
@@ -132,7 +132,7 @@ ExprId ExpressionParser::number() {
   if (end != digits.data() + digits.size()) {
     return fail(from, cursor, "bad number format (trailing characters) parsing '" + quoted + "'");
   }
-  if (depth_ > 0) note_split(from, cursor);
+  note_split(from, cursor);
   return add(Expr::number(value));
 }
 

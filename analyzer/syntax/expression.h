@@ -133,7 +133,7 @@ struct ReadError {
 /// Reads values out of one line. The cursor stays where reading ended; after a failure `error()` says why.
 class ExpressionParser {
  public:
-  /// `split_numbers`: takes the places of numbers in brackets that blanks divide; null where nobody asks.
+  /// `split_numbers`: takes the places of numbers that blanks divide; null where nobody asks.
   ExpressionParser(const LineText& line, ExprPool& pool, Names& names, std::vector<Span>* split_numbers = nullptr)
       : line_(line), pool_(pool), names_(names), split_numbers_(split_numbers) {}
 

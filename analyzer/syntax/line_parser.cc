@@ -210,7 +210,10 @@ void LineParser::o_word(size_t at, Statement& s, bool has_letter) {
   s.first = static_cast<uint32_t>(out_.values.size());
   ExpressionParser in(line_, out_.exprs, out_.names, &out_.split_numbers);
   in.cursor = at;
+  const size_t split_numbers = out_.split_numbers.size();
+  const bool numbered = is_digit(line_[at + (has_letter ? 1 : 0)]);
   label(in, s, has_letter);
+  if (numbered) out_.split_numbers.resize(split_numbers);  // `o 1 0 call`: in a label that is no matter of values
   if (s.has_error()) return;
 
   const std::string_view rest = line_.text().substr(in.cursor);

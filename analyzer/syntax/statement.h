@@ -229,7 +229,7 @@ struct Syntax {
   std::vector<Directive> directives;
   std::vector<uint64_t>
       command_lines;                ///< offsets of lines with a comment that begins like a command (comment_command.h)
-  std::vector<Span> split_numbers;  ///< `1 2` in brackets, which is read as 12
+  std::vector<Span> split_numbers;  ///< `1 2` in a value, which is read as 12
   ExprPool exprs;
   Names names;
   uint32_t lines = 0;             ///< number of lines in the file

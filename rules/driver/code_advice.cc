@@ -176,4 +176,18 @@ CodeAdvice advice_for_code(char letter, int number, Release release) {
   return advice;
 }
 
+bool tell_split_code(const Source& source, const WordStop& at, Finding& f) {
+  std::string_view written = source.slice(at.span);
+  if (written.size() < 2 || !at.value) return false;
+  written.remove_prefix(std::min(written.find_first_not_of(" \t", 1), written.size()));
+  const size_t blank = written.find_first_of(" \t");
+  const size_t second = blank == std::string_view::npos ? blank : written.find_first_not_of(" \t", blank);
+  if (second == std::string_view::npos || written.find_first_not_of("0123456789. \t") != std::string_view::npos)
+    return false;
+  f.message = fmt::format("`{} {}` is read as `{}`: LinuxCNC removes spaces, also inside numbers",
+                          capital(at.letter) + std::string(written.substr(0, blank)), written.substr(second), at.word);
+  f.help = fmt::format("write the letter that is missing before `{}`", written.substr(second));
+  return true;
+}
+
 }  // namespace owlint::rules

@@ -89,6 +89,15 @@ bool is_other_word(const RefusedLine& line, Finding& f);
 bool has_look_alike(const RefusedLine& line, Finding& f);
 bool has_letters_in_number(const RefusedLine& line, Finding& f);
 
+// In a number that is written otherwise, and where a part of a word or value is missing (idioms_numbers.cc).
+/// A number with an exponent, `1E-3`, with all its digits; empty if it is none, or would be very long.
+std::string with_all_digits(std::string_view number);
+bool has_exponent(const RefusedLine& line, Finding& f);
+bool is_no_number(const RefusedLine& line, Finding& f);
+bool lacks_letter_of_value(const RefusedLine& line, Finding& f);
+bool lacks_closing_bracket(const RefusedLine& line, Finding& f);
+bool assigns_twice(const RefusedLine& line, Finding& f);
+
 // In a value (idioms_values.cc).
 bool names_without_brackets(const RefusedLine& line, Finding& f);
 bool names_half_bracketed(const RefusedLine& line, Finding& f);

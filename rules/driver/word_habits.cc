@@ -33,14 +33,18 @@ std::optional<Habit> look_ahead(const Source& source, const std::vector<WrittenW
                "remove the line: LinuxCNC always looks ahead; `G64 P0.01` lets it round corners within a tolerance"};
 }
 
-/// `G4 X2`: the time is X, U or F on other controllers.
+/// `G4 X2`: the time is X, U, F or S on other controllers.
 std::optional<Habit> dwell(const Source& source, const std::vector<WrittenWord>& line) {
+  constexpr double kLong = 100, kThousand = 1000;
   const WrittenWord* const code = find_word(line, "G4");
-  const WrittenWord* const time = find_word(line, "X U F");
+  const WrittenWord* const time = find_word(line, find_word(line, "M3 M4") == nullptr ? "X U F S" : "X U F");
   if (code == nullptr || time == nullptr || find_word(line, "P") != nullptr) return std::nullopt;
-  const std::string value = shown(source, {time->span.begin + 1, time->span.end});
+  std::string value = shown(source, {time->span.begin + 1, time->span.end});
+  const bool milliseconds = time->value && *time->value >= kLong && value.find('.') == std::string::npos;
+  if (milliseconds) value = fmt::format("{}", *time->value / kThousand);
   return Habit{fmt::format("{} needs the time as `P`", of_word(source, *code)),
-               fmt::format("write `P{}` in place of {}, if these are seconds", value, of_word(source, *time))};
+               fmt::format("write `P{}` in place of {}, if these are {}", value, of_word(source, *time),
+                           milliseconds ? "milliseconds" : "seconds")};
 }
 
 /// A code that other controllers have with a word that LinuxCNC does not take there.
@@ -73,9 +77,9 @@ std::optional<Habit> pair(const Source& source, const std::vector<WrittenWord>& 
 constexpr std::string_view kContourAsSub =
     "write the contour as a sub, and name it as `Q`: `G71 Q100 X50 Z2 D1 I0.2 R0.5`";
 
-/// `G71 U2 R1`: the first line of two.
+/// `G71 U2 R1`, `G73 U5 W5 R3`: the first line of two.
 std::optional<Habit> first_of_cycle(const Source& source, const std::vector<WrittenWord>& line) {
-  const WrittenWord* const code = find_word(line, "G71 G72");
+  const WrittenWord* const code = find_word(line, "G71 G72 G73");
   const WrittenWord* const depth = find_word(line, "U W");
   const WrittenWord* const retract = find_word(line, "R");
   if (code == nullptr || depth == nullptr || retract == nullptr || find_word(line, "P") != nullptr ||
@@ -90,6 +94,7 @@ std::optional<Habit> first_of_cycle(const Source& source, const std::vector<Writ
 std::optional<Habit> turning_cycle(const Source& source, const std::vector<WrittenWord>& line) {
   const WrittenWord* const contour = find_word(line, "G70 G71 G72 G73");
   const WrittenWord* const thread = find_word(line, "G76");
+  if (find_word(line, "G70") != nullptr && find_word(line, "X Z D E") != nullptr) return std::nullopt;
   const WrittenWord* const from = find_word(line, "P");
   const WrittenWord* const to = find_word(line, "Q");
   if (from == nullptr || to == nullptr || (contour == nullptr) == (thread == nullptr)) return std::nullopt;

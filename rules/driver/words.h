@@ -64,6 +64,8 @@ struct CodeAdvice {
 };
 /// `letter`: `g` or `m`; G codes in tenths.
 CodeAdvice advice_for_code(char letter, int number, Release release);
+/// Says that a code which LinuxCNC does not have is two numbers, which a space divides: `G1 20`. False for others.
+bool tell_split_code(const Source& source, const WordStop& at, Finding& finding);
 
 /// What a refused line was meant to be whose codes LinuxCNC knows as something else: `G4 X2`, `G05.1 Q1`, a further line of a
 /// spline without its `G5`. Nothing for other lines.

@@ -66,9 +66,6 @@ Span numbered_line(const Source& source, std::string_view number) {
 bool means_line(const Input& in, const Statement& s, StatementId id, const std::string& name, Finding& f) {
   if ((s.kind != LineKind::kM98 && s.kind != LineKind::kContour) || number_only(name).empty()) return false;
   const Source& source = *in.program.source;
-  const Span line = numbered_line(source, name);
-  if (line.end == line.begin) return false;
-  const std::string written(source.slice(line));
   if (s.kind == LineKind::kContour) {
     const std::optional<Habit> habit = habit_of(in, id);
     if (!habit) return false;
@@ -76,6 +73,9 @@ bool means_line(const Input& in, const Statement& s, StatementId id, const std::
     f.help = habit->help;
     return true;
   }
+  const Span line = numbered_line(source, name);
+  if (line.end == line.begin) return false;
+  const std::string written(source.slice(line));
   f.help = written[0] == ':'
       ? "write `O" + name + "` in place of `" + written + "`"
       : "write `O" + name + "` on a line of its own before the sub: `" + written + "` is only a line number";

@@ -1,6 +1,8 @@
 // OW314 bytes-unreadable: bytes that the interpreter refuses or silently stops reading at.
 // Depends on: outside comments and names only ASCII is known; a NUL ends its line; lines end at line
 // feed, not at CR.
+#include <algorithm>
+
 #include "analyzer/syntax/look_alike.h"
 #include "rules/driver/idioms.h"
 #include "rules/driver/words.h"
@@ -27,11 +29,26 @@ bool tell_corner(const Source& source, Span rest, Finding& f) {
   return true;
 }
 
+/// The line number that a text begins with, `N120`; empty if it is none.
+std::string number_behind(std::string_view text) {
+  const size_t digits = text.find_first_not_of(" \t", 1);
+  const size_t end = std::min(text.find_first_not_of("0123456789", std::min(digits, text.size())), text.size());
+  return digits == std::string_view::npos || end == digits ? std::string()
+                                                           : "N" + std::string(text.substr(digits, end - digits));
+}
+
 /// A second line number, or one behind other words.
-bool tell_number(std::string_view bytes, Finding& f) {
-  if (bytes != "N" && bytes != "n") return false;
+bool tell_number(const Program& p, const Statement& s, Span at, Finding& f) {
+  const std::string_view letter = p.source->slice(at);
+  if (letter != "N" && letter != "n") return false;
   f.message = "a line number stands first on its line, and only once";
   f.help = "remove this one";
+  const std::string number = number_behind(p.source->slice({at.begin, s.end()}));
+  const std::vector<WrittenWord> before = words_of(*p.source, {s.offset, at.begin});
+  if (number.empty() || std::ranges::all_of(before, [](const WrittenWord& w) { return w.letter == 'n'; })) return true;
+  f.help = "write two lines: a line feed may be missing before `" + number + "`";
+  f.fixes.push_back(split_line(p, s, at.begin, "write two lines"));
+  f.fixes.back().safe = false;  // or it is no line number
   return true;
 }
 
@@ -62,7 +79,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   } else {
     f.message = "`" + std::string(bytes) + "` has no meaning here";
     f.help = "remove it, or put it in a comment";
-    if (!tell_corner(*p.source, {span.begin, s.end()}, f) && !tell_number(bytes, f)) explain_idiom(in, id, f);
+    if (!tell_corner(*p.source, {span.begin, s.end()}, f) && !tell_number(p, s, span, f)) explain_idiom(in, id, f);
   }
   return &f;
 }

@@ -127,6 +127,18 @@ bool asks_for_preview(const Program& p, StatementId opener) {
   return false;
 }
 
+/// The comment above the loop's end with which the preview ends, `(AXIS,stop)`: then the loop is meant to run until the operator
+/// stops it. Empty if there is none. The preview knows it in this spelling alone.
+Span end_of_preview(const Program& p, StatementId opener) {
+  const BlockId block = p.block_of[opener];
+  if (block == kNoBlock || p.blocks[block].end == kNoStatement) return {};
+  const std::string_view above = p.source->slice({0, p.at(p.blocks[block].end).offset});
+  for (const std::string_view comment : {"(AXIS,stop)", "(PREVIEW,stop)"}) {
+    if (const size_t at = above.rfind(comment); at != std::string_view::npos) return {at, at + comment.size()};
+  }
+  return {};
+}
+
 /// `while [1]`, `while [1 EQ 1]`.
 bool is_always_true(const Program& p, StatementId opener) {
   const StatementId test = condition_of(p, opener);
@@ -190,6 +202,11 @@ void check(const Input& in, Reporter& out) {
           "leave the loop with `break`; if it is meant to run until the operator stops it, write `while [#<_task> EQ "
           "1]`, "
           "which the preview passes";
+    if (const Span stop = end_of_preview(p, h.statement); stop.end > stop.begin) {
+      f.message += ": it runs until the operator stops it";
+      f.related.push_back({stop, "the preview ends here", nullptr});
+      f.unproven = f.uncertain = true;
+    }
     f.reach = h.reach;
     f.never_ends = true;
   }
@@ -239,8 +256,11 @@ M2
 )",
             .fix = R"(Change the value that the condition tests, in every pass. If the program is meant to run until the
 operator stops it, write `while [#<_task> EQ 1]`: `#<_task>` is 1 when the machine runs the program,
-and 0 in the preview, which skips the loop. owlint does not report such a loop.)",
-            .level_reason = "Error: the program never ends.",
+and 0 in the preview, which skips the loop. owlint does not report such a loop. Or end the preview with
+`(AXIS,stop)` above the loop or in it.)",
+            .level_reason =
+                "Error: the program never ends. Info if `(AXIS,stop)` ends the preview: then it is meant to "
+                "run until the operator stops it.",
             .interpreter = "",
             .options = "",
         },

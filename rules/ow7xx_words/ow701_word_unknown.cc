@@ -3,8 +3,10 @@
 // axis that is not in [TRAJ]COORDINATES is a bad character; rs274 without an INI has X Y Z A B C.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "rules/driver/idioms.h"
-#include "rules/driver/words.h"
+#include "rules/driver/modes.h"
 
 namespace owlint::rules::ow701 {
 namespace {
@@ -29,6 +31,16 @@ bool asks_for_machine(const Program& p, StatementId statement) {
   return false;
 }
 
+/// `G28 U0 W0`: on lathes of other controllers U and W are steps of X and Z. Foam cutters, which have these axes, have V and Y.
+void tell_step(const Input& in, const FlowStop& stop, char letter, Finding& f) {
+  const std::vector<WrittenWord> line = words_of(*in.program.source, in.program.at(stop.statement).whole());
+  const std::string_view axis = letter == 'u' ? "X" : letter == 'w' ? "Z" : "";
+  // In a cycle they are depths and allowances.
+  if (axis.empty() || find_word(line, "V Y G71 G72 G73 G76") != nullptr || find_word(line, axis) != nullptr) return;
+  f.help +=
+      fmt::format("; for a step of {0}, which `{1}` is on other lathes, write `G91` and `{0}`", axis, capital(letter));
+}
+
 void missing_axis(const Input& in, const FlowStop& stop, char letter, const std::string& word, Finding& f) {
   const std::string axis = capital(letter);
   f.group = "axis " + axis;  // a program for such a machine has it on every line
@@ -37,6 +49,7 @@ void missing_axis(const Input& in, const FlowStop& stop, char letter, const std:
     f.help = in.profile.setup == nullptr
         ? "name the machine's INI (`--ini`), so that owlint knows its axes"
         : "name an INI that has `[TRAJ]` with `COORDINATES` (`--ini`), so that owlint knows the machine's axes";
+    tell_step(in, stop, letter, f);
     f.unproven = true;
     f.uncertain = in.profile.setup != nullptr && asks_for_machine(in.program, stop.statement);
     return;
@@ -48,6 +61,7 @@ void missing_axis(const Input& in, const FlowStop& stop, char letter, const std:
   f.help = axes == nullptr || axes->value.empty()
       ? "its axes are X Y Z, because `[TRAJ]` has no `COORDINATES`"
       : "its axes are " + axes->value + ", as `COORDINATES` in `[TRAJ]` says";
+  tell_step(in, stop, letter, f);
   if (axes != nullptr && !axes->value.empty()) f.related.push_back({axes->span, "the machine's axes", axes->source});
 }
 

@@ -69,6 +69,7 @@ void range_of_g(const WordStop& at, Release release, Finding& f) {
 }
 
 void explain(const Input& in, const WordStop& at, Finding& f) {
+  if (f.interpreter.starts_with("G-code out of range") && tell_split_code(*in.program.source, at, f)) return;
   if (f.interpreter.starts_with("G-code out of range")) return range_of_g(at, release_of(in.profile), f);
   if (f.interpreter.starts_with("Non integer value")) {
     f.message = "`" + at.word + "` is not a whole number";

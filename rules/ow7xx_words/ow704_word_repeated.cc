@@ -3,10 +3,25 @@
 // letter is refused before its value is read.
 #include <algorithm>
 
-#include "rules/driver/words.h"
+#include "rules/driver/modes.h"
 
 namespace owlint::rules::ow704 {
 namespace {
+
+constexpr std::string_view kTakesP = "G4 G5 G5.2 G10 G64 G76 G82 G86 G88 G89 M19 M50 M51 M52 M53 M62 M63 M64 M65 M66";
+
+/// `G64 P0.1 M52 P1`: the code before each P takes it. The second code; null if it is not so.
+const WrittenWord* second_taker(const WordStop& at) {
+  if (at.letter != 'p') return nullptr;
+  const WrittenWord* before = nullptr;
+  const WrittenWord* first = nullptr;
+  for (const WrittenWord& word : at.line) {
+    if (word.span.begin == at.span.begin) return first != nullptr && first != before ? before : nullptr;
+    if (word.letter == 'p') first = before;
+    if (find_word({word}, kTakesP) != nullptr) before = &word;
+  }
+  return nullptr;
+}
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
@@ -16,7 +31,11 @@ void check(const Input& in, Reporter& out) {
     const bool same = at.word == at.other_word && at.word.size() > 1;
     Finding& f = out.add(at.span, "`" + (same ? at.word : letter) + "` is written twice on this line");
     relate_word(f, at);
-    if (same) {
+    if (const WrittenWord* const code = second_taker(at)) {
+      f.help = "write `" + std::string(p.source->slice({code->span.begin, at.span.end})) + "` on a line of its own";
+      f.fixes.push_back(split_line(p, p.at(stop.statement), code->span.begin, "write two lines"));
+      f.fixes.back().safe = false;  // codes of one line run in an order of their own
+    } else if (same) {
       f.help = "remove one of them";
       f.fixes.push_back(without_word(p, p.at(stop.statement), at.span, at.word));
     } else if (std::string_view("xyzabcuvw").find(at.letter) != std::string_view::npos) {

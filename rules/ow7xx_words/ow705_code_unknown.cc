@@ -171,7 +171,7 @@ void check(const Input& in, Reporter& out) {
     const bool m = f.interpreter.find("m code") != std::string::npos;
     if (m && number >= kUserFirst && number <= kUserLast) {
       user_code(in, number, f);
-    } else {
+    } else if (!sub_without_p(in, at).empty() || !tell_split_code(*in.program.source, at, f)) {
       unknown(in, at, number, f);
     }
     constexpr int kG50 = 500;

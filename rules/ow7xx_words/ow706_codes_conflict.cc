@@ -42,6 +42,19 @@ bool moves_twice(const WordStop& at) {
   return has_axis(at.other.begin, at.span.begin) && has_axis(at.span.begin, UINT64_MAX);
 }
 
+/// `G53 G28 Z0`: the place that G28 and G30 go to is a machine position already.
+bool beside_g53(const Program& p, const FlowStop& stop, const WordStop& at, Finding& f) {
+  const WrittenWord* const g53 = find_word(at.line, "G53");
+  const WrittenWord* const stored = find_word(at.line, "G28 G30");
+  if (g53 == nullptr || stored == nullptr) return false;
+  const std::string code = shown(*p.source, stored->span);
+  f.message = fmt::format("`G53` and `{}` cannot be on one line: `{}` goes to a stored machine position", code, code);
+  f.help = "remove `G53`; or remove `" + code + "`, and write `G53 G0` with the machine position";
+  f.fixes.push_back(without_word(p, p.at(stop.statement), g53->span, "G53"));
+  f.fixes.back().safe = false;  // the axis words may be meant as a machine position
+  return true;
+}
+
 void one_group(const Program& p, const FlowStop& stop, const WordStop& at, Finding& f) {
   if (at.word == at.other_word) {
     f.message = "`" + at.word + "` is written twice on this line";
@@ -56,6 +69,7 @@ void one_group(const Program& p, const FlowStop& stop, const WordStop& at, Findi
     f.fixes.push_back(without_word(p, p.at(stop.statement), at.span, at.word));
     return;
   }
+  if (beside_g53(p, stop, at, f)) return;
   const std::string other = at.other_word.empty() ? "another code of its group" : "`" + at.other_word + "`";
   f.message = fmt::format("{} and `{}` cannot be on one line: {}", other, at.word, reason(at));
   const bool both_on =

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "rules/driver/idioms.h"
 #include "rules/driver/modes.h"
 
 namespace owlint::rules::ow707 {
@@ -27,6 +28,17 @@ bool is_exponent(const Source& source, const WordStop& at) {
   return (before >= '0' && before <= '9') || before == '.';
 }
 
+/// The number that the exponent belongs to, with it.
+std::string number_with_exponent(const Source& source, const WordStop& at) {
+  uint64_t from = at.span.begin;
+  const auto byte = [&](uint64_t i) { return source.slice({i, i + 1})[0]; };
+  while (from > 0 && ((byte(from - 1) >= '0' && byte(from - 1) <= '9') || byte(from - 1) == '.')) --from;
+  if (from > 0 && byte(from - 1) == '-') --from;
+  std::string number = shown(source, {from, at.span.end});
+  std::erase(number, '+');
+  return number;
+}
+
 void explain(const Source& source, const WordStop& at, bool of_call, Release release, Finding& f) {
   const std::string letter = capital(at.letter);
   if (f.interpreter.starts_with("Cannot put a")) {
@@ -40,7 +52,8 @@ void explain(const Source& source, const WordStop& at, bool of_call, Release rel
     f.help = "remove it: the speed of the spindle and the pitch `K` are the feed";
   } else if (is_exponent(source, at)) {
     f.message = "`" + at.word + "` is a word of its own: numbers have no exponent";
-    f.help = "write the number with all its digits";
+    const std::string right = with_all_digits(number_with_exponent(source, at));
+    f.help = right.empty() ? "write the number with all its digits" : "write `" + right + "`";
   } else if (at.letter == 0) {
     f.message = "a word on this line has no use";
     f.help = "remove it, or add the code that takes it";

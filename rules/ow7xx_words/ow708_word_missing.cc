@@ -46,7 +46,17 @@ void g76(const WordStop& at, const std::string& code, Finding& f) {
   f.help = "write it on this line";
 }
 
+/// `G92` alone, as in the first lines of many programs: meant is the code that clears the offset.
+bool clears_offset(const WordStop& at, Finding& f) {
+  constexpr double kG92 = 92;
+  if (!f.interpreter.starts_with("All axes missing with g52") || at.letter != 'g' || at.value != kG92) return false;
+  f.message = "`" + at.word + "` needs an axis word: it sets an offset";
+  f.help = "write `G92.1` to clear the offset, or the axes that it is about, such as `X0`";
+  return true;
+}
+
 void explain(const WordStop& at, Finding& f) {
+  if (clears_offset(at, f)) return;
   // Where the code is not on the line, it is the motion in effect.
   const bool on_line = at.letter == 'g';
   if (f.interpreter.starts_with("Line with G10")) return g10(at, f);
@@ -101,6 +111,7 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;
     explain(at, f);
+    if (at.letter == 'g' && tell_split_code(*in.program.source, at, f)) return &f;
     if (std::optional<Habit> habit = at.letter == 'g' ? habit_of(in, stop.statement) : std::nullopt) {
       f.message = std::move(habit->message);
       f.help = std::move(habit->help);

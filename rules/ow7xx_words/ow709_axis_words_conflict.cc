@@ -10,6 +10,20 @@
 namespace owlint::rules::ow709 {
 namespace {
 
+/// `G0 G28 Z0`: G28 and G30 are rapid moves themselves.
+bool moves_to_stored_place(const Program& p, const FlowStop& stop, const WordStop& at, Finding& f) {
+  const WrittenWord* const stored = find_word(at.line, "G28 G30");
+  const WrittenWord* const motion = find_word(at.line, "G0 G1");
+  if (stored == nullptr || motion == nullptr) return false;
+  const std::string code = shown(*p.source, stored->span);
+  const std::string other = shown(*p.source, motion->span);
+  f.message = fmt::format("`{}` and `{}` cannot be on one line: `{}` is a rapid move itself", code, other, code);
+  f.help = fmt::format("remove `{}`", other);
+  f.fixes.push_back(without_word(p, p.at(stop.statement), motion->span, other));
+  f.fixes.back().safe = false;  // lines behind it may go on with its motion
+  return true;
+}
+
 void explain(const WordStop& at, Finding& f) {
   const std::string& said = f.interpreter;
   const std::string word = "`" + at.word + "`";
@@ -61,7 +75,8 @@ void check(const Input& in, Reporter& out) {
     const WordStop at = word_stop(in, stop);
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;
-    explain(at, f);
+    if (!stop.interpreter.starts_with("Cannot use two g codes") || !moves_to_stored_place(in.program, stop, at, f))
+      explain(at, f);
     const bool of_call = in.program.at(stop.statement).kind == LineKind::kM98;
     if (of_call && f.help.starts_with("write `G0`")) f.help = "write the move on a line of its own, before `M98`";
     if (at.letter != 0 && stop.interpreter.starts_with("Cannot use axis values without")) {

@@ -135,10 +135,20 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
   relate_setter(in, f, setter, setter->word.starts_with("G9") ? "sets the feed to 0 here" : "is here");
 }
 
+/// `G73 U5 W5 R3`: on Fanuc lathes no drilling cycle.
+std::optional<Habit> of_cycle(const Input& in, const FlowStop& stop) {
+  const std::vector<WrittenWord> line = words_of(*in.program.source, in.program.at(stop.statement).whole());
+  return find_word(line, "G73") == nullptr ? std::nullopt : habit_of(in, stop.statement);
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     explain(in, stop, f);
+    if (std::optional<Habit> habit = of_cycle(in, stop)) {
+      f.message = std::move(habit->message);
+      f.help = std::move(habit->help);
+    }
     return &f;
   });
 }

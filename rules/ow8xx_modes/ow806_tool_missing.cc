@@ -3,6 +3,8 @@
 // this order. T0, D0 and H0 always are there. G43.2 with axis words looks up tool -1 before 2.10.
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "rules/driver/ini_places.h"
 #include "rules/driver/modes.h"
 
@@ -23,6 +25,20 @@ const WrittenWord* asking(const std::vector<WrittenWord>& line, const std::strin
   return nullptr;
 }
 
+/// `T0101`: on Fanuc lathes the tool and its offset.
+void tell_tool_and_offset(std::string_view word, Finding& f) {
+  constexpr size_t kDigits = 4;
+  const std::string_view digits = word.substr(1);
+  if (digits.size() != kDigits || digits.find_first_not_of("0123456789") != std::string_view::npos ||
+      (digits[0] != '0' && digits.substr(0, 2) != digits.substr(2)))
+    return;
+  const auto number = [](std::string_view two) { return std::string(two.substr(two[0] == '0' ? 1 : 0)); };
+  const std::string tool = number(digits.substr(0, 2));
+  const std::string offset = number(digits.substr(2));
+  f.help = fmt::format("on Fanuc lathes this is tool {} with offset {}: write `T{} M6`, and `{}`", tool, offset, tool,
+                       offset == "0" ? "G49" : "G43 H" + offset);
+}
+
 void not_found(const Source& source, const std::string& number, const WordStop& at, Finding& f) {
   const WrittenWord* word = asking(at.line, number);
   if (word == nullptr && number == "-1" && find_word(at.line, "G43.2") != nullptr) {
@@ -38,6 +54,7 @@ void not_found(const Source& source, const std::string& number, const WordStop& 
   f.span = word->span;
   f.message = "`" + shown(source, word->span) + "` " +
       (word->value ? "is not in the tool table" : "means tool " + number + ", which is not in the tool table");
+  if (word->letter == 't') tell_tool_and_offset(source.slice(word->span), f);
   if (word->letter == 'h' && number == "-1") f.help = "write the tool's number, or no `H` for the tool in the spindle";
 }
 

@@ -194,9 +194,21 @@ bool goes_on(const Program& p, uint32_t line, const std::vector<WrittenWord>& wo
   return false;
 }
 
+/// `M190 P2` and then `M66 P3 L3 Q1`: how programs for QtPlasmaC change the material. The machine itself sees to it that the
+/// input comes.
+bool changes_material(const Source& source, uint32_t line, const std::vector<WrittenWord>& words) {
+  if (find_word(words, "P3") == nullptr || find_word(words, "L3") == nullptr) return false;
+  constexpr uint32_t kMostLines = 3;
+  for (uint32_t above = line; above > 1 && above + kMostLines > line;) {
+    if (find_word(words_of(source, source.line(--above)), "M190") != nullptr) return true;
+  }
+  return false;
+}
+
 bool check_wait(const Input& in, Reporter& out, uint32_t line) {
   const Source& source = *in.program.source;
   const std::vector<WrittenWord> words = words_of(source, source.line(line));
+  if (changes_material(source, line, words)) return false;
   if (!goes_on(in.program, line, words)) return false;
   const WrittenWord* code = find_word(words, "M66");
   Finding& f = out.add(
@@ -244,7 +256,7 @@ parameter, and no line of the file, or of a file that it calls, tests `#5070`. T
 
 owlint does not report a program that compares the point or the position with something: it has its own
 way to find out. Nor does it report `G38.3` as a safe move to a place, where `G38.2` or a sub then does the
-probing.)",
+probing; nor `M66 P3 L3` behind `M190`, with which programs for QtPlasmaC change the material.)",
             .why =
                 R"(`G38.2` and `G38.4` stop the program if the probe touches nothing. `G38.3` and `G38.5` do not: then `#5070`
 is 0, and `#5061` to `#5069` are the end of the move. In the first program below, the plate or the probe's

@@ -197,11 +197,12 @@ TEST_CASE("text among words is noticed, words with functions are not", "[syntax]
   CHECK(Read("G0 XSIN[30]\nifix[1.5] g2 x2\n").syntax.errors.empty());
 }
 
-TEST_CASE("numbers in brackets that blanks divide are noted", "[syntax]") {
-  const Read read("o1 call [1 2] [3] [ 4 + 5 ]\n#1=[1 0]\no 1 0 call [-.5]\n");
-  REQUIRE(read.syntax.split_numbers.size() == 2);
+TEST_CASE("numbers that blanks divide are noted, but not labels", "[syntax]") {
+  const Read read("o1 call [1 2] [3] [ 4 + 5 ]\n#1=[1 0]\no 1 0 call [-.5]\nG 1 X 5. 5 Y - 6\n");
+  REQUIRE(read.syntax.split_numbers.size() == 3);
   CHECK(read.source->slice(read.syntax.split_numbers[0]) == "1 2");
   CHECK(read.source->slice(read.syntax.split_numbers[1]) == "1 0");
+  CHECK(read.source->slice(read.syntax.split_numbers[2]) == "5. 5");
 }
 
 TEST_CASE("comments nest nowhere and close on their line", "[syntax]") {
