@@ -15,7 +15,7 @@
 namespace owlint::audit {
 
 struct Fact {
-  static constexpr int kBytes = 4;  ///< lower ones are an Answer::Question
+  static constexpr int kBytes = 4;  ///< all others are an Answer::Question
   int kind = kBytes;
   std::string subject;  ///< the searched folders, one on each line, then `//` and the tree; or a file's key
   std::string name;

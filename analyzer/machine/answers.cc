@@ -56,6 +56,12 @@ std::optional<std::string> Answers::find_other_case(std::string_view name) const
   return found;
 }
 
+std::optional<std::string> Answers::find_other_ending(std::string_view name) const {
+  auto found = path_->find_other_ending(name);
+  if (notes_) note(Answer::Question::kOtherEnding, name, text_of(found));
+  return found;
+}
+
 std::vector<std::string> Answers::names() const {
   auto names = path_->names();
   if (notes_) note(Answer::Question::kNames, "", text_of(names));
@@ -67,6 +73,7 @@ std::string ask(const SearchPath& path, Answer::Question question, std::string_v
     case Answer::Question::kFind: return text_of(path.find(name));
     case Answer::Question::kFindAll: return text_of(path.find_all(name));
     case Answer::Question::kOtherCase: return text_of(path.find_other_case(name));
+    case Answer::Question::kOtherEnding: return text_of(path.find_other_ending(name));
     case Answer::Question::kNames: return text_of(path.names());
   }
   return {};

@@ -16,7 +16,8 @@ namespace owlint {
 
 /// One question and its answer, as text. Files are named by file_key().
 struct Answer {
-  enum class Question : uint8_t { kFind, kFindAll, kOtherCase, kNames };
+  /// Stored by an audit, where 4 is something else.
+  enum class Question : uint8_t { kFind = 0, kFindAll = 1, kOtherCase = 2, kNames = 3, kOtherEnding = 5 };
   Question question = Question::kFind;
   std::string name;  ///< of the sub; empty for kNames
   std::string text;  ///< the file, the files, or a hash of the names; empty for none
@@ -32,6 +33,7 @@ class Answers {
   std::optional<FoundFile> find(std::string_view name) const;
   std::vector<FoundFile> find_all(std::string_view name) const;
   std::optional<std::string> find_other_case(std::string_view name) const;
+  std::optional<std::string> find_other_ending(std::string_view name) const;
   std::vector<std::string> names() const;
 
   const std::shared_ptr<const SearchPath>& path() const { return path_; }

@@ -159,6 +159,17 @@ std::optional<std::string> SearchPath::find_other_case(std::string_view name) co
   return std::nullopt;
 }
 
+std::optional<std::string> SearchPath::find_other_ending(std::string_view name) const {
+  if (!plain_name(name)) return std::nullopt;
+  for (const SearchFolder& folder : folders_) {
+    for (const std::string_view ending : {".nc", ".tap", ".cnc", ".gcode", ".txt", ""}) {
+      const std::string path = joined_path(folder.path, std::string(name) + std::string(ending));
+      if (!folder.tree && files_.is_file(path)) return normal_path(path);
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<std::string> SearchPath::names() const {
   std::vector<std::string> names;
   for (const auto& files : listing()) {

@@ -43,6 +43,8 @@ class SearchPath {
   std::vector<FoundFile> find_all(std::string_view name) const;
   /// A file whose name differs from `name.ngc` only in upper and lower case, so that no call finds it.
   std::optional<std::string> find_other_case(std::string_view name) const;
+  /// A file `name.nc`, or with another ending of G-code, which no call finds.
+  std::optional<std::string> find_other_ending(std::string_view name) const;
   /// The names of all subs that could be called, sorted; read once, when first needed.
   std::vector<std::string> names() const;
 

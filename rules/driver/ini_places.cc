@@ -1,12 +1,15 @@
 #include "rules/driver/ini_places.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 
 #include <fmt/format.h>
 
 #include "analyzer/program/machine_words.h"
 #include "rules/driver/machine_rules.h"
+#include "rules/driver/remap_rules.h"
+#include "rules/driver/words.h"
 
 namespace owlint::rules {
 
@@ -75,6 +78,45 @@ void relate_unread_remap(const Profile& profile, char letter, int number, Findin
     finding.related.push_back(line_place(text, line, why));
     return;
   }
+}
+
+void relate_unused_remap(const Input& in, const FlowStop& stop, Finding& finding) {
+  if (in.profile.setup == nullptr || stop.statement == kNoStatement) return;
+  if (finding.code != "OW708" && finding.code != "OW801" && finding.code != "OW802") return;
+  if (in.profile.setup->ini.find("RS274NGC", "REMAP") == nullptr) return;
+  for (const WrittenWord& word : words_of(*in.program.source, in.program.at(stop.statement).whole())) {
+    int32_t code = 0;
+    if (word.letter != 'g' || !word.value || !g_tenths(*word.value, &code) || !is_built_in_motion(code)) continue;
+    const Ini::Entry* const entry = remap_entry(in.profile, 'g', code);
+    if (entry == nullptr) continue;
+    const std::string written = shown(*in.program.source, word.span);
+    relate_ini(finding, *entry,
+               fmt::format("LinuxCNC never uses this `REMAP`: `{}` keeps its built-in meaning", written));
+    finding.help = "remap a code that is free, such as `G88.1`, and write that one here";
+    finding.fixes.clear();
+    return;
+  }
+}
+
+bool relate_unread_entry(const Profile& profile, std::string_view section, std::string_view key, Finding& finding) {
+  if (profile.setup == nullptr) return false;
+  std::string in_section(section), name(key);
+  const auto to_capital = [](unsigned char c) { return static_cast<char>(std::toupper(c)); };
+  std::ranges::transform(in_section, in_section.begin(), to_capital);
+  std::ranges::transform(name, name.begin(), to_capital);
+  const IniText& text = profile.setup->text;
+  for (const IniLine& line : text.lines()) {
+    if (line.kind != IniLine::Kind::kKey || small_letters(text.section_of(line)) != small_letters(section) ||
+        small_letters(text.name(line)) != small_letters(key))
+      continue;
+    const bool exact = text.section_of(line) == in_section && text.name(line) == name;
+    const std::string why = exact ? why_unread(profile, line, in_section, false)
+                                  : fmt::format("not read: LinuxCNC looks for `{}` in `[{}]`", name, in_section);
+    if (why.empty()) continue;
+    finding.related.push_back(line_place(text, line, why));
+    return true;
+  }
+  return false;
 }
 
 std::vector<const IniFolder*> unused_folders(const MachineSetup& setup) {

@@ -18,6 +18,14 @@ const Ini::Entry* remap_entry(const Input& in, StatementId remap);
 /// The same for a code that is there, but on a line that LinuxCNC does not read: names that line.
 void relate_unread_remap(const Profile& profile, char letter, int number, Finding& finding);
 
+/// A code that lacks what its built-in meaning needs, where a `REMAP` of the INI wants to replace that meaning and cannot: names
+/// that line, which is the mistake.
+void relate_unused_remap(const Input& in, const FlowStop& stop, Finding& finding);
+
+/// An entry that a program reads as `#<_ini[section]key>` and LinuxCNC does not find: names the line that was meant, if there is
+/// one, and why it does not count. Section and key in any case. False if there is none.
+bool relate_unread_entry(const Profile& profile, std::string_view section, std::string_view key, Finding& finding);
+
 /// Where the INI says in which folders called files are, for findings about files that are not found: the line that is read, or
 /// lines with `SUBROUTINE_PATH` that are not.
 std::vector<Related> search_path_places(const Profile& profile);

@@ -1,8 +1,34 @@
 #include "rules/driver/remap_rules.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <utility>
 
 namespace owlint::rules {
+namespace {
+
+constexpr std::array kMotion{0,   10,  20,  30,  50,  51,  52,  53,  330, 331, 382, 383, 384, 385, 700, 710, 711, 712,
+                             720, 721, 722, 730, 740, 750, 760, 800, 810, 820, 830, 840, 850, 860, 870, 880, 890};
+
+/// The group in which a code is the built-in one inside its own sub.
+constexpr std::array<std::pair<int, int>, 12> kInside{
+    {{0, 4}, {1, 4}, {60, 4}, {6, 6}, {61, 6}, {62, 5}, {63, 5}, {64, 5}, {65, 5}, {66, 5}, {67, 5}, {68, 5}}};
+
+}  // namespace
+
+bool is_built_in_motion(int code) { return std::ranges::find(kMotion, code) != kMotion.end(); }
+
+bool is_built_in_inside(int code, int group) {
+  return std::ranges::find(kInside, std::pair(code, group)) != kInside.end();
+}
+
+std::string help_for_own_code(int code) {
+  const auto own = std::ranges::find(kInside, code, &std::pair<int, int>::first);
+  if (own == kInside.end()) return "use another code in the sub";
+  return "write `modalgroup=" + std::to_string(own->second) + "` and the code as `M" + std::to_string(code) +
+      "`: then the sub uses the built-in one";
+}
 
 std::vector<Remap> remaps_of(const IniText& text) {
   std::vector<Remap> out;

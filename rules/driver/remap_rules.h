@@ -24,4 +24,11 @@ Span span_in(const IniText& text, const IniLine& line, std::string_view part);
 /// The file of an `ngc=`; empty if it is nowhere.
 std::string remap_file(const MachineSetup& setup, std::string_view ngc);
 
+/// Whether a G code, in tenths, is a built-in motion, so that no REMAP of it is ever used (measured).
+bool is_built_in_motion(int code);
+/// Whether an M code of this modal group is the built-in one inside its own sub (measured).
+bool is_built_in_inside(int code, int group);
+/// What to do about an M code that calls its own sub again in that sub.
+std::string help_for_own_code(int code);
+
 }  // namespace owlint::rules

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "rules/driver/ini_values.h"
 #include "rules/driver/missing_files.h"
 #include "rules/driver/stops.h"
 
@@ -20,6 +21,7 @@ class StartFiles {
     if (!is_whole_machine(in_)) return;
     beside_ = has_files_beside();
     check_hal_files();
+    check_screw_files();
     check_program("DISPLAY", kDisplays);
     check_program("TASK", kTasks);
   }
@@ -222,6 +224,24 @@ class StartFiles {
       f.missing = name;
       refuses_machine(in_, f, "CANNOT FIND FILE FOR:" + name);
       f.unproven = name.find('/') == std::string::npos;  // another version's library may have it
+    }
+  }
+
+  /// Measured: a joint whose `COMP_FILE` cannot be opened ends task.
+  void check_screw_files() {
+    if (!beside_) return;
+    for (const IniText::Section& section : text_.sections()) {
+      if (!section.first || !section.name.starts_with("JOINT_") || !reads_section(text_, section.name)) continue;
+      const IniLine* const line = find_line(text_, section.name, "COMP_FILE");
+      if (line == nullptr || line->continued) continue;
+      const std::string name(text_.value(*line));
+      if (name.find_first_of("$~") != std::string::npos || name.starts_with('/') || name.starts_with("..") ||
+          comment_in(name) != std::string::npos || in_.library.files().exists(path_beside(in_, name)))
+        continue;
+      Finding& f = add_at(in_, out_, *line, line->value, "there is no file `" + name + "`: LinuxCNC does not start");
+      f.help = "put the file there, or correct the name";
+      f.missing = name;
+      refuses_machine(in_, f, "can't open compensation file " + name);
     }
   }
 

@@ -1,8 +1,10 @@
 #include "rules/driver/start_refusals.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "analyzer/machine/ini_keys.h"
+#include "rules/driver/ini_values.h"
 #include "rules/driver/machine_rules.h"
 #include "rules/driver/stops.h"
 
@@ -23,6 +25,9 @@ bool is_bracket(const IniLine& line) {
 const IniLine* meant_line(const IniText& text, std::string_view section, bool* misspelt) {
   for (const IniLine& line : text.lines()) {
     if (is_bracket(line) && !is_checked_section(text, line) && trimmed(text.name(line)) == section) return &line;
+    if (is_unopened_section(text, line) && text.text(line).starts_with(section) &&
+        text.text(line).size() == section.size() + 1)
+      return &line;
   }
   for (const IniLine& line : text.lines()) {
     if (!is_bracket(line)) continue;
@@ -59,9 +64,30 @@ bool has_key_of(const IniText& text, std::string_view section, std::string_view 
 
 }  // namespace
 
+bool is_unopened_section(const IniText& text, const IniLine& line) {
+  constexpr size_t kShortest = 4;
+  const std::string_view body = text.text(line);
+  if (line.kind != IniLine::Kind::kText || body.size() < kShortest || !body.ends_with(']')) return false;
+  const std::string_view name = body.substr(0, body.size() - 1);
+  return std::ranges::all_of(name,
+                             [](unsigned char c) { return std::isupper(c) != 0 || std::isdigit(c) != 0 || c == '_'; });
+}
+
 std::string meant_section(const IniText& text, std::string_view name) {
   const auto is_there = [&](std::string_view wanted) { return text.find_section(wanted) != nullptr; };
-  if (name.size() < 3 || is_known_section(name)) return {};
+  if (name.size() < 3) return {};
+  // `[AXIS_x]` is not `[AXIS_X]`, nor is `[AXIS_0]`, which in a LinuxCNC before 2.8 was an axis and a joint.
+  if (name.starts_with("AXIS_") && name.size() == 6 && find_line(text, "KINS", "JOINTS") != nullptr) {
+    constexpr std::string_view kLetters = "XYZABCUVW";
+    const char end = name[5];
+    const char letter = end >= '0' && end <= '8' ? kLetters[static_cast<size_t>(end - '0')]
+                                                 : static_cast<char>(std::toupper(static_cast<unsigned char>(end)));
+    if (kLetters.find(letter) == std::string_view::npos || letter == end) return {};
+    const std::string axis = std::string("AXIS_") + letter, joint = std::string("JOINT_") + end;
+    if (reads_section(text, axis) && !is_there(axis)) return axis;
+    return end <= '8' && reads_section(text, joint) && !is_there(joint) ? joint : std::string();
+  }
+  if (is_known_section(name)) return {};
   std::string letters(name);
   std::ranges::transform(letters, letters.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   std::ranges::replace(letters, '-', '_');

@@ -22,4 +22,7 @@ std::vector<BlamedRefusal> start_refusals(const SetupInput& in);
 /// `RS274NCG`. Empty if there is none.
 std::string meant_section(const IniText& text, std::string_view name);
 
+/// `KINS]`, which opens no section.
+bool is_unopened_section(const IniText& text, const IniLine& line);
+
 }  // namespace owlint::rules

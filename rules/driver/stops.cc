@@ -6,6 +6,7 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/look_alike.h"
+#include "rules/driver/ini_places.h"
 #include "rules/driver/parameter_helpers.h"
 #include "rules/driver/words.h"
 
@@ -237,10 +238,7 @@ Fix move_up(const Program& program, StatementId first, StatementId last, Stateme
 
 bool bounds_sub(const Statement& statement) { return statement.opens_sub() || statement.is(Keyword::kEndsub); }
 
-std::string file_name(const Source& source) {
-  const std::string& path = source.path();
-  return path.substr(path.rfind('/') + 1);
-}
+std::string file_name(const Source& source) { return std::string(name_of(source.path())); }
 
 /// The call in which it stops, if that matters: others of the same sub may pass values for which it does not stop.
 StatementId telling_call(const Program& program, const FlowStop& stop) {
@@ -276,6 +274,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   if (finding.further) relate_first_mistake(in, stop, finding);
   relate(in, finding, stop.call_elsewhere, "called here");
   relate(finding, in.program, telling_call(in.program, stop), "called here");
+  relate_unused_remap(in, stop, finding);
   if (finding.stops) add_consequences(in, stop.statement, finding);
 }
 
@@ -368,8 +367,8 @@ void name_misread(const Program& program, StatementId line, const std::string& r
   Meant meant = meant_by(program, line);
   if (meant.keyword == Keyword::kUnknown) meant.words = s.head_span();
   finding.related.push_back({meant.words, "this is probably meant to be `" + right + "`", nullptr});
-  finding.help = "write `" + right + "` on line " + std::to_string(s.line);
   const std::string_view before = program.source->slice({s.offset, meant.words.begin});
+  finding.help = "write `" + right + "` on line " + std::to_string(s.line);
   const LineError* error = program.syntax.error(s);
   if (error != nullptr && error->kind == StopKind::kWordBefore)
     finding.help = "put `" + right + "` of line " + std::to_string(s.line) + " on a line of its own";
@@ -378,9 +377,8 @@ void name_misread(const Program& program, StatementId line, const std::string& r
 }
 
 std::string ordinal(size_t n) {
-  const size_t tens = n % 100;
-  const char* ending = "th";
-  if (tens < 11 || tens > 13) ending = n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th";
+  const bool teens = n % 100 / 10 == 1;
+  const char* const ending = teens ? "th" : n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th";
   return std::to_string(n) + ending;
 }
 

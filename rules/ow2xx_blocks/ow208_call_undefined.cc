@@ -83,6 +83,26 @@ bool means_line(const Input& in, const Statement& s, StatementId id, const std::
   return true;
 }
 
+/// `M98 P123` beside `0123.ngc`: LinuxCNC takes the zeros away before it looks for the file. And `drill.nc` in place of
+/// `drill.ngc`.
+bool names_file(const Input& in, const Statement& s, const std::string& name, Finding& f) {
+  const Answers& path = in.linked.search_path();
+  if (s.kind == LineKind::kContour) return false;
+  std::string file;
+  if (!number_only(name).empty()) {
+    std::string zeros;
+    constexpr size_t kMostZeros = 4;
+    while (file.empty() && zeros.size() < kMostZeros) {
+      zeros += '0';
+      if (const auto found = path.find(zeros + name)) file = found->path;
+    }
+  }
+  if (file.empty()) file = path.find_other_ending(name).value_or("");
+  if (file.empty()) return false;
+  f.help = "LinuxCNC looks only for `" + name + ".ngc`: rename " + file;
+  return true;
+}
+
 /// A definition in another file of the run, which comes too late.
 Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
   for (const LinkedFile& file : in.linked.files()) {
@@ -152,6 +172,7 @@ void check(const Input& in, Reporter& out) {
     }
     if (without_ending(in, s, stop.detail, f) || repeats_in_number(p, s, stop.detail, f)) return &f;
     if (searches < kMaxListings && ++searches > 0 && means_line(in, s, stop.statement, stop.detail, f)) return &f;
+    if (searches < kMaxListings && names_file(in, s, stop.detail, f)) return &f;
     std::string near;
     std::string near_file;
     const Elsewhere late = defined_elsewhere(in, stop.detail);

@@ -1,6 +1,7 @@
 // OW210 call-too-deep: a chain of calls, or a recursion, beyond the limit of nine.
 // Depends on: nine calls may be open at once; the tenth is an error. Each called file and M98 counts.
 #include "rules/driver/ini_places.h"
+#include "rules/driver/remap_rules.h"
 
 namespace owlint::rules::ow210 {
 namespace {
@@ -16,8 +17,11 @@ void check(const Input& in, Reporter& out) {
       if (around != kNoName && around == p.at(s.statement).label)
         f.message = "`" + code + "` is used in the sub that it runs, and runs that again and again";
       f.help = "only M6, M61, M62 to M68, M0, M1, M60, T, S and F are built-in codes within their own subs";
-      if (const Ini::Entry* const entry = remap_entry(in, s.statement))
+      if (const Ini::Entry* const entry = remap_entry(in, s.statement)) {
         relate_ini(f, *entry, "`" + code + "` is remapped here");
+        const RemapLine remap = read_remap(entry->value, 0);
+        if (remap.letter() == 'M') f.help = help_for_own_code(remap.m_number());
+      }
       return &f;
     }
     Finding& f = out.add(p.at(s.statement).head_span(),

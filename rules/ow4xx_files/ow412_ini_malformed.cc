@@ -207,7 +207,21 @@ class Checker {
     });
   }
 
+  /// `KINS]`
+  void check_unopened_section(const IniLine& line) {
+    const std::string_view text = text_.text(line);
+    const std::string above(text_.section_of(line));
+    open_ = true;
+    Finding& f = add(line, line.span,
+                     "`[` is missing before " + code(text) + ": LinuxCNC takes the keys below for keys of " +
+                         (above.empty() ? "no section" : "`[" + above + "]`"));
+    f.help = "write `[" + std::string(text) + "`";
+    f.fixes.push_back({f.help, false, {{{line.span.begin, line.span.begin}, "["}}});
+    refuse(line, f);
+  }
+
   void check_text(const IniLine& line) {
+    if (!strict_ && is_unopened_section(text_, line)) return check_unopened_section(line);
     if (strict_ || line.section < 0) return;
     Finding& f = add(line, line.span,
                      "LinuxCNC ignores " + code(text_.text(line)) + ": a line without `=` sets nothing" +

@@ -38,6 +38,13 @@ constexpr Home kHomes[] = {{"PROGRAM_PREFIX", "DISPLAY"},
                            {"TOOL_CHANGE_WITH_SPINDLE_ON", "EMCIO"},
                            {"TOOL_CHANGE_QUILL_UP", "EMCIO"},
                            {"TOOL_CHANGE_AT_G30", "EMCIO"},
+                           {"TOOL_CHANGE_POSITION", "EMCIO"},
+                           {"TOOL_TABLE", "EMCIO"},
+                           {"DB_PROGRAM", "EMCIO"},
+                           {"MDI_COMMAND", "HALUI"},
+                           {"HALFILE", "HAL"},
+                           {"COORDINATES", "TRAJ"},
+                           {"POSITION_FILE", "TRAJ"},
                            {"SPINDLES", "TRAJ"},
                            {"NO_FORCE_HOMING", "TRAJ"}};
 
@@ -86,6 +93,7 @@ class Checker {
     std::set<std::string_view> seen;
     for (const IniLine* line : lines) {
       const std::string_view name = text_.name(*line);
+      if (is_unopened_section(text_, *line)) return;  // OW412; what follows was meant for that one
       if (line->kind != Kind::kKey) {
         if (line->name.end != line->span.end) empty.try_emplace(name, line);
         continue;

@@ -32,9 +32,7 @@ constexpr int kFirstUserCode = 100;
 constexpr int kLastUserCode = 199;
 constexpr int kLastMCode = 999;
 
-/// Built-in G codes, ten times.
-constexpr std::array kMotion{0,   10,  20,  30,  50,  51,  52,  53,  330, 331, 382, 383, 384, 385, 700, 710, 711, 712,
-                             720, 721, 722, 730, 740, 750, 760, 800, 810, 820, 830, 840, 850, 860, 870, 880, 890};
+/// Built-in G codes that are no motion, ten times.
 constexpr std::array kOtherG{40,  70,  80,  100, 170, 171, 180, 181, 190, 191, 200, 210, 280, 281, 300, 301, 400, 410,
                              411, 420, 421, 430, 431, 432, 490, 530, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610,
                              611, 640, 900, 901, 910, 911, 920, 921, 922, 923, 930, 940, 950, 960, 970, 980, 990};
@@ -69,7 +67,7 @@ std::string of_g_code(const RemapLine& remap, const std::string& code) {
   const int number = remap.g_number();
   constexpr int kMost = 999;
   if (number < 0) return "LinuxCNC never uses this remap: a program cannot write a code such as " + code;
-  if (has(kMotion, number)) return "LinuxCNC never uses this remap: " + code + " keeps its built-in meaning";
+  if (is_built_in_motion(number)) return "LinuxCNC never uses this remap: " + code + " keeps its built-in meaning";
   if (has(kOtherG, number))
     return "LinuxCNC never uses this remap: " + code + " stops the program, `All axes missing with motion code`";
   return number > kMost ? code + " is remapped, but a program that uses it stops with `G-code out of range`"

@@ -11,10 +11,6 @@
 namespace owlint::rules::ow418 {
 namespace {
 
-/// The group in which a code is the built-in one inside its own sub.
-constexpr std::array<std::pair<int, int>, 12> kInside{
-    {{0, 4}, {1, 4}, {60, 4}, {6, 6}, {61, 6}, {62, 5}, {63, 5}, {64, 5}, {65, 5}, {66, 5}, {67, 5}, {68, 5}}};
-
 class Checker {
  public:
   using Subs = std::map<std::string_view, RemapSub>;  ///< by their name: several codes may run one
@@ -51,10 +47,22 @@ class Checker {
       omittable = omittable || std::islower(static_cast<unsigned char>(c)) != 0;
     }
     check_itself();
-    check_sub();
+    if (check_passable()) check_sub();
   }
 
  private:
+  /// Measured: neither is passed, nor is a line without them refused. False where `argspec` has one.
+  bool check_passable() {
+    const std::string_view argspec = remap_.read.argspec;
+    const size_t at = argspec.find_first_of("GgMm");
+    if (at == std::string_view::npos) return true;
+    Finding& f = add(argspec.substr(at, 1),
+                     "LinuxCNC never passes `G` and `M` words to a sub: `" + std::string(argspec.substr(at, 1)) +
+                         "` in `argspec` has no effect");
+    f.help = "remove the letter from `argspec`, and pass the number as another word, such as `P`";
+    return false;
+  }
+
   /// What the sub reads, against what it gets. Python before it may give it more, or read for it.
   void check_sub() {
     const RemapLine& remap = remap_.read;
@@ -99,6 +107,8 @@ class Checker {
       f.help = positional ? "remove the `@`, or read the values by their numbers"
                           : "add `" + std::string(1, capital) + "` to `argspec`, or `" + std::string(1, name.letter) +
               "` if the word may be left out and the sub asks for it with `EXISTS`";
+      if (name.letter == 'g' || name.letter == 'm')
+        f.help = "pass the number as another word, such as `P`: LinuxCNC never passes `G` and `M` words";
       f.interpreter = "Named parameter #<" + std::string(1, name.letter) + "> not defined";
       relate_line(f, sub, name.first, "read here");
       return false;
@@ -138,7 +148,7 @@ class Checker {
       if (sub.reads(letter)) continue;
       const std::string_view argspec = remap_.read.argspec;
       const size_t at = small_letters(argspec).find(letter);
-      const bool required = std::isupper(static_cast<unsigned char>(argspec[at])) != 0;
+      const bool required = std::isupper(static_cast<unsigned char>(argspec[at])) != 0 && letter != 'n';
       Finding& f = add(argspec.substr(at, 1),
                        "the sub never reads `#<" + std::string(1, letter) + ">`" +
                            (required ? ", but every line with the code must have the word" : ""));
@@ -158,7 +168,7 @@ class Checker {
     const int group = remap_.read.group.value_or(-1) == -1 ? 10 : *remap_.read.group;
     if (number < 0 || remap_.read.ngc.empty()) return;
     const bool plain = remap_.read.code.size() == std::to_string(number).size() + 1;
-    if (plain && std::ranges::find(kInside, std::pair(number, group)) != kInside.end()) return;
+    if (plain && is_built_in_inside(number, group)) return;
     if (plain && in_.profile.version >= Version::k2_10 && group == 8 && number >= 7 && number <= 9) return;
     const std::string path = remap_file(in_.setup, remap_.read.ngc);
     if (path.empty()) return;
@@ -168,10 +178,7 @@ class Checker {
       Finding& f = add(remap_.read.code,
                        "the sub uses `" + std::string(remap_.read.code) +
                            "` itself, and there it calls the sub again, until LinuxCNC gives up");
-      const auto own = std::ranges::find(kInside, number, &std::pair<int, int>::first);
-      f.help = own == kInside.end() ? "use another code in the sub"
-                                    : "write `modalgroup=" + std::to_string(own->second) + "` and the code as `M" +
-              std::to_string(number) + "`: then the sub uses the built-in one";
+      f.help = help_for_own_code(number);
       f.related.push_back({s.whole(), "used here", program->source});
       f.interpreter = "maximum nesting of remapped blocks exceeded";
       return;
@@ -230,7 +237,8 @@ with `prolog=` or `epilog=`: the Python function may pass and read more. With `@
 #1, #2 … in the order of `argspec`: if an optional one is left out, those after it move up. In its
 own sub a code is the built-in one only for M0, M1 and M60 in group 4, M6 and M61 in group 6, M62 to
 M68 in group 5, T, S and F. Every other code, such as M6 in group 10, calls its sub again and again
-until LinuxCNC stops with `maximum nesting of remapped blocks exceeded`.)",
+until LinuxCNC stops with `maximum nesting of remapped blocks exceeded`. G and M words are never passed, and a line
+without them is not refused.)",
             .bad = R"(G21 G90
 G0 X10
 M2

@@ -97,8 +97,55 @@ class Checker {
     }
   }
 
+  /// A number that ends before its word does: LinuxCNC reads as far as it can, and ignores the rest.
+  bool check_numbers(const ToolLine& line) {
+    const std::string_view text = source_->slice(line.row.span);
+    for (size_t at = 0; at < text.size();) {
+      const size_t end = std::min(text.find(' ', at), text.size());
+      const std::string_view word = text.substr(at, end - at);
+      if (check_number(word, line.row.span.begin + at)) return true;
+      at = text.find_first_not_of(' ', end);
+    }
+    return false;
+  }
+
+  static bool is_figure(std::string_view text, size_t at) {
+    return at < text.size() && text[at] >= '0' && text[at] <= '9';
+  }
+
+  bool check_number(std::string_view word, uint64_t begin) {
+    if (word.size() < 3) return false;
+    const bool whole = std::string_view("tTpPqQ").find(word[0]) != std::string_view::npos;
+    size_t end = word[1] == '-' || word[1] == '+' ? 2 : 1;
+    const size_t first = end;
+    while (is_figure(word, end)) ++end;
+    if (!whole && end < word.size() && word[end] == '.') ++end;
+    while (is_figure(word, end)) ++end;
+    if (end == first || end >= word.size()) return false;
+    const std::string read(word.substr(0, end)), rest(word.substr(end, word.find_first_of("\t\r", end) - end));
+    if (rest.size() < 2) return false;
+    const bool number =
+        is_figure(rest, 1) || ((rest[1] == '.' || rest[1] == '-' || rest[1] == '+') && is_figure(rest, 2));
+    if (!number) return false;
+    const bool joined = std::string_view("tTpPdDxXyYzZaAbBcCuUvVwWiIjJqQ").find(rest[0]) != std::string_view::npos;
+    const bool fraction = whole && rest[0] == '.' && rest.find_first_not_of('0', 1) != std::string::npos;
+    const bool computed =
+        rest[0] == '/' || rest[0] == '*' || rest[0] == '+' || rest[0] == '-' || (rest[0] == '.' && !whole);
+    if (!joined && !fraction && !computed) return false;
+    const std::string shown = read + rest;
+    Finding& f = out_.add(source_, {begin, begin + shown.size()},
+                          joined ? "no space in `" + shown + "`: LinuxCNC reads only `" + read + "`"
+                                 : "`" + shown + "` is not one number: LinuxCNC reads `" + read + "`");
+    f.help = joined ? "write `" + read + " " + rest + "`"
+        : whole     ? "write a whole number"
+                    : "write one decimal number, such as `" + read.substr(0, 1) + "0.25`";
+    if (joined) f.fixes.push_back({"put a space between them", false, {{{begin + end, begin + end}, " "}}});
+    return true;
+  }
+
   void check(const ToolLine& line) {
     check_commas(line);
+    if (line.hidden.end == 0 && check_numbers(line)) return;
     const std::string tool = "tool " + std::to_string(line.row.number);
     if (line.hidden.end > 0) {
       Finding& f = out_.add(
@@ -167,11 +214,13 @@ extern const Rule kRule{
         {
             .what =
                 R"(In the file that `[EMCIO]TOOL_TABLE` names: a line with a word that LinuxCNC does not know, a tab between
-words, a space inside a word, a byte order mark, a number with a comma, a line without `T` or without `P`, two lines for one tool.)",
+words, no space between words, a space inside a word, a byte order mark, a number with a comma, a fraction, a line
+without `T` or without `P`, two lines for one tool.)",
             .why =
                 R"(LinuxCNC skips a line with an unknown word, and prints a message only on the console. A program that asks
 for this tool does not find it. Only spaces separate words: LinuxCNC reads nothing after a tab, so the tool
-may have no length. LinuxCNC takes a line without `P` for the tool in the spindle. Of two lines for one tool,
+may have no length. It reads a number as far as it can and ignores the rest of the word: `D1/4` is `D1`, and
+`T3P3` is `T3`. LinuxCNC takes a line without `P` for the tool in the spindle. Of two lines for one tool,
 it uses the first.)",
             .bad = R"(G21 G90
 G0 X10

@@ -1,8 +1,11 @@
 // OW422 limits-inconsistent: limits, joints, coordinates and units of the INI that contradict each other, or are not there.
 // Depends on: LinuxCNC's check before the start, and what task needs (measured with LinuxCNC without a screen).
 #include <algorithm>
+#include <cctype>
 #include <set>
 
+#include "analyzer/machine/ini_keys.h"
+#include "rules/driver/ini_joints.h"
 #include "rules/driver/ini_values.h"
 #include "rules/driver/start_files.h"
 #include "rules/driver/start_refusals.h"
@@ -17,6 +20,8 @@ class Checker {
   void run() {
     check_start();
     check_joints();
+    check_ini_joints(in_, out_);
+    check_change_position_limits(in_, out_);
     if (is_whole_machine(in_) && has_most()) {
       check_unit("LINEAR_UNITS", "mm");
       check_unit("ANGULAR_UNITS", "degree");
@@ -57,9 +62,12 @@ class Checker {
   }
 
   void check_start() {
-    for (const BlamedRefusal& blamed : start_refusals(in_)) {
+    const std::vector<BlamedRefusal> refusals = start_refusals(in_);
+    const bool letters_wrong = check_letters(refusals);
+    for (const BlamedRefusal& blamed : refusals) {
       if (blamed.cause != nullptr) continue;
       const StartRefusal& refusal = blamed.refusal;
+      if (letters_wrong && is_of_limit(refusal)) continue;
       switch (refusal.kind) {
         case StartRefusal::Kind::kNoKinematics: add_missing("KINEMATICS", refusal.message); break;
         case StartRefusal::Kind::kNoJoints: add_missing("JOINTS", refusal.message); break;
@@ -71,10 +79,65 @@ class Checker {
     }
   }
 
+  static bool is_of_limit(const StartRefusal& refusal) {
+    return refusal.kind == StartRefusal::Kind::kMinLimit || refusal.kind == StartRefusal::Kind::kMaxLimit;
+  }
+
+  /// Measured: `coordinates={XYZ}` and `coordinates=X,Y,Z`: each character is an axis for the check before the start, which
+  /// then compares the limits of wrong ones; trivkins refuses the character itself. True if there is such a character.
+  bool check_letters(const std::vector<BlamedRefusal>& refusals) {
+    const IniLine* const line = find_line(text_, "KINS", "KINEMATICS");
+    const std::string letters = line == nullptr ? "" : trivial_axes(text_.value(*line));
+    const size_t bad = letters.find_first_not_of("xyzabcuvwXYZABCUVW");
+    if (bad == std::string::npos || !is_whole_machine(in_)) return false;
+    const std::string character = letters.substr(bad, 1);
+    const uint64_t begin = line->value.begin + text_.value(*line).find(letters, text_.value(*line).find('='));
+    Finding& f = add_at(in_, out_, *line, {begin, begin + letters.size()},
+                        "`" + character + "` in `coordinates=` is not an axis: LinuxCNC does not start");
+    std::string plain;
+    for (const char c : letters) {
+      if (std::string_view("xyzabcuvwXYZABCUVW").find(c) != std::string_view::npos) plain += c;
+    }
+    f.help = "write only the letters of the axes, one after the other: `coordinates=" + plain + "`";
+    const auto limit = std::ranges::find_if(refusals, [](const BlamedRefusal& b) { return is_of_limit(b.refusal); });
+    if (limit != refusals.end()) {
+      refuse(f, limit->refusal.message);
+    } else {  // if a HAL file loads `[KINS]KINEMATICS`
+      f.interpreter = "Invalid character '" + character + "' in coordinates '" + letters + "'";
+    }
+    return true;
+  }
+
+  /// Where a key is that LinuxCNC looks for in another section; null if it is nowhere.
+  const IniLine* elsewhere(std::string_view section, std::string_view key) const {
+    for (const IniLine& line : text_.lines()) {
+      const bool there = line.kind == IniLine::Kind::kKey && text_.name(line) == key && !line.continuation;
+      if (there && is_known_section(text_.section_of(line)) && text_.section_of(line) != section) return &line;
+    }
+    return nullptr;
+  }
+
+  /// A finding about a key that LinuxCNC does not start without.
+  Finding* add_needed(const std::string& section, const std::string& key) {
+    const std::string name = "`[" + section + "]" + key + "`";
+    if (const IniLine* const line = elsewhere(section, key)) {
+      Finding& f = add_at(in_, out_, *line, line->name,
+                          "LinuxCNC looks for `" + key + "` in `[" + section + "]`, not in `[" +
+                              std::string(text_.section_of(*line)) + "]`, and does not start without it");
+      f.help = "move the line into `[" + section + "]`";
+      return &f;
+    }
+    const IniLine* const line = place_of(section, key);
+    if (line == nullptr) return nullptr;
+    return &add_at(in_, out_, *line, "this INI has no " + name + ": LinuxCNC does not start without it");
+  }
+
   void add_missing(const std::string& key, const std::string& message) {
-    const IniLine* line = place_of("KINS", key);
-    if (line == nullptr || !has_most()) return;
-    Finding& f = add_at(in_, out_, *line, "this INI has no `[KINS]" + key + "`: LinuxCNC does not start without it");
+    if (!has_most()) return;
+    Finding* const finding = add_needed("KINS", key);
+    if (finding == nullptr) return;
+    Finding& f = *finding;
+    if (!f.help.empty()) return refuse(f, message);
     f.help = key == "JOINTS" ? "add `JOINTS = ` with the number of joints to `[KINS]`"
                              : "add `KINEMATICS = trivkins coordinates=XYZ`, or what your machine has, to `[KINS]`";
     refuse(f, message);
@@ -138,35 +201,28 @@ class Checker {
     if (!axes || static_cast<size_t>(*count) >= letters.size()) return;
     const auto joint = static_cast<size_t>(*count);
     const std::string name = "joint." + std::to_string(joint) + ".";
+    const auto capital = static_cast<char>(std::toupper(static_cast<unsigned char>(letters[joint])));
+    const bool has_another =
+        small_letters(letters).substr(0, joint).find(small_letters(letters)[joint]) != std::string::npos;
     const bool used = hal_files_have(in_, name);
-    Finding& f = add_at(
-        in_, out_, *line, line->value,
-        "`coordinates=" + letters + "` needs " + std::to_string(letters.size()) + " joints, and `JOINTS` is " +
-            std::to_string(joint) +
-            (used ? ": LinuxCNC does not start, as a HAL file uses `" + name + "…`"
-                  : ": no joint moves " +
-                     std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(letters[joint]))))));
+    Finding& f =
+        add_at(in_, out_, *line, line->value,
+               "`coordinates=" + letters + "` needs " + std::to_string(letters.size()) + " joints, and `JOINTS` is " +
+                   std::to_string(joint) +
+                   (used ? ": LinuxCNC does not start, as a HAL file uses `" + name + "…`"
+                         : (has_another ? ": only one joint moves " : ": no joint moves ") + std::string(1, capital)));
     f.help = "write `JOINTS = " + std::to_string(letters.size()) + "`, or name fewer axes";
     f.related.push_back({kinematics->span, "the axes of the joints",
                          kinematics->source == line->source ? nullptr : text_.source(*kinematics)});
     if (used) refuses(f, "");
   }
 
-  /// The letters of `trivkins coordinates=`; empty for other kinematics, and without the option.
-  static std::string trivial_axes(std::string_view kinematics) {
-    constexpr std::string_view kOption = "coordinates=";
-    const size_t at = kinematics.find(kOption);
-    if (!kinematics.starts_with("trivkins") || at == std::string_view::npos) return {};
-    const std::string_view letters = kinematics.substr(at + kOption.size());
-    return std::string(letters.substr(0, letters.find_first_of(" \t")));
-  }
-
   void check_unit(const std::string& key, const std::string& example) {
     if (find_line(text_, "TRAJ", key) != nullptr) return;
-    const IniLine* line = place_of("TRAJ", key);
-    if (line == nullptr) return;
-    Finding& f = add_at(in_, out_, *line, "this INI has no `[TRAJ]" + key + "`: LinuxCNC does not start without it");
-    f.help = "add `" + key + " = " + example + "` to `[TRAJ]`";
+    Finding* const finding = add_needed("TRAJ", key);
+    if (finding == nullptr) return;
+    Finding& f = *finding;
+    if (f.help.empty()) f.help = "add `" + key + " = " + example + "` to `[TRAJ]`";
     refuse(f, "emcTrajSetUnits failed to set [TRAJ]LINEAR_UNITS or [TRAJ]ANGULAR_UNITS");
   }
 
@@ -227,19 +283,27 @@ void check_setup(const SetupInput& in, Reporter& out) {
 extern const Rule kRule{
     .code = "OW422",
     .name = "limits-inconsistent",
-    .summary = "limits, joints, axes or units of the INI that contradict each other or are missing",
+    .summary = "limits, homing, joints, axes or units of the INI that contradict each other or are missing",
     .group = Group::kFiles,
     .level = Severity::kWarning,
     .page =
         {
             .what = R"(A joint that does not reach the limit of its axis, a maximum below the minimum, different axes in
 `[TRAJ]COORDINATES` and `[KINS]KINEMATICS`, fewer joints than axes or a number of joints that LinuxCNC does
-not have, an empty limit, an INI without `KINEMATICS`, `JOINTS` or units.)",
+not have, a joint without a section, an empty limit, an INI without `KINEMATICS`, `JOINTS` or units.
+
+A `HOME` or `TOOL_CHANGE_POSITION` beyond a limit, one of the two homing speeds without the other, and joints
+of one axis that LinuxCNC homes one after the other.)",
             .why =
                 R"(With `trivkins`, LinuxCNC compares the limits before it starts. It does not start if a joint cannot go as
 far as its axis may: `[JOINT_0]MAX_LIMIT < [AXIS_X]MAX_LIMIT (50 < 100)`. An axis without a limit may go
 anywhere. If the maximum is below the minimum, LinuxCNC refuses each move: `Linear move on line 5 would
-exceed X's positive limit`.)",
+exceed X's positive limit`.
+
+LinuxCNC looks at the keys for homing only when it homes the joint, and then reports
+`invalid homing config: non-zero SEARCH_VEL needs LATCH_VEL` or `Exceeded POSITIVE soft limit (100.00000) on
+joint 0`. Two joints of one axis move together only if they have the same `HOME_SEQUENCE`, apart from its sign,
+and at least one is negative.)",
             .bad = R"(G21 G90
 G0 X10
 M2

@@ -11,6 +11,7 @@
 #include "analyzer/machine/predefined.h"
 #include "analyzer/machine/remap_names.h"
 #include "analyzer/syntax/look_alike.h"
+#include "rules/driver/ini_places.h"
 #include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules::ow603 {
@@ -43,6 +44,11 @@ void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
   f.help =
       "write section and entry in capital letters in the INI, and only a decimal number: no unit, no comment after it; "
       "`EXISTS[#<…>]` tests it first";
+  const size_t open = name.find('['), close = name.find(']'), end = name.find('>');
+  if (open == std::string::npos || close == std::string::npos || end == std::string::npos || end < close) return;
+  if (relate_unread_entry(profile, std::string_view(name).substr(open + 1, close - open - 1),
+                          std::string_view(name).substr(close + 1, end - close - 1), f))
+    f.help = "write the entry where LinuxCNC looks for it; `EXISTS[#<…>]` tests it first";
 }
 
 /// Says which name was probably meant: another one that has a value.
