@@ -31,7 +31,8 @@ std::vector<bool> read_before_set(const Program& program) {
       if (const auto number = number_of(write.key); number <= kLastNumber) set[number] = true;
     }
   }
-  for (size_t number = 0; number < read.size(); ++number) read[number] = read[number] || (elsewhere[number] && !set[number]);
+  for (size_t number = 0; number < read.size(); ++number)
+    read[number] = read[number] || (elsewhere[number] && !set[number]);
   return read;
 }
 
