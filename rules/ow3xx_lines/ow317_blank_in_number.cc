@@ -48,6 +48,11 @@ void check(const Input& in, Reporter& out) {
     const StatementId id = last_statement(p.syntax, span.begin);
     const Statement* const s = id != kNoStatement && span.begin < p.at(id).end() ? &p.at(id) : nullptr;
     if (s != nullptr && s->has_error()) continue;  // what is wrong with the line is said there
+    const size_t line_feed = span.begin == 0 ? std::string_view::npos : source.bytes().rfind('\n', span.begin - 1);
+    const uint64_t line_begin = line_feed == std::string_view::npos ? 0 : line_feed + 1;
+    const char before = before_number(source, span, line_begin);
+    // Nobody forgets the letter of a number behind a code that runs: `G 0 1` is a G1 in columns.
+    if (std::string_view("gGmM").find(before) != std::string_view::npos) continue;
     const std::string written(source.slice(span));
     std::string read = written;
     std::erase_if(read, [](char c) { return c == ' ' || c == '\t'; });
@@ -55,12 +60,10 @@ void check(const Input& in, Reporter& out) {
         out.add(span, "`" + written + "` is read as `" + read + "`: LinuxCNC removes spaces, also inside numbers");
     if (s != nullptr) f.reach = in.flow.reach(id);
     f.help = "write the number without a space";
-    const size_t line_feed = span.begin == 0 ? std::string_view::npos : source.bytes().rfind('\n', span.begin - 1);
-    const uint64_t line_begin = line_feed == std::string_view::npos ? 0 : line_feed + 1;
     if (s != nullptr && s->is(Keyword::kCall))
       explain_call(p, *s, span, f);
     else
-      explain_word(before_number(source, span, line_begin), f);
+      explain_word(before, f);
   }
 }
 
@@ -77,7 +80,7 @@ extern const Rule kRule{
             .what =
                 R"(Two numbers with only a space between them: `o100 call [1 2]` with two values in one pair of brackets,
 `G1 X10 20` with a forgotten `Y`, `#1 = 1 0`. A space between a letter and its number, as in `X 10`, is no
-mistake.)",
+mistake, nor is one inside the number of a code: `G 0 1` is G1.)",
             .why = R"(LinuxCNC removes all spaces before it reads a line. `[1 2]` is the number 12: the sub gets **one
 argument, 12**, and its `#2` is 0. `X10 20` is **X1020**. There is no message.)",
             .bad = R"(G21 G90
