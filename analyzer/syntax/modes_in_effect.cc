@@ -235,8 +235,8 @@ void ModesInEffect::leave_out_asked(ModeMask assigned) {
       return (before.decided_by | kMotion) == (fault.decided_by | kMotion) &&
           (before.decided_by & kMotion) <= (fault.decided_by & kMotion) && before.fault.message == fault.fault.message;
     };
-    // What the line itself sets has not been asked about.
-    const bool own = (fault.decided_by & assigned & ~mask_of(Mode::kMotion)) != 0;
+    // A spindle that the line itself stops has not been asked about.
+    const bool own = (fault.decided_by & assigned & mask_of(Mode::kTurning)) != 0;
     return !own && !fault.fault.certain && fault.decided_by != 0 && std::ranges::any_of(asked_, same);
   });
 }

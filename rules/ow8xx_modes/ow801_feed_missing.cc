@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "rules/driver/ini_places.h"
 #include "rules/driver/modes.h"
 
 namespace owlint::rules::ow801 {

@@ -101,7 +101,7 @@ Look CalmLines::look(ExprId id) const {
       const Look index = look(expr.left());
       long number = 0;
       const bool known = index.safe && index.constant && to_integer(index.value, &number);
-      return {known && number >= 1 && number <= kLastNumber, false, 0};
+      return {known && number >= 1 && number <= kLastNumber && !is_position(number), false, 0};
     }
     default: break;
   }
