@@ -19,7 +19,7 @@ inline constexpr ModeMask kPlaceBit = ModeMask{1} << kPlaceNumber;
 /// And for each mode whether the program has set it: a machine that has run before may begin with another mode than one that was
 /// just started, and a program that reads its modes runs on both.
 constexpr uint32_t said_key(Mode mode) { return kPlaceKey + 1 + static_cast<uint32_t>(mode); }
-/// Set in a run on a machine that was just started, beside that on any machine (engine/new_machine.h).
+/// Set in a run on a machine that was just started, beside that on any machine (interpreter/new_machine.h).
 inline constexpr uint32_t kNewMachineKey = said_key(Mode::kSaved) + 1;
 /// The place that the values of the line are read in: a line moves when all of it has been read.
 inline constexpr uint32_t kReadPlaceKey = kNewMachineKey + 1;
