@@ -1,5 +1,4 @@
 // Lines that begin with M98 or M99: calls and returns in the style of Fanuc.
-#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint {
@@ -11,11 +10,9 @@ bool LineParser::fanuc_code(size_t at, Statement& s) {
   ExpressionParser in(line_, out_.exprs, out_.names);
   in.cursor = at + 1;
   const ExprId code = in.value();
-  double number = 0;
-  long whole = 0;
-  if (code == kNoExpr || !literal_value(out_.exprs, code, &number) || !to_integer(number, &whole)) return false;
-  if (whole != 98 && whole != 99) return false;
-  s.kind = whole == 98 ? LineKind::kM98 : LineKind::kM99;
+  const std::optional<long> number = code == kNoExpr ? std::nullopt : literal_integer(out_.exprs, code);
+  if (number != 98 && number != 99) return false;
+  s.kind = number == 98 ? LineKind::kM98 : LineKind::kM99;
   s.keyword_from = s.label_from = relative(at);
   s.keyword_to = s.label_to = static_cast<LineByte>(line_.span(at, at + kFanucCode).end - s.offset);
   return true;

@@ -35,6 +35,12 @@ bool literal_value(const ExprPool& pool, ExprId id, double* value) {
   return apply(expr.op, left, right, value) == nullptr;
 }
 
+std::optional<long> literal_integer(const ExprPool& pool, ExprId id) {
+  double value = 0;
+  long whole = 0;
+  return literal_value(pool, id, &value) && to_integer(value, &whole) ? std::optional(whole) : std::nullopt;
+}
+
 LineByte LineParser::relative(size_t at) const { return static_cast<LineByte>(line_.offset(at) - line_.begin()); }
 
 void LineParser::fail(Statement& s, StopKind kind, size_t from, size_t to, std::string message) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -93,6 +94,8 @@ class LineParser {
 
 /// The value of an expression made of literals only; false when it has parameters or fails.
 bool literal_value(const ExprPool& pool, ExprId id, double* value);
+/// The same for a number that names a parameter or a code: only a whole one does.
+std::optional<long> literal_integer(const ExprPool& pool, ExprId id);
 
 /// Name of a numeric label; false when the value is not within 0.0001 of an integer.
 bool label_of_number(double value, std::string* name);

@@ -1,6 +1,5 @@
 #include "analyzer/syntax/place_names.h"
 
-#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint {
@@ -22,12 +21,9 @@ std::optional<PlaceName> PlaceName::find(std::string_view name) {
 std::optional<PlaceName> PlaceName::read_by(const Syntax& syntax, const Expr& expr) {
   if (expr.target) return std::nullopt;
   if (expr.op == Operator::kNamed) return find(syntax.names.text(expr.name()));
-  double number = 0;
-  long whole = 0;
-  if (expr.op != Operator::kParameter || !literal_value(syntax.exprs, expr.left(), &number) ||
-      !to_integer(number, &whole))
-    return std::nullopt;
-  return find(whole);
+  if (expr.op != Operator::kParameter) return std::nullopt;
+  const std::optional<long> number = literal_integer(syntax.exprs, expr.left());
+  return number ? find(*number) : std::nullopt;
 }
 
 std::optional<double> PlaceName::number(const Place& place, bool started) const {

@@ -1,6 +1,6 @@
 #include "analyzer/flow/facts/mode_uses.h"
 
-#include <cmath>
+#include <algorithm>
 #include <initializer_list>
 
 #include "analyzer/flow/domain/modes.h"
@@ -8,6 +8,7 @@
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/mode_line.h"
 #include "analyzer/syntax/mode_names.h"
+#include "analyzer/syntax/place_names.h"
 #include "analyzer/syntax/questions.h"
 #include "analyzer/syntax/remaps.h"
 
@@ -24,13 +25,11 @@ bool is_assumed(Mode mode) { return mode == Mode::kUnits || mode == Mode::kDista
 
 /// Whether a parameter is read that must not be while compensation is on.
 bool reads_position(const Syntax& syntax) {
-  for (const Expr& expr : syntax.exprs) {
-    double number = 0;
-    if (expr.op == Operator::kParameter && !expr.target && literal_value(syntax.exprs, expr.left(), &number) &&
-        is_position(std::lround(number)))
-      return true;
-  }
-  return false;
+  return std::ranges::any_of(syntax.exprs, [&](const Expr& expr) {
+    if (expr.op != Operator::kParameter) return false;
+    const auto place = PlaceName::read_by(syntax, expr);
+    return place && place->axis();
+  });
 }
 
 /// What most codes ask for before they act: a computed one may be any of them.

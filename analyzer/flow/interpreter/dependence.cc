@@ -1,6 +1,5 @@
 #include "analyzer/flow/interpreter/dependence.h"
 
-#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
@@ -31,15 +30,12 @@ void Dependences::note(ExprId id, Dependence& out) const {
   if (expr.op == Operator::kNumber) return;
   if (expr.op == Operator::kNamed || expr.op == Operator::kExistsNamed) return note_name(expr.name(), out);
   if (expr.op == Operator::kParameter) {
-    double number = 0;
-    long index = 0;
-    const bool literal = literal_value(syntax_.exprs, expr.left(), &number) && to_integer(number, &index) &&
-        index >= 1 && index <= kLastNumber;
-    if (!literal) {
+    const std::optional<long> index = literal_integer(syntax_.exprs, expr.left());
+    if (!index || *index < 1 || *index > kLastNumber) {
       out.known = false;
       return;
     }
-    return note_number(index, out);
+    return note_number(*index, out);
   }
   for_each_operand(expr, [&](ExprId operand) { note(operand, out); });
 }
@@ -53,12 +49,9 @@ bool Dependences::note_assignments(const Statement& s, Dependence& out) const {
       note_name(item.target_name, out);
     }
     if (item.target == kNoExpr) continue;
-    double number = 0;
-    long index = 0;
-    const bool own = literal_value(syntax_.exprs, item.target, &number) && to_integer(number, &index) && index >= 1 &&
-        index < kFirstGlobalNumber;
-    if (!own) return false;
-    note_number(index, out);
+    const std::optional<long> index = literal_integer(syntax_.exprs, item.target);
+    if (!index || *index < 1 || *index >= kFirstGlobalNumber) return false;
+    note_number(*index, out);
   }
   return out.known;
 }

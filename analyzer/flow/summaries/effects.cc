@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "analyzer/flow/domain/modes.h"
-#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
@@ -20,12 +19,11 @@ void add_line(const Program& program, const Statement& s, Effects& effects) {
       continue;
     }
     if (item.target == kNoExpr) continue;
-    double number = 0;
-    long index = 0;
-    if (!literal_value(program.syntax.exprs, item.target, &number) || !to_integer(number, &index)) {
+    const std::optional<long> index = literal_integer(program.syntax.exprs, item.target);
+    if (!index) {
       effects.any_global = true;
-    } else if (index >= kFirstGlobalNumber) {
-      effects.globals.insert(static_cast<uint32_t>(index));
+    } else if (*index >= kFirstGlobalNumber) {
+      effects.globals.insert(static_cast<uint32_t>(*index));
     }
   }
 }
