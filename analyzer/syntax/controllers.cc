@@ -161,19 +161,21 @@ bool has_owords(std::string_view controller) {
   return controller == kFluid || controller == kGrbl || controller == kHal || controller == kPathPilot;
 }
 
-/// The letters of a text, one bit each.
-uint32_t all_letters(std::string_view text) {
-  uint32_t bits = 0;
+/// The letters and digits of a text, one bit each.
+uint64_t all_characters(std::string_view text) {
+  constexpr int kLetters = 26;
+  uint64_t bits = 0;
   for (const char c : text) {
-    if (is_letter(c)) bits |= 1U << (capital(c) - 'A');
+    if (is_letter(c)) bits |= uint64_t{1} << (capital(c) - 'A');
+    if (is_digit(c)) bits |= uint64_t{1} << (kLetters + c - '0');
   }
   return bits;
 }
 
-/// A mark, and the letters that a line must have to fit it: most lines of motion lack one.
+/// A mark, and the characters that a line must have to fit it: most lines of motion lack one.
 struct Wanted {
   const Mark* mark;
-  uint32_t letters;
+  uint64_t characters;
 };
 
 /// Marks by the first character of their patterns.
@@ -181,7 +183,7 @@ const std::array<std::vector<Wanted>, 128>& by_first() {
   static const auto lists = [] {
     std::array<std::vector<Wanted>, 128> out;
     for (const Mark& mark : kMarks)
-      out[static_cast<unsigned char>(mark.pattern[0])].push_back({&mark, all_letters(mark.pattern)});
+      out[static_cast<unsigned char>(mark.pattern[0])].push_back({&mark, all_characters(mark.pattern)});
     return out;
   }();
   return lists;
@@ -274,9 +276,9 @@ void find_controller(std::string_view head, Nature* nature) {
     const auto first = line.empty() ? 0U : static_cast<unsigned char>(capital(line[0]));
     if (first < 128) {
       const std::vector<Wanted>& marks = by_first()[first];
-      const uint32_t letters = marks.empty() ? 0 : all_letters(line);
+      const uint64_t characters = marks.empty() ? 0 : all_characters(line);
       for (const auto& [mark, wanted] : marks) {
-        if ((wanted & ~letters) == 0 && fits(line, mark->pattern) &&
+        if ((wanted & ~characters) == 0 && fits(line, mark->pattern) &&
             std::ranges::find(seen, mark, &Seen::mark) == seen.end()) {
           const auto from = static_cast<uint64_t>(line.data() - head.data());
           const size_t blanks = line.size() - std::min(line.find_last_not_of(" \t\r") + 1, line.size());

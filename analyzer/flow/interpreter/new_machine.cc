@@ -10,10 +10,22 @@
 namespace owlint::flow {
 namespace {
 
-/// Of each numbered parameter, whether a line reads it that comes before all that set it.
-std::vector<bool> read_before_set(const Program& program) {
-  std::vector<bool> read(kLastNumber + 1), set(kLastNumber + 1), elsewhere(kLastNumber + 1);
-  const auto number_of = [](ParameterKey key) { return key == kComputedKey ? kLastNumber + 1 : key & ~kGlobalKey; };
+/// What the lines so far do with one number.
+struct NumberUse {
+  bool read = false;       ///< before all that set it
+  bool elsewhere = false;  ///< in a sub, which reads what may have been set before its call
+  bool set = false;
+};
+
+/// Those of `numbers` (sorted) that a line reads before any sets them.
+std::vector<uint32_t> read_before_set(const Program& program, const std::vector<uint32_t>& numbers) {
+  std::vector<NumberUse> uses(numbers.size());
+  const auto use_of = [&](ParameterKey key) -> NumberUse* {
+    if (key == kComputedKey) return nullptr;
+    const ParameterKey number = key & ~kGlobalKey;
+    const auto at = std::ranges::lower_bound(numbers, number);
+    return at != numbers.end() && *at == number ? &uses[static_cast<size_t>(at - numbers.begin())] : nullptr;
+  };
   std::vector<StatementId> lines(program.size());
   std::iota(lines.begin(), lines.end(), 0);
   const AccessTable table(program, lines);
@@ -21,18 +33,19 @@ std::vector<bool> read_before_set(const Program& program) {
   for (StatementId id = 0; id < lines.size(); ++id) {
     const bool of_main = program.region_of[id] == kMainRegion;
     for (const ParameterKey key : all.reads(id)) {
-      const auto number = number_of(key);
-      if (number > kLastNumber || set[number]) continue;
-      // A sub has numbers of its own, and of the others it reads what may have been set before its call.
-      if (of_main) read[number] = true;
-      if (!of_main && !is_own_number(key)) elsewhere[number] = true;
+      NumberUse* use = use_of(key);
+      if (use == nullptr || use->set) continue;
+      if (of_main) use->read = true;
+      if (!of_main && !is_own_number(key)) use->elsewhere = true;
     }
     for (const Write& write : all.writes(id)) {
-      if (const auto number = number_of(write.key); number <= kLastNumber) set[number] = true;
+      if (NumberUse* use = use_of(write.key)) use->set = true;
     }
   }
-  for (size_t number = 0; number < read.size(); ++number)
-    read[number] = read[number] || (elsewhere[number] && !set[number]);
+  std::vector<uint32_t> read;
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    if (uses[i].read || (uses[i].elsewhere && !uses[i].set)) read.push_back(numbers[i]);
+  }
   return read;
 }
 
@@ -45,9 +58,7 @@ std::vector<uint32_t> read_and_not_set(const Program& program, const TrackedPara
                        [](uint32_t number) { return number < kFirstVolatileNumber; });
   if (numbers.empty()) return numbers;
   std::ranges::sort(numbers);
-  const std::vector<bool> read = read_before_set(program);
-  std::erase_if(numbers, [&](uint32_t number) { return !read[number]; });
-  return numbers;
+  return read_before_set(program, numbers);
 }
 
 void begin_on_new_machine(std::span<const uint32_t> numbers, Parameters& p, Evaluator& evaluator,
