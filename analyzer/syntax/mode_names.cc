@@ -5,7 +5,6 @@
 #include <bit>
 #include <iterator>
 
-#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/line_parser.h"
 
@@ -83,12 +82,9 @@ std::optional<ModeName> ModeName::find(long number) {
 
 std::optional<ModeName> ModeName::read_by(const Syntax& syntax, const Expr& expr) {
   if (expr.op == Operator::kNamed) return find(syntax.names.text(expr.name()));
-  double number = 0;
-  long whole = 0;
-  if (expr.op != Operator::kParameter || !literal_value(syntax.exprs, expr.left(), &number) ||
-      !to_integer(number, &whole))
-    return std::nullopt;
-  return find(whole);
+  if (expr.op != Operator::kParameter) return std::nullopt;
+  const std::optional<long> number = literal_integer(syntax.exprs, expr.left());
+  return number ? find(*number) : std::nullopt;
 }
 
 Mode ModeName::mode() const { return row_->mode; }
@@ -100,12 +96,12 @@ std::optional<double> ModeName::number_of(uint8_t value) const {
   return numbers[value];
 }
 
-std::optional<double> ModeName::number(ValueSet may) const {
-  std::optional<double> all;
+std::optional<ModeName::Numbers> ModeName::numbers(ValueSet may) const {
+  std::optional<Numbers> all;
   for (; may != 0; may &= may - 1) {
     const std::optional<double> one = number_of(static_cast<uint8_t>(std::countr_zero(may)));
-    if (!one || (all && *all != *one)) return std::nullopt;
-    all = one;
+    if (!one) return std::nullopt;
+    all = all ? Numbers{std::min(all->least, *one), std::max(all->greatest, *one)} : Numbers{*one, *one};
   }
   return all;
 }

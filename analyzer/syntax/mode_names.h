@@ -23,8 +23,11 @@ class ModeName {
   static std::optional<ModeName> read_by(const Syntax& syntax, const Expr& expr);
 
   Mode mode() const;
-  /// The number that is read while one of these values is in effect, if it is the same for all of them.
-  std::optional<double> number(ValueSet may) const;
+  struct Numbers {
+    double least, greatest;
+  };
+  /// Between which numbers the one is that is read while one of these values is in effect. Nothing if that is not known.
+  std::optional<Numbers> numbers(ValueSet may) const;
   /// Those of the values with which `name op number` may come out like this.
   ValueSet with(ValueSet may, Operator op, double number, bool outcome) const;
 

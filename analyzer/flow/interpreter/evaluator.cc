@@ -111,10 +111,13 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, const Reading
       return out;
     }
     const bool predefined = tracked_.kind(name) == NameKind::kPredefined && !result;
-    auto number = predefined ? ini_number(syntax_.names.text(name), profile_) : std::nullopt;
-    if (predefined && !number && modes_ != nullptr) number = modes_->named(in, syntax_.names.text(name));
-    if (number) {
+    if (const auto number = predefined ? ini_number(syntax_.names.text(name), profile_) : std::nullopt) {
       out.value = values_.intern(*number);
+      return out;
+    }
+    if (const auto shown =
+            predefined && modes_ != nullptr ? modes_->named(in, syntax_.names.text(name)) : std::nullopt) {
+      out.value = values_.intern(*shown);
       return out;
     }
     if (!predefined && !distrusts_globals_ && known >= kFirstConstant) {

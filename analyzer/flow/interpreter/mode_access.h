@@ -36,9 +36,9 @@ class ModeAccess {
   void tell(const Parameters& p, const PlaceChange& change, MoveWatch watch) const;
   /// What is read under the name of a mode, as far as the program has set the mode, or under that of an axis, as far as it is
   /// known where the machine stands.
-  std::optional<double> named(const Parameters& p, std::string_view name) const;
+  std::optional<Range> named(const Parameters& p, std::string_view name) const;
   /// The same of a number, #5220 or #5420.
-  std::optional<double> numbered(const Parameters& p, long number) const;
+  std::optional<Range> numbered(const Parameters& p, long number) const;
   /// Applies what the outcome of a condition says about the modes that it reads. False if no run has this outcome.
   bool learn(Parameters& p, const Syntax& syntax, ExprId condition, bool truth);
   /// A call begins: on its level nothing is saved.
@@ -53,8 +53,8 @@ class ModeAccess {
   bool restores(const Parameters& p) const;
 
  private:
-  std::optional<double> shown(const Parameters& p, const std::optional<ModeName>& shown) const;
-  std::optional<double> shown(const Parameters& p, const std::optional<PlaceName>& shown) const;
+  std::optional<Range> shown(const Parameters& p, const std::optional<ModeName>& shown) const;
+  std::optional<Range> shown(const Parameters& p, const std::optional<PlaceName>& shown) const;
   bool has_said(const Parameters& p, Mode mode) const;
   void say(Parameters& p, ModeMask modes);
   uint32_t motion_key() const { return saved_keys_ + kPlaceNumber; }

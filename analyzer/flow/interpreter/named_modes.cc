@@ -1,5 +1,5 @@
 // The modes that a program reads under names: `#<_metric>` is 1 behind a G21, and where `if [#<_feed> EQ 0]` is false, a feed is
-// set. Before the program has set a mode, its value is not known: the machine may have run another program before.
+// set. Before the program has set a mode, it may be any: the machine may have run another program before.
 #include "analyzer/flow/facts/conditions.h"
 #include "analyzer/flow/interpreter/mode_access.h"
 #include "analyzer/flow/interpreter/new_machine.h"
@@ -16,14 +16,16 @@ void ModeAccess::say(Parameters& p, ModeMask modes) {
     p.globals.set(pool_, said_key(static_cast<Mode>(std::countr_zero(set))), values_.intern(1));
 }
 
-std::optional<double> ModeAccess::shown(const Parameters& p, const std::optional<ModeName>& shown) const {
-  if (!shown || (uses_.named() & mask_of(shown->mode())) == 0 || !uses_.follows(shown->mode()) ||
-      !has_said(p, shown->mode()))
-    return std::nullopt;
-  return shown->number(mode_values(values_, shown->mode(), p.globals.get(mode_key(shown->mode()))).may);
+std::optional<Range> ModeAccess::shown(const Parameters& p, const std::optional<ModeName>& shown) const {
+  if (!shown || (uses_.named() & mask_of(shown->mode())) == 0) return std::nullopt;
+  const Mode mode = shown->mode();
+  const ValueSet may =
+      has_said(p, mode) ? mode_values(values_, mode, p.globals.get(mode_key(mode))).may : all_values(mode);
+  const auto numbers = shown->numbers(may);
+  return numbers ? std::optional(Range{numbers->least, numbers->greatest}) : std::nullopt;
 }
 
-std::optional<double> ModeAccess::shown(const Parameters& p, const std::optional<PlaceName>& shown) const {
+std::optional<Range> ModeAccess::shown(const Parameters& p, const std::optional<PlaceName>& shown) const {
   if (!shown || !uses_.follows_place() || p.outside) return std::nullopt;
   const auto surely = [&](Mode mode, uint8_t value) {
     if (!uses_.follows(mode)) return uses_.others()[mode] == value_bit(value);
@@ -34,15 +36,17 @@ std::optional<double> ModeAccess::shown(const Parameters& p, const std::optional
       !shown->axis() || (surely(Mode::kDiameter, modes::kG8) && surely(Mode::kCompensation, modes::kG40));
   if (!as_it_is) return std::nullopt;
   const ValueId before = p.globals.get(kReadPlaceKey);
-  return shown->number(KnownValues::is_place(before) ? values_.place(before) : place(p), is_on_new_machine(p));
+  const auto number =
+      shown->number(KnownValues::is_place(before) ? values_.place(before) : place(p), is_on_new_machine(p));
+  return number ? std::optional(Range::of(*number)) : std::nullopt;
 }
 
-std::optional<double> ModeAccess::named(const Parameters& p, std::string_view name) const {
+std::optional<Range> ModeAccess::named(const Parameters& p, std::string_view name) const {
   const auto mode = shown(p, ModeName::find(name));
   return mode ? mode : shown(p, PlaceName::find(name));
 }
 
-std::optional<double> ModeAccess::numbered(const Parameters& p, long number) const {
+std::optional<Range> ModeAccess::numbered(const Parameters& p, long number) const {
   const auto mode = shown(p, ModeName::find(number));
   return mode ? mode : shown(p, PlaceName::find(number));
 }
@@ -53,7 +57,7 @@ bool ModeAccess::learn(Parameters& p, const Syntax& syntax, ExprId condition, bo
   const auto visit = [&](ExprId side, Operator op, ExprId other, bool outcome) {
     double number = 0;
     const auto shown = ModeName::read_by(syntax, syntax.exprs[side]);
-    if (!shown || (uses_.named() & mask_of(shown->mode())) == 0 || !uses_.follows(shown->mode())) return;
+    if (!shown || (uses_.named() & mask_of(shown->mode())) == 0) return;
     if (other != kNoExpr && !literal_value(syntax.exprs, other, &number)) return;
     const Mode mode = shown->mode();
     const bool said = has_said(p, mode);
