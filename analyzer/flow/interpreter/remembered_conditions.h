@@ -1,5 +1,6 @@
 // Conditions that must come out the same (see ConditionId): structurally equal conditions share an id, and assigning any
-// parameter that a condition reads forgets its outcome.
+// parameter that a condition reads forgets its outcome. What AND and OR join are conditions, too: `[#1 AND #2]` is true only where
+// `[#1]` is.
 #pragma once
 
 #include <cstdint>
@@ -26,20 +27,23 @@ class RememberedConditions {
   ConditionId condition(ExprId expression) const {
     return expression < conditions_.size() ? conditions_[expression] : ConditionId{};
   }
-  static Outcome known(const Parameters& p, ConditionId condition);
-  void learn(Parameters& p, ConditionId condition, bool truth);
+  /// From the outcome of the same condition, or from those that it joins.
+  Outcome known(const Parameters& p, ExprId condition) const;
+  void learn(Parameters& p, ExprId condition, bool truth);
   /// A parameter is assigned.
   void forget(Parameters& p, ParameterKey key);
   /// The machine's inputs are asked.
   void forget_answers(Parameters& p);
 
  private:
+  void find_tests(const Limits& limits);
   /// Those that read a parameter.
   std::span<const uint32_t> conditions_of(ParameterKey key) const {
     const auto found = conditions_of_.find(key);
     return found == conditions_of_.end() ? std::span<const uint32_t>() : found->second;
   }
 
+  const Syntax& syntax_;
   PersistentMap::Pool& pool_;
   std::vector<ConditionId> conditions_;  // by condition, as far as there are any
   std::unordered_map<ParameterKey, std::vector<uint32_t>> conditions_of_;

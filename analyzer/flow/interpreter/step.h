@@ -23,7 +23,7 @@ struct AbstractMachine::Step {
   bool skipping;
   FullLabel label = kNoLabel;
   Range label_range;                      ///< of a computed label that is not known
-  ConditionId tested;                     ///< the condition of this line, if its outcome can be remembered
+  ExprId tested = kNoExpr;                ///< the condition of this line, if values do not decide it
   std::optional<ValueId> returned_value;  ///< the value on this `return` or `endsub`
   bool decided = false;                   ///< the condition has only one outcome here, so going on is not a branch
   ReadLog reads;
@@ -47,7 +47,7 @@ struct AbstractMachine::Step {
   /// `branch`: the outcome of the condition that this needs.
   void go(State next, StatementId position, Branch branch = Branch::kNone) {
     if (branch != Branch::kNone && (s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile))) {
-      m.remembered_.learn(next.parameters, tested, branch == Branch::kTrue);
+      if (tested != kNoExpr) m.remembered_.learn(next.parameters, tested, branch == Branch::kTrue);
       m.refinement_.refine(next.parameters, value(0), branch == Branch::kTrue);
       if (!m.modes_.learn(next.parameters, m.program_.syntax, value(0), branch == Branch::kTrue)) return;
     }
@@ -187,8 +187,8 @@ struct AbstractMachine::Step {
     const bool known = constant || !range.has(0);
     *truth = !known ? Truth::kOpen : range.has(0) ? Truth::kFalse : Truth::kTrue;
     if (!known && !s.is(Keyword::kRepeat)) {
-      tested = m.remembered_.condition(value(0));
-      const Outcome before = RememberedConditions::known(state.parameters, tested);
+      tested = value(0);
+      const Outcome before = m.remembered_.known(state.parameters, tested);
       if (before != Outcome::kNotKnown) *truth = before == Outcome::kTrue ? Truth::kTrue : Truth::kFalse;
     }
     decided = *truth != Truth::kOpen;
@@ -259,6 +259,8 @@ struct AbstractMachine::Step {
   bool can_lose_end() const;
   void pass_over_end();
   void user_code();
+  UserCode known_of(uint32_t user_code) const;
+  const Statement* user_code_behind() const;
   void machine_check();
   void repeated_word(const LineError& repeated);
   bool may_end(const Statement& line) const;
