@@ -14,6 +14,8 @@ using Step = bool (*)(ModeLine&);
 constexpr auto kFirstSteps =
     std::to_array<Step>({steps::spindle_mode, steps::feed_mode, steps::feed, steps::speed, steps::select_tool,
                          steps::inputs_outputs, steps::change_tool, steps::spindle, steps::save});
+/// The first two of the rest are the last M codes of LinuxCNC's own; those of the machine, M100 to M199, follow them.
+constexpr size_t kBeforeUserCodes = 2;
 constexpr auto kRest =
     std::to_array<Step>({steps::coolant, steps::overrides, steps::plane, steps::units, steps::diameter,
                          steps::compensation, steps::tool_length, steps::system, steps::path_control, steps::distance,
@@ -21,6 +23,17 @@ constexpr auto kRest =
 
 bool stops_at(std::span<const Step> steps, ModeLine& line) {
   return std::ranges::any_of(steps, [&](Step step) { return step(line); });
+}
+
+/// The rest of the steps. False if no run goes on.
+bool run_rest(ModeLine& line, const WordLine& words) {
+  const std::span rest(kRest);
+  if (!words.is_user_m()) return !stops_at(rest, line);
+  if (stops_at(rest.first(kBeforeUserCodes), line)) return false;
+  const size_t before = line.faults()->size();
+  const bool runs = !stops_at(rest.subspan(kBeforeUserCodes), line);
+  for (ModeFault& fault : std::span(*line.faults()).subspan(before)) fault.behind_user_code = true;
+  return runs;
 }
 
 /// A step that a remapped word replaces.
@@ -142,7 +155,7 @@ bool ModeRun::act(ModeState* state, std::vector<ModeFault>* faults, Place* place
   ModeLine line(machine_, line_, state, faults, place, watch, contour);
   if (stops_at(kFirstSteps, line)) return false;
   const bool restores = line.code(MGroup::kSpindle) == code::kM72;
-  if (restores ? !run_from_m72(line) : stops_at(kRest, line)) return false;
+  if (restores ? !run_from_m72(line) : !run_rest(line, line_)) return false;
   ask_machine(line);
   return true;
 }

@@ -45,6 +45,8 @@ struct ModeFault {
   /// Certain on a machine that was just started, and stands where it began, without offsets.
   bool from_start = false;
   std::optional<ArcNumbers> arc = std::nullopt;
+  /// Found behind a code from M100 to M199, which stops the line first if the machine does not have it.
+  bool behind_user_code = false;
 };
 
 /// A part of a line, between those of its codes that are remapped: the steps behind one, up to the other with it. Null: from the

@@ -241,12 +241,14 @@ void ModesInEffect::leave_out_asked(ModeMask assigned) {
   });
 }
 
-/// A feed that is not 0 is taken for set, whatever the feed mode: what that does in inverse time mode the flow knows.
+/// A feed that is not 0 is taken for set if the feed mode is not known: what that does in inverse time mode the flow knows.
 void ModesInEffect::set_feed(const WordLine& words, ModeSets* after) {
   constexpr double kSmallFeed = 0.05;
   const uint8_t f = words.find('f');
   const bool open = (after->assigned & after->open & mask_of(Mode::kFeed)) != 0;
-  if (!open || f == kNoWord || !words[f].known || words[f].value < kSmallFeed) return;
+  if (!open || f == kNoWord || !words[f].known || words[f].value < kSmallFeed ||
+      (*after)[Mode::kFeedMode] == value_bit(modes::kG93))
+    return;
   (*after)[Mode::kFeed] = value_bit(modes::kFeedSet);
   after->open &= ~mask_of(Mode::kFeed);
 }
@@ -326,7 +328,8 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   leave_out_asked(after.now.assigned);
   // What M72 writes depends on modes that only the flow knows.
   const bool quotes_all = !faults_.empty() && faults_.front().fault.kind == StopKind::kSavedModes;
-  if (faults_.size() == 1 && faults_.front().fault.certain && !quotes_all) {
+  const bool stops = faults_.size() == 1 && faults_.front().fault.certain;
+  if (stops && !quotes_all && !faults_.front().behind_user_code) {
     statement.error = parser_.add_error(faults_.front().fault, faults_.front().decided_by);
     if (statement.block_delete) {
       forget();
@@ -339,9 +342,10 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement, asks_);
   // M72 may lose the end.
   if (ends_program(statement) && !statement.block_delete && !stacks_modes(*words)) places_.end();
+  // What has been asked in a mode that the line sets, also by itself: `G17` with compensation says nothing of `G18`.
+  if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
-  if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());
   // With block delete on the line does nothing.
   if (statement.block_delete && (asks_ || after != state_)) {
     asks_ = true;

@@ -101,6 +101,12 @@ void explain(const Input& in, const FlowStop& stop, Finding& f) {
     f.help = "write `G94` and `F` on this line or before it";
     return;
   }
+  // In G93 a computed feed may be any, and the feed is still 0.
+  if (given != nullptr && !has_above(*in.program.source, s.line + 1, "G93")) {
+    f.message += ": `" + shown(*in.program.source, given->span) + "` on this line sets it";
+    f.help = "write a feed rate above 0; an argument that a call leaves out is 0";
+    return;
+  }
   const std::optional<Setter> setter = setter_of(in, stop, "F G93 G94 G95 G20 G21");
   const bool feed_mode = setter && setter->word.starts_with("G9");
   if (!setter || (feed_mode && !has_feed_above(in, *setter, s.line))) {

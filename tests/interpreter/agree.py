@@ -28,7 +28,7 @@ from explore import Explorer
 from generate import generate, generate_files, generate_modes, generate_places, generate_values
 from judge import HANGS, MISS, NEVER_STOPS, NOT_ALWAYS, NO_OTHER_BODY, OTHER_BODY, OTHER_WORDS, UNWITNESSED, hazards_of, is_witnessed, to_witness
 from linter import Linter, LinterFailed
-from not_followed import general
+from of_machine import general
 from oracle import Interpreter, scratch
 from shrink import Shrinker, investigate
 from stand_alone import StandAlone

@@ -1,4 +1,4 @@
-"""Lints and runs programs for slipped.py and words.py, and takes them past stops that owlint does not follow."""
+"""Lints and runs programs for slipped.py and words.py, and takes them past stops that the machine decides."""
 import glob
 import json
 import multiprocessing
@@ -15,14 +15,13 @@ import rs274
 from claims import settings
 from confirm import Program, read
 from linter import MACHINE as MACHINE_INI, by_path
-from not_followed import GEOMETRY, MACHINE, general
+from of_machine import MACHINE, general
 from stops import COUNTED, ENDLESS, Checked, Disagreement, judge
 
 AT_ONCE = 25                # programs for one start of owlint
 SHOWN_PER_KEY = 2
 OWLINT_LIMIT_S = 120
-NOT_FOLLOWED = (GEOMETRY, MACHINE)
-TAKEN_OUT = ";"             # what stands in place of a line that stops for a reason that is not followed
+TAKEN_OUT = ";"             # what stands in place of a line that stops for what the machine decides
 
 
 @dataclass
@@ -45,8 +44,8 @@ class Task:
 class Examiner:
     """`fixing`: the safe fixes are made first.  `machine`: owlint is given an INI with the axes of rs274.
 
-    So many lines that stop are taken out of a program, one after another, as there are `rounds`: those that stop for what
-    is not followed; with `past_found` also those that stop as owlint says.
+    So many lines that stop are taken out of a program, one after another, as there are `rounds`: those that the
+    machine decides; with `past_found` also those that stop as owlint says.
     """
     owlint: str
     folder: str
@@ -74,7 +73,7 @@ class Examiner:
             for number, result in zip(numbers, self.once([todo[number] for number in numbers])):
                 results[number] = result
                 as_said = result.verdict is None and result.outcome.kind == "error"
-                past = result.verdict in NOT_FOLLOWED or self.past_found and as_said
+                past = result.verdict == MACHINE or self.past_found and as_said
                 further = without_stop(result) if past else None
                 if further:
                     todo[number] = further
@@ -166,9 +165,9 @@ class Examiner:
 
 
 def _weight(result):
-    """With block delete off and on: a disagreement if there is one, else a stop that is not followed."""
+    """With block delete off and on: a disagreement if there is one, else a stop that the machine decides."""
     verdict = result.verdict
-    return isinstance(verdict, Disagreement), verdict in NOT_FOLLOWED, verdict is not None, result.outcome.kind
+    return isinstance(verdict, Disagreement), verdict == MACHINE, verdict is not None, result.outcome.kind
 
 
 def files_of(program):
@@ -298,7 +297,7 @@ def compare(tasks, jobs, arguments):
 
 
 def by_message(counts):
-    """Print the messages of all stops: those that owlint has to predict, and those that it does not follow yet."""
+    """Print the messages of all stops: those that owlint has to predict, and those that the machine decides."""
     messages = sorted({key[1] for key in counts if isinstance(key, tuple)})
     rows = [(counts["found", m], counts["wrong", m], sum(counts[kind, m] for kind in COUNTED), m) for m in messages]
     print("\nstops  found  message")
@@ -306,11 +305,10 @@ def by_message(counts):
         if found + wrong + unknowable:
             beside = ", unknowable: %d" % unknowable if unknowable else ""
             print("%5d  %5d  %s%s" % (found + wrong + unknowable, found, ascii(message)[1:-1], beside))
-    for kind in NOT_FOLLOWED:
-        some = sorted(((counts[kind, m], m) for m in messages if counts[kind, m]), reverse=True)
-        print("not followed yet, %s: %d" % (kind, sum(count for count, _ in some)))
-        for count, message in some:
-            print("%5d         %s" % (count, ascii(message)[1:-1]))
+    some = sorted(((counts[MACHINE, m], m) for m in messages if counts[MACHINE, m]), reverse=True)
+    print("the machine decides: %d" % sum(count for count, _ in some))
+    for count, message in some:
+        print("%5d         %s" % (count, ascii(message)[1:-1]))
 
 
 def summary(counts):
@@ -319,7 +317,7 @@ def summary(counts):
     runs = ", ".join("%s %d" % (kind[5:], counts[kind]) for kind in kinds)
     stops = lambda *kinds: sum(count for key, count in counts.items() if isinstance(key, tuple) and key[0] in kinds)
     due = stops("found", "wrong")
-    form = "%s; stops to predict: %d, at their line with their message: %d (%s); not counted: %s, unknowable %d, endless %d"
+    form = "%s; stops to predict: %d, at their line with their message: %d (%s); not counted: the machine decides %d, unknowable %d, endless %d"
     return form % (
         runs, due, stops("found"), "%.2f %%" % (100.0 * stops("found") / due) if due else "none",
-        ", ".join("%s %d" % (kind, stops(kind)) for kind in NOT_FOLLOWED), stops("unknowable"), counts[ENDLESS])
+        stops(MACHINE), stops("unknowable"), counts[ENDLESS])

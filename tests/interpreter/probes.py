@@ -6,7 +6,7 @@ usage: probes.py --owlint build/release/owlint [FOLDER...]
 A folder has outcomes.tsv, and the programs in probes/ or beside it: those of O-words, of the reading of words, of modes and of
 geometry.  They lie beside the repository (../shared/interpreter) and not in it, so that without them there is nothing to do.
 Modes: default; warnonly (`--feature 0x20`); mask (the INI's FEATURE mask, which LinuxCNC 2.9 ignores); else the name of an INI in
-the folder.  A stop that is not followed yet (not_followed.py) is counted.  Exit status 1 when owlint and an outcome disagree.
+the folder.  A stop that the machine decides (of_machine.py) is counted.  Exit status 1 when owlint and an outcome disagree.
 """
 import argparse
 import csv
@@ -17,7 +17,7 @@ import tempfile
 
 from confirm import Claims, judge
 from linter import MACHINE as MACHINE_INI, Linter
-from not_followed import MACHINE, not_followed, of_a_tool
+from of_machine import decides
 from rs274 import AT_FILE_END, Outcome
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -64,7 +64,7 @@ def texts_of(folder, names):
 
 
 def problems_of(outcome, findings, text):
-    """-> (what owlint says wrongly, whether it stops for what is not followed yet)"""
+    """-> (what owlint says wrongly, whether it stops for what the machine decides)"""
     claims = Claims(findings, text=text)
     lines = text.split("\n")
     at = lines[outcome.line - 1] if 0 < outcome.line <= len(lines) else ""
@@ -72,11 +72,10 @@ def problems_of(outcome, findings, text):
     if re.match(r"(?i).*\(\s*abort,[^)]*\)[^(]*$|[(;]py,", at) or re.search(r"#<_hal\[|##1", at):
         return [], False
     problems = list(judge(outcome, claims))
-    kind = outcome.kind == "error" and (not_followed(outcome.message) or of_a_tool(outcome.message, text) and MACHINE)
-    if problems and kind:
+    if problems and outcome.kind == "error" and decides(outcome.message, text, axes_known=True):
         wrong = "%s is claimed for every run on line %d, which stops with: %s"
         problems = [wrong % (f["code"], outcome.line, outcome.message) for f in claims.always
-                    if outcome.line and f["start"]["line"] <= outcome.line - (kind == MACHINE)]
+                    if outcome.line and f["start"]["line"] < outcome.line]
         return problems, True
     return problems, False
 

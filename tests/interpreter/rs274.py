@@ -18,8 +18,9 @@ WALL_LIMIT_S = 60
 STDERR_READ = 20_000
 HANG_SAYS = 120             # characters kept of the warnings of an endless loop
 MODES = {"default": None, "warnonly": "OWORD_WARNONLY = 1\n", "mask": "FEATURES = 0x20\nFEATURE = 0x20\n"}
-# What it says of a REMAP or another entry that it cannot use; then it goes on.
-_GOES_ON = re.compile(r"REMAP BUG=|^unrecognized option '.*\d+:REMAP = |^invalid \[RS274NGC\]\w+ in INI file")
+# What it says of a REMAP or another entry that it cannot use, then it goes on; and what it prints beside a message.
+_GOES_ON = re.compile(r"REMAP BUG=|^unrecognized option '.*\d+:REMAP = |^invalid \[RS274NGC\]\w+ in INI file|"
+                      r"^inifile: error: File contains ambiguous|^num_spindles =")
 AT_FILE_END = re.compile(r"File ended|EOF in file|Failed to find sub")
 
 available = shutil.which("rs274") is not None

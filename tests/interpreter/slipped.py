@@ -16,8 +16,8 @@ the slips are in lines of words, and only programs are taken that run without th
   owlint fails    it crashes or does not end
 
 Counted, and no disagreements, are
-  geometry, machine   a stop for what owlint does not follow yet (not_followed.py has the messages); as written, the
-              line is then taken out, and what is left is compared in turn
+  machine     a stop that the machine decides (of_machine.py); as written, the line is then taken out, and what is left is
+              compared in turn
   unknowable  a stop for what the machine holds and the program does not set: a pin, an INI's entry, a numbered parameter
   endless     the interpreter never ends, owlint claims neither that nor a stop in every run
 Disagreements are shrunk and printed.

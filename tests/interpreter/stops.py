@@ -1,6 +1,6 @@
 """What owlint says of a program held against how it ended in rs274: one verdict for slipped.py and words.py.
 
-A verdict is a Disagreement, one of COUNTED, one of the kinds of not_followed.py, or None where owlint says what
+A verdict is a Disagreement, one of COUNTED, MACHINE where the machine decides (of_machine.py), or None where owlint says what
 happens.
 """
 import re
@@ -10,7 +10,7 @@ import bundle
 import rs274
 from claims import Claims, said_by
 from messages import EOF, codes_of, said_elsewhere, same_words
-from not_followed import GEOMETRY, MACHINE, general, in_a_contour, not_followed, of_a_tool, of_axes
+from of_machine import MACHINE, decides, general
 
 SILENT, ELSEWHERE, WORDS, NOT_ALWAYS, CRASH = "silent", "other place", "other words", "not always", "crash"
 FAILS = "owlint fails"
@@ -83,10 +83,6 @@ def judge(outcome, checked, program, block_delete, axes_known=False):
     if outcome.message.startswith("INTERP_REMAP") or re.search(r"\d+:REMAP = ", outcome.message):
         said = any(f.get("interpreter") == outcome.message for f in checked.findings)
         return None if said else Disagreement(SILENT, outcome.message)
-    # A user M code comes before the G codes of its line; whether it is there, the machine decides.
-    if re.match(r"Unknown m code used: M1\d\d$", outcome.message) and \
-            any(f.get("code", "")[:3] in ("OW8", "OW9") and f["start"]["line"] == outcome.line for f in claims.always):
-        return MACHINE
     if outcome.kind == "ok":
         wrong = claims.always or claims.errors
         return Disagreement(NOT_ALWAYS, "%s: it runs" % quoted(wrong[0])) if wrong else None
@@ -99,36 +95,17 @@ def judge(outcome, checked, program, block_delete, axes_known=False):
         wrong = [f for f in claims.always if f not in met]
         before = "%s: it stops before: `%s`"
         return Disagreement(NOT_ALWAYS, before % (quoted(wrong[0]), outcome.message)) if wrong else None
-    kind = not_followed(outcome.message)
-    everything = "\n".join(checked.texts.values())
-    if in_a_contour(outcome.message, outcome.text, everything):
-        kind = GEOMETRY
-    if of_a_tool(outcome.message, everything):
-        kind = MACHINE
-    if of_axes(outcome.message) and not axes_known:
+    if decides(outcome.message, "\n".join(checked.texts.values()), axes_known):
         return MACHINE
-    other = [(f, claim) for f, claim in there if not kind or f in claims.always and comes_before(f, outcome)]
-    if not other and kind:
-        return kind
     if is_unknowable(outcome, checked) or is_lost(outcome, checked):
         return UNKNOWABLE
-    if other:
-        return Disagreement(WORDS, "%s is `%s`" % (quoted(other[0][1]), outcome.message))
+    if there:
+        return Disagreement(WORDS, "%s is `%s`" % (quoted(there[0][1]), outcome.message))
     return Disagreement(ELSEWHERE if claims.stops else SILENT, outcome.message)
 
 
 def quoted(claim):
     return "%s: `%s`" % (claim["code"], claim.get("interpreter", ""))
-
-
-def comes_before(finding, outcome):
-    """Whether the interpreter would have reported this before a stop that is not followed, at the same line."""
-    # What the machine lacks is found before most of what modes refuse.
-    if not_followed(outcome.message) == MACHINE and finding["code"].startswith(("OW8", "OW9")):
-        return False
-    # The label of a contour is sought behind all that; and the file ends after its last line.
-    of_contour = finding["code"] in ("OW208", "OW306") and re.search(r"(?i)g\s*7\s*[0-2]", outcome.text)
-    return not of_contour and not rs274.AT_FILE_END.search(finding.get("interpreter", ""))
 
 
 def is_there(finding, claim, outcome, texts, mode):
@@ -147,6 +124,9 @@ def is_there(finding, claim, outcome, texts, mode):
     if re.search(r"(?i)g\s*7\s*[012]", said) or "REMAP" in texts.get("machine.ini", ""):
         if re.match(r"(?i)o(<[^>]*>|[\d.]+)\s*(endsub|return)", outcome.text):
             return same_words(outcome.message, claim.get("interpreter", ""))
+    # What M72 and the end of a sub with M73 write is all that it shows.
+    if outcome.message.startswith("M7x: restore_settings"):
+        return same_words(outcome.message, claim.get("interpreter", ""))
     remapped = re.match(r"user-defined ([\w.]+):", outcome.message)
     if remapped:                                      # the call that the interpreter makes of a remapped code is all that it shows
         return remapped[1].lower() in re.sub(r"\s", "", said).lower()

@@ -4,8 +4,8 @@
 usage: words.py --owlint build/release/owlint [--programs 1500] [--seed S] [--jobs 2] [--show 40] [--keep DIR]
 
 The programs come from word_maker.py: straight lines, lines in a block that runs or not, in a sub that is called or not.
-rs274 runs each, a process for each.  Where it stops as owlint says, or for a reason that is not followed yet
-(not_followed.py), the line is taken out and the rest is compared in turn.  Held against what owlint says:
+rs274 runs each, a process for each.  Where it stops as owlint says, or for what the machine decides
+(of_machine.py), the line is taken out and the rest is compared in turn.  Held against what owlint says:
 
   silent, other place   a miss: the interpreter stops, owlint does not claim it at that line
   other words           the stop is claimed there, with a message that the interpreter does not print

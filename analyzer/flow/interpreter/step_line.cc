@@ -112,13 +112,24 @@ void AbstractMachine::Step::repeated_word(const LineError& repeated) {
 }
 
 /// Without the machine's INI it is not known which codes it has.
+UserCode AbstractMachine::Step::known_of(uint32_t user_code) const {
+  return m.profile_.setup == nullptr ? UserCode::kUnknown : m.profile_.setup->user_code(static_cast<int>(user_code));
+}
+
 void AbstractMachine::Step::user_code() {
-  const std::string code = "M" + std::to_string(s.first);
-  const UserCode known =
-      m.profile_.setup == nullptr ? UserCode::kUnknown : m.profile_.setup->user_code(static_cast<int>(s.first));
-  if (known == UserCode::kMissing) return stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
-  if (known == UserCode::kUnknown) may_stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
+  const std::string message = "Unknown m code used: M" + std::to_string(s.first);
+  const UserCode known = known_of(s.first);
+  if (known == UserCode::kMissing) return stop(StopKind::kUserCodeMissing, message);
+  if (known == UserCode::kUnknown) may_stop(StopKind::kUserCodeMissing, message);
   next_line();
+}
+
+/// The question about such a code of this line, if it is behind this one.
+const Statement* AbstractMachine::Step::user_code_behind() const {
+  const StatementId next = here + 1;
+  if (next >= m.program_.size()) return nullptr;
+  const Statement& line = m.program_.at(next);
+  return line.kind == LineKind::kUserCode && on_one_line(line, s) ? &line : nullptr;
 }
 
 void AbstractMachine::Step::machine_check() {

@@ -70,6 +70,15 @@ bool AbstractMachine::Step::take_faults(std::span<const ModeFault> faults) {
   for (const ModeFault& found : faults) {
     const Fault& fault = found.fault;
     if (!fault.certain && !found.believed) continue;
+    if (const Statement* code = found.behind_user_code ? user_code_behind() : nullptr) {
+      const UserCode known = known_of(code->first);
+      if (known == UserCode::kMissing) return true;  // its own question stops every run
+      if (known == UserCode::kUnknown && fault.certain) {
+        state.position = here + 1;
+        may_stop(StopKind::kUserCodeMissing, "Unknown m code used: M" + std::to_string(code->first));
+        state.position = here;
+      }
+    }
     const bool mixed = state.mixed;
     state.mixed = mixed || !fault.certain || found.from_start;
     const auto arc = found.arc ? std::make_shared<const ArcNumbers>(*found.arc) : nullptr;

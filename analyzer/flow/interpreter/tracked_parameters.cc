@@ -116,6 +116,7 @@ void TrackedParameters::find_what_matters(const Limits& limits) {
       mark(word.computed);
   }
   for (const LineError& error : syntax_.errors) {
+    for (ExprId read = error.read_from; read < error.read_to; ++read) mark_what_can_fail(read);
     if (error.first_value != kNoExpr) mark(error.first_value);
   }
   for (const Statement& s : syntax_.statements) {
