@@ -26,12 +26,31 @@ size_t common(std::string_view a, std::string_view b) {
   return static_cast<size_t>(differ.in1 - a.begin());
 }
 
-/// The code that a message begins with: "`M110`". Empty if it begins with anything else.
-std::string_view code_in(std::string_view message) {
-  if (!message.starts_with("`M") && !message.starts_with("`G")) return {};
-  const size_t end = message.find_first_not_of("0123456789.", 2);
-  const bool is_code = end != std::string_view::npos && end > 2 && message[end] == '`';
-  return is_code ? message.substr(0, end + 1) : std::string_view();
+/// The code or name that a message begins with: "`M110`", "`#<depth>`". Empty if it begins with anything else.
+std::string_view subject_of(std::string_view message) {
+  const bool code = message.starts_with("`M") || message.starts_with("`G");
+  if (!code && !message.starts_with("`#<")) return {};
+  const size_t end = code ? message.find_first_not_of("0123456789.", 2) : message.find('`', 1);
+  const bool is_subject = end != std::string_view::npos && end > 2 && message[end] == '`';
+  return is_subject ? message.substr(0, end + 1) : std::string_view();
+}
+
+/// How many places, and what else a group is about: " (2 places)", " (also `M102` and 3 more; 4 places in 2 files)".
+std::string extent(const std::vector<std::string>& subjects, size_t places, size_t files) {
+  constexpr size_t kNamed = 2;
+  std::string out;
+  if (subjects.size() > 1) {
+    const size_t named = std::min(subjects.size() - 1, kNamed);
+    const size_t more = subjects.size() - 1 - named;
+    const auto* const first = subjects.data() + 1;
+    out = fmt::format("also {}", fmt::join(first, first + named, more == 0 ? " and " : ", "));
+    if (more > 0) out += fmt::format(" and {} more", more);
+  }
+  if (places > 1) {
+    if (!out.empty()) out += "; ";
+    out += files == 1 ? fmt::format("{} places", places) : fmt::format("{} places in {} files", places, files);
+  }
+  return out.empty() ? out : " (" + out + ")";
 }
 
 /// What is left out, or called, in many places.
@@ -47,8 +66,8 @@ struct Group {
   Severity worst;
   std::set<const Source*> files;
   std::vector<Related> others;
-  std::vector<std::string> codes;  ///< of the messages, each once
-  std::string found_in;            ///< the folder of the file that may be meant; empty: there is none
+  std::vector<std::string> subjects;  ///< of the messages, each once
+  std::string found_in;               ///< the folder of the file that may be meant; empty: there is none
   const Habit* habit = nullptr;
 };
 
@@ -97,12 +116,15 @@ class CommonFaults {
                                                     Group{report, place, 1, f.severity, {}, {}, {}, {}, &habit});
     Group& group = entry->second;
     group.files.insert(source.get());
-    const std::string_view code = code_in(f.message);
-    if (!code.empty() && std::ranges::find(group.codes, code) == group.codes.end()) group.codes.emplace_back(code);
+    const std::string_view subject = subject_of(f.message);
+    if (!subject.empty() && std::ranges::find(group.subjects, subject) == group.subjects.end())
+      group.subjects.emplace_back(subject);
     if (first) return false;
     ++group.places;
     group.worst = std::max(group.worst, f.severity);
-    if (group.others.size() < kMaxPlaces) group.others.push_back({f.span, "here as well", source});
+    const bool same_subject = subject.empty() || subject == group.subjects.front();
+    if (group.others.size() < kMaxPlaces)
+      group.others.push_back({f.span, same_subject ? "here as well" : fmt::format("{} here", subject), source});
     return true;
   }
 
@@ -113,20 +135,7 @@ class CommonFaults {
     f.severity = group.worst;
     if (group.habit->places >= kHabit && group.habit->files.size() > 1 && f.habit_severity)
       f.severity = *f.habit_severity;
-    if (group.codes.size() > 1) {
-      constexpr size_t kNamed = 2;
-      const size_t named = std::min(group.codes.size() - 1, kNamed);
-      const size_t more = group.codes.size() - 1 - named;
-      f.message +=
-          fmt::format("; the same of {}{}",
-                      fmt::join(group.codes.begin() + 1, group.codes.begin() + 1 + static_cast<ptrdiff_t>(named),
-                                more == 0 && named == 2 ? " and " : ", "),
-                      more > 0 ? fmt::format(" and {} more", more) : "");
-    }
-    if (group.places > 1) {
-      f.message += group.files.size() == 1 ? fmt::format(" ({} places)", group.places)
-                                           : fmt::format(" ({} places in {} files)", group.places, group.files.size());
-    }
+    f.message += extent(group.subjects, group.places, group.files.size());
     for (Related& other : group.others) {
       if (other.source == report.source) other.source = nullptr;
       f.related.push_back(std::move(other));

@@ -146,7 +146,7 @@ void return_to_start(ModeLine& line, Point* end) {
 
 bool go_home(ModeLine& line) {
   const Place* const place = line.place();
-  if (place == nullptr) return false;
+  if (place == nullptr) return goes_round(line, Positions::kInG90, nullptr);
   Point end;
   if (end_point(line, &end)) return true;
   if (line.words().has_axis_words()) visit(line, MoveKind::kRapid, end, named_axes(line));

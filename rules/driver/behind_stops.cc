@@ -3,11 +3,23 @@
 #include <algorithm>
 
 #include "analyzer/syntax/last_statement.h"
+#include "rules/driver/stops.h"
 
 namespace owlint::rules {
 namespace {
 
 bool calls(const Statement& s) { return s.calls() || s.runs_remap(); }
+
+/// A text without what stands in backticks, which differs between places of one mistake.
+std::string without_code(std::string_view text) {
+  std::string out;
+  bool code = false;
+  for (const char c : text) {
+    if (c == '`') code = !code;
+    if (!code) out += c;
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -20,6 +32,11 @@ const FlowStop* stop_that_ends_all(const FlowResult& flow) {
 StatementId stop_of_every_run(const FlowResult& flow) {
   const FlowStop* const stop = stop_that_ends_all(flow);
   return stop == nullptr ? kNoStatement : stop->statement;
+}
+
+std::string group_behind(const Finding& finding, const FlowStop& stop) {
+  const std::string own = finding.group.empty() ? stop.interpreter + '\n' + without_code(finding.help) : finding.group;
+  return std::string(kBehind) + own;
 }
 
 BehindStops::BehindStops(const Program& program, const FlowResult& flow)

@@ -131,7 +131,11 @@ NearName near_name(const Input& in, const std::string& name, RegionId reader) {
   if (as_global.size() <= kShort) return {};
   const std::string known = nearest(as_global, predefined_names(in.profile.version), as_global.size() < kLong ? 1 : 2);
   if (!known.empty()) return {known, kNoStatement};
-  if (global) return {};
+  if (global) {
+    // Without the `_` it is a name of the reader's own.
+    const std::string local = name.substr(1);
+    return assigned(reader, local) == kNoStatement ? NearName{} : found(local);
+  }
   for (RegionId region = 0; region < p.regions.size(); ++region) {
     if (assigned(region, as_global) != kNoStatement) return found(as_global);
   }
@@ -151,6 +155,17 @@ bool reached(const Input& in, RegionId region) {
 }
 
 // Depth is bounded by the length of a line.
+const Call* call_before_reading(const Input& in, RegionId region, NameId name) {
+  constexpr int kMostTries = 20;  // each may go through all lines
+  int tries = 0;
+  const auto reads = [&](const Call& call) {
+    return call.target == region && in.program.at(call.statement).kind != LineKind::kM98 && ++tries <= kMostTries &&
+        in.data.reads_after(call.statement, flow::key_of_name(in.program.syntax, name));
+  };
+  const auto found = std::ranges::find_if(in.program.calls, reads);
+  return found == in.program.calls.end() ? nullptr : &*found;
+}
+
 bool computes_fraction(const Program& program, ExprId value) {
   const Expr& expr = program.syntax.exprs[value];
   const auto fraction = [&](ExprId operand) {

@@ -38,6 +38,9 @@ bool enters_from_outside(const Program& program, RegionId region);
 /// Whether some run is in the lines of a region.
 bool reached(const Input& in, RegionId region);
 
+/// The first call of a sub after which its caller reads a name that both have for themselves; null if there is none.
+const Call* call_before_reading(const Input& in, RegionId region, NameId name);
+
 /// Whether a value is computed with fractions: a quotient, a root, an angle, a sum or multiple of something like 0.1.
 bool computes_fraction(const Program& program, ExprId value);
 

@@ -6,6 +6,7 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/syntax/look_alike.h"
+#include "rules/driver/behind_stops.h"
 #include "rules/driver/ini_places.h"
 #include "rules/driver/parameter_helpers.h"
 #include "rules/driver/words.h"
@@ -257,7 +258,7 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.reach = stop.reach;
   const bool behind = stop.reach == Reach::kNever;  // another stop; such findings fold, but not with those of real ones
   finding.stops = !finding.further && !behind;
-  if (behind) finding.group = std::string(kBehind) + (finding.group.empty() ? stop.interpreter : finding.group);
+  if (behind) finding.group = group_behind(finding, stop);
   finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
   if (stop.kind != StopKind::kUserCodeMissing) finding.interpreter = stop.interpreter;  // OW705 knows what it is
   for (const Decision& decision : stop.path) {

@@ -30,6 +30,20 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   return &f;
 }
 
+/// A sub for M98 without `M99` at its end: LinuxCNC goes on into the one below it.
+void report_running_on(const Input& in, Reporter& out, const Hazard& h) {
+  const Program& p = in.program;
+  const Statement& next = p.at(h.statement);
+  const Region& before = p.regions[p.region_of[h.statement - 1]];
+  const std::string name = before.opener == kNoStatement ? "the sub above" : "`" + p.head(before.opener) + "`";
+  Finding& f =
+      out.add(next.head_span(), name + " has no `M99` at its end: LinuxCNC goes on into `" + p.head(h.statement) + "`");
+  if (before.opener != kNoStatement) relate(f, p, before.opener, "this sub begins here");
+  f.help = "write `M99` before this line";
+  f.fixes.push_back({f.help, false, {{{next.offset, next.offset}, "M99" + line_end(*p.source, next)}}});
+  f.reach = h.reach;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   std::vector<bool> done(p.size());
@@ -49,6 +63,9 @@ void check(const Input& in, Reporter& out) {
     if (region.likely_end != kNoStatement && has_stop(in, region.likely_end)) continue;
     report(in, out, region.opener)->reach = in.flow.reach(region.opener);
   }
+  for (const Hazard& h : in.flow.hazards) {
+    if (h.kind == HazardKind::kRunsIntoSub && h.other == kNoStatement) report_running_on(in, out, h);
+  }
 }
 
 }  // namespace
@@ -63,7 +80,8 @@ extern const Rule kRule{
         {
             .what =
                 R"(A `sub` line without an `endsub` of the same label below it. If an `endsub` with another label is in
-the right place, the finding names it.)",
+the right place, the finding names it. Or a sub for `M98` (`O100`) without `M99` at its end: LinuxCNC
+goes on into the sub below it.)",
             .why =
                 R"(The interpreter skips everything below the `sub`, including `M2`, and stops at the end of the file.
 The program makes no move, and the message is about the end of the file, not about the sub. From

@@ -96,7 +96,7 @@ void check(const Input& in, Reporter& out) {
     return &f;
   });
   for (const Hazard& h : in.flow.hazards) {
-    if (h.kind != HazardKind::kRunsIntoSub) continue;
+    if (h.kind != HazardKind::kRunsIntoSub || h.other == kNoStatement) continue;
     const Statement& s = p.at(h.statement);
     Finding& f = out.add(s.head_span(), "the program runs into `" + p.head(h.statement) + "`, a sub for `M98`");
     relate(f, p, h.other, "LinuxCNC starts the program again here, for ever; `rs274` ends it here");

@@ -37,7 +37,7 @@ Finding& report_end(const Program& p, const Hazard& h, Reporter& out) {
                        in_block(p, h.statement) ? ends + " here, as a `return` does; the label is another sub's"
                                                 : ends + ": the lines below it do not run");
   const std::string own = p.label_text(region.name);
-  f.help = "remove the line, or write `" + own + " return` to end the sub here";
+  f.help = "write `" + own + " return` to end the sub here, or remove the line";
   f.fixes.push_back({"write `" + own + " return`", false, {{p.at(h.statement).head_span(), own + " return"}}});
   return f;
 }

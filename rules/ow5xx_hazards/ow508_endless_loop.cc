@@ -71,25 +71,43 @@ StatementId condition_of(const Program& p, StatementId opener) {
   return p.at(opener).is(Keyword::kDo) && block != kNoBlock ? p.blocks[block].end : opener;
 }
 
-/// Whether the loop goes on until a value is met exactly.
-std::optional<Wait> waits_for_equal(const Program& p, StatementId opener) {
+/// The condition of a loop; null where it has none.
+const Expr* tested(const Program& p, StatementId opener) {
   const StatementId test = condition_of(p, opener);
-  if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return std::nullopt;
+  if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return nullptr;
+  return &p.syntax.exprs[p.syntax.values_of(p.at(test)).front()];
+}
+
+/// How often the lines of a loop assign a parameter, and in which direction the only one of them counts.
+struct Counting {
+  size_t assignments = 0;
+  int step = 0;
+};
+
+Counting counting(const Program& p, StatementId opener, const Expr& parameter) {
   const BlockId block = p.block_of[opener];
-  const Expr& condition = p.syntax.exprs[p.syntax.values_of(p.at(test)).front()];
-  if (condition.op != Operator::kNe) return std::nullopt;
-  const Expr& left = p.syntax.exprs[condition.left()];
   const StatementId end =
       block == kNoBlock ? opener : std::min<StatementId>(p.blocks[block].end, static_cast<StatementId>(p.size()));
-  Wait wait;
-  size_t assignments = 0;
+  Counting out;
   for (StatementId id = opener; id < end; ++id) {
-    if (const Item* item = assignment(p, p.at(id), left))
-      wait.step = assignments++ == 0 ? step_of(p, item->value, left) : 0;
+    if (const Item* item = assignment(p, p.at(id), parameter))
+      out.step = out.assignments++ == 0 ? step_of(p, item->value, parameter) : 0;
   }
-  if (assignments == 0) return std::nullopt;
+  return out;
+}
+
+/// Whether the loop goes on until a value is met exactly.
+std::optional<Wait> waits_for_equal(const Program& p, StatementId opener) {
+  const Expr* const condition = tested(p, opener);
+  if (condition == nullptr || condition->op != Operator::kNe) return std::nullopt;
   double value = 0;
-  if (!literal_value(p.syntax.exprs, condition.right(), &value)) return wait;
+  const bool turned = literal_value(p.syntax.exprs, condition->left(), &value);  // `1 NE #1`
+  const Expr& left = p.syntax.exprs[turned ? condition->right() : condition->left()];
+  const Counting counted = counting(p, opener, left);
+  if (counted.assignments == 0) return std::nullopt;
+  Wait wait;
+  wait.step = counted.step;
+  if (!turned && !literal_value(p.syntax.exprs, condition->right(), &value)) return wait;
   wait.what = fmt::format("{}", value);
   // The nearest line above, if nothing lies between that may assign another value.
   double start = 0;
@@ -102,6 +120,29 @@ std::optional<Wait> waits_for_equal(const Program& p, StatementId opener) {
     break;
   }
   return wait;
+}
+
+/// How to correct a loop that changes what its condition tests, and yet goes on. Empty if it changes nothing of that.
+std::string of_condition(const Program& p, StatementId opener) {
+  const Expr* const condition = tested(p, opener);
+  if (condition == nullptr) return {};
+  const bool greater = condition->op == Operator::kGt || condition->op == Operator::kGe;
+  if (greater || condition->op == Operator::kLt || condition->op == Operator::kLe) {
+    for (const auto& [side, sign] : {std::pair(condition->left(), 1), std::pair(condition->right(), -1)}) {
+      const int away = greater ? sign : -sign;  // the direction in which the condition stays true
+      if (counting(p, opener, p.syntax.exprs[side]).step == away)
+        return "count the other way: with each pass the condition is further from being false";
+    }
+  }
+  std::vector<const Expr*> parts{condition};
+  while (!parts.empty()) {
+    const Expr& e = *parts.back();
+    parts.pop_back();
+    if (counting(p, opener, e).assignments > 0)
+      return "correct the condition or the steps: the loop changes the value, but the condition stays true";
+    for_each_operand(e, [&](ExprId id) { parts.push_back(&p.syntax.exprs[id]); });
+  }
+  return {};
 }
 
 /// How to correct a loop that passes the value that ends it.
@@ -141,10 +182,9 @@ Span end_of_preview(const Program& p, StatementId opener) {
 
 /// `while [1]`, `while [1 EQ 1]`.
 bool is_always_true(const Program& p, StatementId opener) {
-  const StatementId test = condition_of(p, opener);
-  if (test == kNoStatement || !p.at(test).is(Keyword::kWhile) || p.at(test).value_count != 1) return false;
+  if (tested(p, opener) == nullptr) return false;
   double value = 0;
-  return literal_value(p.syntax.exprs, p.syntax.values_of(p.at(test)).front(), &value) && value != 0;
+  return literal_value(p.syntax.exprs, p.syntax.values_of(p.at(condition_of(p, opener))).front(), &value) && value != 0;
 }
 
 /// The `continue` that makes a `repeat` begin again; null if none does.
@@ -189,7 +229,9 @@ void check(const Input& in, Reporter& out) {
     f.unproven = h.not_always;
     if (block != kNoBlock && p.blocks[block].end != kNoStatement)
       relate(f, p, p.blocks[block].end, "the loop goes back from here");
-    f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
+    f.help = of_condition(p, h.statement);
+    if (f.help.empty())
+      f.help = "change the value that the condition tests inside the loop, or leave the loop with `break`";
     if (s.is(Keyword::kRepeat)) f.help = "leave the loop: `repeat` has no other end than its last pass";
     if (const Hazard* stale = stale_continue(in, block)) {
       f.message += ": a `continue` in a `do` loop makes it begin its passes again";

@@ -39,13 +39,31 @@ class Subs {
   std::map<uint32_t, flow::DataFlow> files_;
 };
 
+/// Whether a sub changes an argument for its caller: it assigns #n last without using that. One that only sets an argument to a
+/// number, which it has used before, may tidy up.
+bool changes(const Sub& sub, uint32_t n) {
+  if ((sub.data->left_behind(sub.region) >> n & 1) == 0) return false;
+  const Program& p = *sub.program;
+  const Statement& s = p.at(sub.data->last_assignment(sub.region, n));
+  const bool used = (sub.data->of(sub.region).arguments >> n & 1) != 0;
+  if (!used) return true;
+  for (const Item& item : p.syntax.items_of(s)) {
+    if (flow::assigns(item) && flow::key_of_target(p.syntax, item) == n)
+      return p.syntax.exprs[item.value].op != Operator::kNumber;
+  }
+  return true;
+}
+
 /// Numbers that a sub assigns without using them, and that the main program reads after the call.
 void check_numbers(const Input& in, const Call& call, const Sub& sub, Reporter& out) {
   const Program& p = in.program;
   const bool here = sub.program == &p;
   const uint32_t left = sub.data->left_behind(sub.region);
   for (uint32_t n = 1; left != 0 && n < flow::kFirstGlobalNumber; ++n) {
-    if ((left >> n & 1) == 0 || !in.data.expects_from_call(call.statement, n)) continue;
+    // Where the caller sets the number itself, only what the sub computes for nobody else is meant for it.
+    const bool expected = (left >> n & 1) != 0 &&
+        (in.data.expects_from_call(call.statement, n) || (changes(sub, n) && in.data.reads_after(call.statement, n)));
+    if (!expected) continue;
     const StatementId assigned = sub.data->last_assignment(sub.region, n);
     const std::string number = "`#" + std::to_string(n) + "`";
     Finding& f = here ? out.add(p.at(assigned).whole(),
@@ -65,19 +83,35 @@ void check_numbers(const Input& in, const Call& call, const Sub& sub, Reporter& 
   }
 }
 
-/// Whether a sub changes an argument for its caller: it assigns #n last without using that. One that only sets an argument to a
-/// number, which it has used before, may tidy up.
-bool changes(const Sub& sub, uint32_t n) {
-  if ((sub.data->left_behind(sub.region) >> n & 1) == 0) return false;
-  const Program& p = *sub.program;
-  const Statement& s = p.at(sub.data->last_assignment(sub.region, n));
-  const bool used = (sub.data->of(sub.region).arguments >> n & 1) != 0;
-  if (!used) return true;
-  for (const Item& item : p.syntax.items_of(s)) {
-    if (flow::assigns(item) && flow::key_of_target(p.syntax, item) == n)
-      return p.syntax.exprs[item.value].op != Operator::kNumber;
+/// Names that a sub assigns and never reads, and that its caller sets and reads after the call: they are two parameters.
+void check_names(const Input& in, const Call& call, const Sub& sub, Reporter& out) {
+  const Program& p = in.program;
+  const Program& other = *sub.program;
+  for (const flow::UnusedValue& u : sub.data->unused()) {
+    if (!u.parameter.named || u.overwritten != kNoStatement || other.region_of[u.statement] != sub.region) continue;
+    const std::string& text = other.name(u.parameter.id);
+    const NameId name = p.syntax.names.find(text);
+    if (name == kNoName || text.starts_with('_')) continue;
+    const flow::ParameterKey key = flow::key_of_name(p.syntax, name);
+    // Where nothing sets it, it is said there.
+    if (in.data.first_assignment(call.caller, key) == kNoStatement || !in.data.reads_after(call.statement, key))
+      continue;
+    const std::string words = "`#<" + text + ">`";
+    const Span assigned = item_span(other, u.statement, u.item);
+    const std::string reason = ": a name without `_` belongs to the sub in which it is assigned";
+    Finding& f = &other == &p
+        ? out.add(assigned, words + " is assigned here, but the caller does not see it" + reason)
+        : out.add(p.at(call.statement).head_span(),
+                  words + " is read after this call, but the sub assigns a `#<" + text + ">` of its own" + reason);
+    if (&other == &p) {
+      relate(f, p, call.statement, "called here; the caller reads its own " + words + " after the call");
+    } else {
+      f.related.push_back({assigned, words + " is assigned here", other.source});
+    }
+    f.help = "return it with `" + p.label_text(call.callee) + " endsub [#<" + text + ">]`, and write `#<" + text +
+        "> = #<_value>` after the call";
+    f.reach = in.flow.reach(call.statement);
   }
-  return true;
 }
 
 /// The parameter that an argument is, if it is only that.
@@ -163,7 +197,9 @@ void check(const Input& in, Reporter& out) {
     // In a sub, what it reads may be its own argument. The first call has the most lines after it.
     if (call.caller != kMainRegion) continue;
     const Sub sub = subs.called_by(call);
-    if (sub.program != nullptr && seen.emplace(sub.program, sub.region).second) check_numbers(in, call, sub, out);
+    if (sub.program == nullptr || !seen.emplace(sub.program, sub.region).second) continue;
+    check_numbers(in, call, sub, out);
+    check_names(in, call, sub, out);
   }
 }
 
@@ -180,6 +216,8 @@ extern const Rule kRule{
             .what =
                 R"(A sub puts its result into one of `#1` to `#30` and does not use it itself. The main program reads
 this number after the call and never sets it.
+
+The same holds for a name without `_`: the `#<result>` of the sub is not that of its caller.
 
 Or a sub changes an argument: the caller passes a parameter and reads it after the call as if the
 sub had changed it: `#1 = [#1 + 1]` in the sub, `o<next> call [#5]`, then `X#5`. A parameter that

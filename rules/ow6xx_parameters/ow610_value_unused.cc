@@ -84,6 +84,9 @@ void check(const Input& in, Reporter& out) {
       f.reach = in.flow.reach(u.statement);
       continue;
     }
+    const RegionId sub = p.region_of[u.statement];
+    // What the caller reads under the same name is said as a lost result, or as a name without a value.
+    if (u.parameter.named && sub != kMainRegion && call_before_reading(in, sub, u.parameter.id) != nullptr) continue;
     const std::string near = suggestions++ < kMaxSuggestions ? meant(in, u) : std::string();
     if (u.parameter.named && suggestions <= kMaxSuggestions) {
       if (!missing) missing = missing_names(in);

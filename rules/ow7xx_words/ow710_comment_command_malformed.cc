@@ -106,14 +106,14 @@ class Checker {
     if (!comment.acts(source_)) return inactive(comment);
     const bool bare_word = comment.command->form == CommentCommand::kBare && !comment.has_comma();
     if (bare_word && comment.rest.find_first_not_of(" \t") != std::string_view::npos) return;  // prose: `(py chart)`
-    if (!last) {
-      add(comment.span, "this comment does nothing: only the last comment of a line acts",
-          "write it on a line of its own, or after the other comments");
-    } else if (id_ != kNoStatement && never_acts(in_.program.at(id_).kind)) {
+    if (id_ != kNoStatement && never_acts(in_.program.at(id_).kind)) {
       add(comment.span,
           fmt::format("this comment does nothing: comments do not act on the line of {}",
                       in_.program.at(id_).kind == LineKind::kOWord ? "an O-word" : "`M98`"),
           "write it on a line of its own");
+    } else if (!last) {
+      add(comment.span, "this comment does nothing: only the last comment of a line acts",
+          "write it on a line of its own, or after the other comments");
     } else if (comment.command->form == CommentCommand::kShows) {
       shows(comment);
     } else if (comment.command->form == CommentCommand::kText) {

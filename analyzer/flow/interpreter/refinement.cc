@@ -25,16 +25,47 @@ uint8_t* Refinement::compared(ParameterKey key) {
   return found != compared_.end() && found->first == key ? &found->second : nullptr;
 }
 
+/// The parameter of `#1`, `[#1 - 2]`, `[2 - #1]` or `ABS[#1]`. `numbers`, with which that is compared, become those with which the
+/// parameter is.
+ParameterKey Refinement::counted_key_of(ExprId side, std::vector<double>& numbers) const {
+  for (;;) {
+    const Expr& expr = syntax_.exprs[side];
+    double by = 0;
+    if (expr.op == Operator::kAbs) {
+      for (size_t i = 0, count = numbers.size(); i < count; ++i) numbers.push_back(-numbers[i]);
+      side = expr.left();
+    } else if (expr.op != Operator::kPlus && expr.op != Operator::kMinus) {
+      return tracked_.lasting_key_of(side);
+    } else if (literal_value(syntax_.exprs, expr.right(), &by)) {
+      for (double& number : numbers) number += expr.op == Operator::kPlus ? -by : by;
+      side = expr.left();
+    } else if (literal_value(syntax_.exprs, expr.left(), &by)) {
+      for (double& number : numbers) number = expr.op == Operator::kPlus ? number - by : by - number;
+      side = expr.right();
+    } else {
+      return kComputedKey;
+    }
+  }
+}
+
 // Depth is bounded by the length of a line.
 void Refinement::count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds) {
   const Expr& expr = syntax_.exprs[id];
   const auto count = [&](ExprId side, ExprId other) {
-    const ParameterKey key = tracked_.lasting_key_of(side);
+    double number = 0;
+    std::vector<double> numbers;
+    if (other != kNoExpr && literal_value(syntax_.exprs, other, &number)) numbers.push_back(number);
+    const ParameterKey key = counted_key_of(side, numbers);
     if (key == kComputedKey) return;
     compared_.emplace_back(key, of_while ? kOnce | kByLoop : kOnce);
-    double number = 0;
-    if (other == kNoExpr || !literal_value(syntax_.exprs, other, &number)) return;
+    for (const double compared_with : numbers) add_thresholds(expr.op, compared_with, thresholds);
+    if (numbers == std::vector{number}) return;
+    // What the parameter is compared in is a range of its own, which begins a little beyond where that of the parameter does.
     add_thresholds(expr.op, number, thresholds);
+    for (const double compared_with : numbers) {
+      thresholds.push_back(compared_with - 3 * kEqualTolerance);
+      thresholds.push_back(compared_with + 3 * kEqualTolerance);
+    }
   };
   if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
     for_each_operand(expr, [&](ExprId operand) { count_comparisons(operand, of_while, thresholds); });

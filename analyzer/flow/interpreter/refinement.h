@@ -34,6 +34,7 @@ class Refinement {
   enum Comparison : uint8_t { kOnce = 1, kMoreThanOnce = 2, kByLoop = 4, kComputed = 8, kCanFail = 16 };
 
   void find_compared(const Limits& limits);
+  ParameterKey counted_key_of(ExprId side, std::vector<double>& numbers) const;
   void count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds);
   uint8_t* compared(ParameterKey key);
   /// The key of a parameter that keeps its value in spite of code that owlint does not follow.

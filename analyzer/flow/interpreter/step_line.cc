@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analyzer/flow/interpreter/kept_values.h"
 #include "analyzer/flow/interpreter/step.h"
 #include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/line_parser.h"
@@ -59,6 +60,7 @@ void AbstractMachine::Step::plain() {
   }
   report_reads();
   if (!settle(e)) return;
+  if (keeps_values(m.program_.syntax, s, state.parameters, m.evaluator_)) hazard(HazardKind::kKeepsValues);
   state.parameters = std::move(after);
   if (m.program_.syntax.reads_place) m.modes_.end_line(state.parameters);
   if (m.mode_uses_.follows_place(here)) write_offsets();

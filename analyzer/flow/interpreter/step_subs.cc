@@ -1,4 +1,6 @@
 // Transitions of `sub`, bare `O`, `endsub`, `return`, `call` and M98.
+#include <algorithm>
+
 #include "analyzer/flow/interpreter/step.h"
 
 namespace owlint::flow {
@@ -68,6 +70,11 @@ void AbstractMachine::Step::bare() {
     if (!enter_sub()) return;
     state.skip = kNoLabel;
     state.seek = false;
+  } else if (called() && !is_called_sub()) {
+    const auto calls = [&](const Call& call) {
+      return call.callee == s.label && m.program_.at(call.statement).kind == LineKind::kM98;
+    };
+    if (std::ranges::any_of(m.program_.calls, calls)) hazard(HazardKind::kRunsIntoSub);
   }
   next_line();
 }

@@ -169,15 +169,16 @@ void EndlessLoops::find_stuck() {
   if (has_remaps || analysis_.precision().coarse()) return;
   const std::vector<uint32_t> group = trace_.cycles();
   struct Round {
-    std::vector<StatementId> lines;
+    std::vector<StatementId> lines;     ///< but those that change nothing
     std::vector<StatementId> deciding;  ///< conditions with a way out
     StatementId opener = kNoStatement;
     bool fixed = true;
   };
   std::map<uint32_t, Round> rounds;
   for (RecordId id = 0; id < trace_.size(); ++id) {
-    if (group[id] != 0 && trace_.at(id).statement != kNoStatement)
-      rounds[group[id]].lines.push_back(trace_.at(id).statement);
+    if (group[id] == 0 || trace_.at(id).statement == kNoStatement) continue;
+    Round& round = rounds[group[id]];
+    if (!keep_values_.contains(id)) round.lines.push_back(trace_.at(id).statement);
   }
   if (rounds.empty()) return;
   trace_.for_edges([&](RecordId from, RecordId to) {

@@ -12,12 +12,15 @@ namespace owlint::flow {
 
 class EndlessLoops {
  public:
-  /// Of a finished analysis; all must outlive it. `warned`: records with an error that FEATURE 0x20 turned into a message.
-  EndlessLoops(const Iteration& analysis, const std::unordered_set<RecordId>& warned, Hazards& hazards)
+  /// Of a finished analysis; all must outlive it. `warned`: records with an error that FEATURE 0x20 turned into a message;
+  /// `keep_values`: those of assignments that change nothing.
+  EndlessLoops(const Iteration& analysis, const std::unordered_set<RecordId>& warned,
+               const std::unordered_set<RecordId>& keep_values, Hazards& hazards)
       : analysis_(analysis),
         program_(analysis.program()),
         trace_(*analysis.trace()),
         warned_(warned),
+        keep_values_(keep_values),
         hazards_(hazards) {}
 
   /// Once: adds the hazards.
@@ -39,6 +42,7 @@ class EndlessLoops {
   const Program& program_;
   Trace& trace_;
   const std::unordered_set<RecordId>& warned_;
+  const std::unordered_set<RecordId>& keep_values_;
   Hazards& hazards_;
   std::vector<bool> stuck_;
   bool may_go_round_ = false;

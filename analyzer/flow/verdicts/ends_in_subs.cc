@@ -47,14 +47,15 @@ bool leaves_work(const Iteration& analysis, ContextId context, StatementId call,
 
 void find_ends_in_subs(const Iteration& analysis, Hazards& hazards) {
   const Program& program = analysis.program();
-  std::unordered_map<ContextId, std::vector<StatementId>> ends;  // M2 and M30, by the call in which they are executed
+  std::unordered_map<ContextId, std::vector<StatementId>> ends;  // M2, M30 and `%`, by the call in which they are executed
   for (const Partition& partition : analysis.partitions().all()) {
     const Frame& frame = analysis.calls()[partition.context];
     if (frame.callers.empty() || !frame.exits.empty() || partition.skip != kNoLabel ||
         partition.position >= program.size())
       continue;
-    if (program.region_of[partition.position] != kMainRegion &&
-        program.at(partition.position).kind == LineKind::kProgramEnd)
+    const LineKind kind = program.at(partition.position).kind;
+    const bool ends_program = kind == LineKind::kProgramEnd || (kind == LineKind::kPercent && program.syntax.percent);
+    if (program.region_of[partition.position] != kMainRegion && ends_program)
       ends[partition.context].push_back(partition.position);
   }
   for (auto& [context, lines] : ends) {

@@ -145,6 +145,7 @@ void Verdicts::hazard(const State& at, HazardReport report) {
         hazard.statement = report.other;
       }
       break;
+    case HazardKind::kKeepsValues: keep_values_.insert(at.record); return;
     case HazardKind::kWarned: warned_.insert(at.record); break;
     case HazardKind::kLookupCrash:
     case HazardKind::kCrash: stops_.end_otherwise(at.record); break;
@@ -217,7 +218,7 @@ FlowResult Verdicts::finish() {
   FlowResult result;
   find_missing_subs(analysis_, stops_);
   trace_.finish();
-  EndlessLoops loops(analysis_, warned_, hazards_);
+  EndlessLoops loops(analysis_, warned_, keep_values_, hazards_);
   loops.find();
   may_go_round_ = loops.may_go_round();
   result.learned = analysis_.learned_calls(loops.stuck());
