@@ -114,8 +114,10 @@ void AbstractMachine::Step::repeated_word(const LineError& repeated) {
 /// Without the machine's INI it is not known which codes it has.
 void AbstractMachine::Step::user_code() {
   const std::string code = "M" + std::to_string(s.first);
-  const UserCode known =
-      m.profile_.setup == nullptr ? UserCode::kUnknown : m.profile_.setup->user_code(static_cast<int>(s.first));
+  constexpr uint32_t kLast = 199;  // behind it are those that the INI maps in vain
+  const UserCode known = s.first > kLast ? UserCode::kMissing
+      : m.profile_.setup == nullptr      ? UserCode::kUnknown
+                                         : m.profile_.setup->user_code(static_cast<int>(s.first));
   if (known == UserCode::kMissing) return stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
   if (known == UserCode::kUnknown) may_stop(StopKind::kUserCodeMissing, "Unknown m code used: " + code);
   next_line();
