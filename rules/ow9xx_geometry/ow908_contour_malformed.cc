@@ -192,18 +192,23 @@ const DroppedCurve* tell_of_left_curve(const Input& in, const FlowStop& stop, Fi
   return curve;
 }
 
-/// Whether runs get to the lines behind a statement.
-Reach reach_behind(const Input& in, StatementId id) {
-  if (id == kNoStatement) return Reach::kAlways;
-  const Statement& s = in.program.at(id);
-  return s.kind == LineKind::kProgramEnd && !s.block_delete ? Reach::kNever : in.flow.reach(id);
+/// Whether runs get to a curve, and to where it is dropped.
+Reach reach_of(const Input& in, const DroppedCurve& curve) {
+  const bool first = curve.after == kNoStatement;
+  const uint32_t begin = first ? 0 : in.program.at(curve.after).line;
+  const bool stops = std::ranges::any_of(in.flow.stops, [&](const FlowStop& stop) {
+    const uint32_t line = stop.statement == kNoStatement ? 0 : in.program.at(stop.statement).line;
+    return stop.reach == Reach::kAlways && line >= begin && line <= curve.dropped && line > 0;
+  });
+  if (stops || (!first && in.program.at(curve.after).kind == LineKind::kProgramEnd)) return Reach::kNever;
+  return first ? Reach::kAlways : in.flow.reach(curve.after);
 }
 
 /// A curve that is never cut, and no message of LinuxCNC.
 void check_dropped(const Input& in, Reporter& out, const std::set<const DroppedCurve*>& told) {
   const Source& source = *in.program.source;
   for (const DroppedCurve& curve : in.program.syntax.dropped_curves) {
-    const Reach reach = reach_behind(in, curve.after);
+    const Reach reach = reach_of(in, curve);
     if (reach == Reach::kNever || told.contains(&curve)) continue;
     Finding& f = out.add(word_of_line(in.program, curve.line, "G5.2"),
                          "the curve that begins here is never cut: no `G5.3` ends it, and LinuxCNC drops it");
