@@ -28,7 +28,8 @@ struct Decision {
   const Program* program = nullptr;  ///< where, if in another file
 };
 
-/// The words of a kModeLine that it stops at.
+/// The words of a kModeLine that it stops at; of a line with a computed number that its word may not have, that word among its
+/// items.
 struct FaultyWords {
   uint8_t word = kNoWord;   ///< index of the one that it is about; kNoWord: a motion that an earlier line has set
   uint8_t other = kNoWord;  ///< another one concerned, or kNoWord
@@ -55,7 +56,7 @@ struct FlowStop {
   const LineError* further = nullptr;  ///< of what the rules add: a mistake behind the one with which the line stops
   std::string interpreter;             ///< the interpreter's message
   std::string detail;                  ///< a name that the message is about
-  FaultyWords words;                   ///< if `statement` is a kModeLine
+  FaultyWords words;                   ///< if `statement` is a kModeLine, or `kind` kNumberOutOfRange
   const Program* set_in =
       nullptr;                 ///< the file in which one of the deciding modes was set last on the way here, if one was
   uint32_t set_line = 0;       ///< the line of that

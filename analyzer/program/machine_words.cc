@@ -4,6 +4,7 @@
 #include <bit>
 #include <charconv>
 #include <functional>
+#include <limits>
 
 #include "analyzer/machine/remap_line.h"
 #include "analyzer/machine/setup.h"
@@ -29,12 +30,11 @@ uint32_t axes_of(const MachineSetup& setup) {
 bool keeps_its_meaning(int code, Release release) {
   constexpr int kKept[] = {2, 3, 4, 5, 19, 30, 48, 49, 50, 51, 52, 53, 70, 71, 72, 73, 98, 99};
   if (code == 7 || code == 8) return release < Release::k2_10;
-  return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199) || code >= 1000;
+  return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199);
 }
 
-}  // namespace
-
-std::optional<RemappedCode> remapped_code(std::string_view remap, Release release) {
+/// remapped_code(), and M codes above 999: LinuxCNC knows one that an INI maps, but never runs its sub.
+std::optional<RemappedCode> known_code(std::string_view remap, Release release) {
   const RemapLine line = read_remap(remap, 0);
   if (line.problem != RemapLine::Problem::kNone) return std::nullopt;
   RemappedCode out{static_cast<char>(line.letter() - 'A' + 'a'),
@@ -55,12 +55,21 @@ std::optional<RemappedCode> remapped_code(std::string_view remap, Release releas
       out.number = static_cast<int16_t>(line.g_number());
       return out;
     case 'M':
-      if (line.m_number() < 0 || keeps_its_meaning(line.m_number(), release)) return std::nullopt;
+      if (line.m_number() < 0 || line.m_number() > std::numeric_limits<int16_t>::max()) return std::nullopt;
+      if (keeps_its_meaning(line.m_number(), release)) return std::nullopt;
       out.number = static_cast<int16_t>(line.m_number());
       if (const int group = line.group.value_or(-1); group != -1) out.group = static_cast<MGroup>(group);
       return out;
     default: return std::nullopt;
   }
+}
+
+}  // namespace
+
+std::optional<RemappedCode> remapped_code(std::string_view remap, Release release) {
+  constexpr int kEnd = 1000;
+  const std::optional<RemappedCode> code = known_code(remap, release);
+  return code && code->letter == 'm' && code->number >= kEnd ? std::nullopt : code;
 }
 
 namespace {
@@ -177,7 +186,7 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   // A part of an INI, without the section, does not say which axes there are.
   if (profile.setup->ini.has_section("TRAJ")) words.axes = axes_of(*profile.setup);
   for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) {
-    const auto code = remapped_code(remap->value, words.release);
+    const auto code = known_code(remap->value, words.release);
     const auto same = [&](const RemappedCode& known) {
       return known.letter == code->letter && known.number == code->number;
     };

@@ -1,12 +1,16 @@
 #include "analyzer/syntax/arithmetic.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "analyzer/geometry/plane_point.h"
 
 namespace owlint {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
+// The interpreter computes with all digits of π that the processor has, and rounds where these do (measured): its COS[90] is a
+// little less than 0, so that FIX[COS[90]] is -1, and its ACOS[0.5] is exactly 60.
+long double in_radians(double degrees) { return degrees * kPi / 180.0L; }
+double in_degrees(double radians) { return static_cast<double>(radians * 180.0 / kPi); }
 
 double truth(bool value) { return value ? 1.0 : 0.0; }
 
@@ -31,13 +35,13 @@ const char* apply(Operator op, double left, double right, double* result) {
     case Operator::kAbs: *result = std::fabs(left); return nullptr;
     case Operator::kAcos:
       if (left < -1 || left > 1) return "Argument to acos out of range";
-      *result = std::acos(left) * kDegrees;
+      *result = in_degrees(std::acos(left));
       return nullptr;
     case Operator::kAsin:
       if (left < -1 || left > 1) return "Argument to asin out of range";
-      *result = std::asin(left) * kDegrees;
+      *result = in_degrees(std::asin(left));
       return nullptr;
-    case Operator::kCos: *result = std::cos(left / kDegrees); return nullptr;
+    case Operator::kCos: *result = static_cast<double>(std::cos(in_radians(left))); return nullptr;
     case Operator::kExp: *result = std::exp(left); break;
     case Operator::kFix: *result = std::floor(left); return nullptr;
     case Operator::kFup: *result = std::ceil(left); return nullptr;
@@ -46,13 +50,13 @@ const char* apply(Operator op, double left, double right, double* result) {
       *result = std::log(left);
       return nullptr;
     case Operator::kRound: *result = std::round(left); return nullptr;
-    case Operator::kSin: *result = std::sin(left / kDegrees); return nullptr;
+    case Operator::kSin: *result = static_cast<double>(std::sin(in_radians(left))); return nullptr;
     case Operator::kSqrt:
       if (left < 0) return "Negative argument to sqrt";
       *result = std::sqrt(left);
       return nullptr;
-    case Operator::kTan: *result = std::tan(left / kDegrees); return nullptr;
-    case Operator::kAtan: *result = std::atan2(left, right) * kDegrees; return nullptr;
+    case Operator::kTan: *result = static_cast<double>(std::tan(in_radians(left))); return nullptr;
+    case Operator::kAtan: *result = in_degrees(std::atan2(left, right)); return nullptr;
     case Operator::kPower:
       if (left < 0 && std::floor(right) != right) return "Attempt to raise negative to non integer power";
       *result = std::pow(left, right);

@@ -154,6 +154,7 @@ void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t la
     if (effect.feeds) need(Mode::kFeedMode, before + effect.first_move);
     if (effect.first_arc != 0) need(Mode::kPlane, before + effect.first_arc);
   }
+  if (effect.motion != Motion::kNone) drop_curve(effect.first_move == 0 ? last : before + effect.first_move);
   if (effect.moves) moved(effect.alone && !is_single(state_.now[Mode::kMotion]), last);
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
   if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
@@ -259,6 +260,7 @@ void ModesInEffect::forget() {
   settled_ = unused_ = 0;
   asked_.clear();
   stopped_ = false;
+  curve_ = {};
 }
 
 /// Whether the line sets a number that may be one of the machine's positions and offsets.
@@ -300,7 +302,10 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
       asks_ = !faults_.empty();
     }
     // The first one may begin the program, the next one ends it.
-    if (statement.kind == LineKind::kPercent && ++percents_ > (out_.percent ? 1 : 0)) places_.end();
+    if (statement.kind == LineKind::kPercent && ++percents_ > (out_.percent ? 1 : 0)) {
+      places_.end();
+      drop_curve(statement.line);
+    }
     // At O-words runs come from elsewhere, or go elsewhere and come back; behind a line that stops there is none.
     const bool stops = statement.kind == LineKind::kWords && statement.has_error();
     if (keep && (!stops || statement.block_delete)) {
@@ -353,6 +358,7 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
     asked_.clear();
     after = anything_;
   }
+  follow_curve(*words, after.now, statement);
   if (!asks_) {
     if (asks_place) flush();  // what the line itself sets comes behind it
     asks_ = asks_place_ = asks_place;

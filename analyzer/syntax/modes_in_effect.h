@@ -60,6 +60,8 @@ class ModesInEffect {
   void note_set(Mode mode, uint8_t value, uint32_t line);
   void need(Mode mode, uint32_t line);
   void need_of(const WordLine& words, uint32_t line);
+  void follow_curve(const WordLine& words, const ModeSets& after, const Statement& statement);
+  void drop_curve(uint32_t line);
   void flush();
   Statement question_of(const Statement& statement);
   void push_remaps(const Statement& statement, const Statement& asks);
@@ -77,6 +79,7 @@ class ModesInEffect {
   std::array<ModeChange, kModes> last_set_{};  // by mode, where unused_ has it
   ModeMask unused_ = 0;                        // set, and not needed since
   bool feeds_ = false;                         // lines since the last statement move, not at the rapid rate alone
+  DroppedCurve curve_;                         // that of G5.2 which goes on; its line is 0 if there is none
   int percents_ = 0;                           // lines of `%`
   bool stopped_ = false;                       // no run goes on behind a line since the last O-word
   bool asks_ = false;                          // of the line that was judged

@@ -28,6 +28,37 @@ Statement ModesInEffect::question_of(const Statement& statement) {
   return asks;
 }
 
+/// Whether a curve of G5.2 begins, goes on or is dropped at a line. Where it is open which motion is in effect, none is said to
+/// be dropped.
+void ModesInEffect::follow_curve(const WordLine& words, const ModeSets& after, const Statement& statement) {
+  const GCode* const code = words.code(GGroup::kNonModal);
+  const bool ended = code != nullptr && code->tenths == code::kG5_3;
+  const bool ends = ends_program(statement);
+  const bool open = after.is_open(Mode::kMotion);
+  const MotionSet motions = after[Mode::kMotion];
+  const bool points = after[Mode::kNurbs] != value_bit(modes::kNoPoints);
+  const bool goes_on = motions == set_of(Motion::kG5_2) && !open && points && !ends && !stopped_;
+  if (ended) {
+    curve_ = {};
+  } else if (ends || (!stopped_ && !open && (!contains(motions, Motion::kG5_2) || !points))) {
+    drop_curve(statement.line);
+  }
+  if (!goes_on) {
+    curve_ = {};
+  } else if (curve_.line == 0) {
+    const auto last = static_cast<StatementId>(out_.statements.size() - 1);
+    curve_ = {out_.statements.empty() ? kNoStatement : last, statement.line, 0};
+  }
+}
+
+/// The curve that goes on, if there is one, is over without its end.
+void ModesInEffect::drop_curve(uint32_t line) {
+  if (curve_.line == 0) return;
+  curve_.dropped = line;
+  out_.dropped_curves.push_back(curve_);
+  curve_ = {};
+}
+
 /// Behind the line's own statement: what each of its remapped codes runs, and the question about what comes then.
 void ModesInEffect::push_remaps(const Statement& statement, const Statement& asks) {
   for (const RemappedWord& remap : remaps_) {

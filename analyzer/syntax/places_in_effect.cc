@@ -325,8 +325,9 @@ void PlacesInEffect::go(size_t letter, double last, double sum) {
   const bool halved = axis == 0 && assumed_.now[Mode::kDiameter] == value_bit(modes::kG7);
   const bool incremental = assumed_.now[Mode::kDistance] == value_bit(modes::kG91);
   const double way = incremental ? sum : last;
+  const Coordinate by = Coordinate::of(halved ? way / 2 : way);
   Coordinate& at = place_.at[axis];
-  at = (incremental ? at : Coordinate::of(0)) + Coordinate::of(halved ? way / 2 : way);
+  at = incremental ? at + by : by;
 }
 
 PlaceChange& PlacesInEffect::pending(const ModeSets& before, bool alone) {

@@ -121,6 +121,13 @@ struct UnusedChange {
   uint8_t value = 0;
 };
 
+/// A curve of G5.2 that is not ended with G5.3: LinuxCNC drops it without a message.
+struct DroppedCurve {
+  StatementId after = kNoStatement;  ///< the last statement before the curve; none if it is before all of them
+  uint32_t line = 0;                 ///< the first line of the curve
+  uint32_t dropped = 0;              ///< the line that moves otherwise, or ends the program
+};
+
 /// The first line behind a statement, before the next one, that means something else in another mode, where the lines between
 /// have not set the mode.
 struct ModeNeed {
@@ -214,7 +221,8 @@ struct Syntax {
   std::vector<ModeChange> mode_changes;  ///< in the order of statements
   std::vector<ModeNeed> mode_needs;      ///< the same
   std::vector<UnusedChange> unused_changes;
-  std::vector<PlaceChange> place_changes;  ///< in the order of statements
+  std::vector<DroppedCurve> dropped_curves;  ///< in the order of the file, as far as lines without O-words show them
+  std::vector<PlaceChange> place_changes;    ///< in the order of statements
   /// The first statement from where runs may go elsewhere than to the next line, and where the machine is there.
   StatementId left_at = kNoStatement;
   Place place_at_start;

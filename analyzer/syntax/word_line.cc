@@ -6,8 +6,8 @@
 namespace owlint {
 namespace {
 
-constexpr int kMCodesEnd = 200;  // what lies behind exists only if remapped
-constexpr int kRemappedEnd = 1000;
+constexpr int kMCodesEnd = 200;     // what lies behind exists only if remapped
+constexpr int kRemappedEnd = 1000;  // what an INI maps behind it is never run
 constexpr size_t kMWords = 4;
 
 }  // namespace
@@ -15,7 +15,7 @@ constexpr size_t kMWords = 4;
 void WordLine::clear() {
   size_ = m_words_ = 0;
   fifth_m_ = kNoWord;
-  unknown_code_ = remapped_m_ = false;
+  unknown_code_ = remapped_m_ = mapped_in_vain_ = false;
   remapped_letters_ = 0;
   code_ = Motion::kNone;
   letters_ = 0;
@@ -89,7 +89,7 @@ const RemappedCode* WordLine::remapped(const Word& word) const {
   if (word.letter != 'g' && word.letter != 'm') return remapped(word.letter, 0);
   int32_t number = 0;
   if (word.letter == 'g' ? !g_tenths(word.value, &number) : !word_integer(word.value, &number)) return nullptr;
-  return remapped(word.letter, number);
+  return number < kRemappedEnd ? remapped(word.letter, number) : nullptr;
 }
 
 std::vector<RemappedWord> WordLine::remapped_words() const {
@@ -141,7 +141,7 @@ std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {
 }
 
 std::optional<Fault> WordLine::add_m(int32_t number, uint8_t at) {
-  const RemappedCode* const machines = number < kRemappedEnd ? remapped('m', number) : nullptr;
+  const RemappedCode* const machines = remapped('m', number);
   const MCode* code = m_code(number);
   if (machines == nullptr && (code == nullptr || code->group == MGroup::kCall)) {
     const bool beyond = number >= kMCodesEnd;
@@ -155,7 +155,12 @@ std::optional<Fault> WordLine::add_m(int32_t number, uint8_t at) {
   if (place.word != kNoWord)
     return Fault{StopKind::kCodesConflict, "Two m codes used from same modal group", at, place.word, true};
   place = {machines != nullptr ? nullptr : code, at};
-  if (machines != nullptr) {
+  if (number >= kRemappedEnd) {
+    // Measured: known, but its sub is never run; in a group of built-in codes it does nothing.
+    mapped_in_vain_ = machines->group == MGroup::kUser;
+    if (machines->group == MGroup::kStop)
+      return Fault{StopKind::kCodeUnknown, "Bug code not m0 m1 m2 m30 m60 m99", at, kNoWord, true};
+  } else if (machines != nullptr) {
     remapped_m_ = true;
   } else {
     codes_ = codes_ | set_of(*code);

@@ -92,8 +92,9 @@ class WordLine {
   /// The index of its word, also of a remapped code; kNoWord if the line has none of the group.
   uint8_t word_of(GGroup group) const { return g_[static_cast<size_t>(group)].word; }
   uint8_t word_of(MGroup group) const { return m_[static_cast<size_t>(group)].word; }
-  /// M100 to M199: known to every machine, but a program of its own must be there for it.
-  bool is_user_m() const { return code(MGroup::kUser) != nullptr; }
+  /// M100 to M199: known to every machine, but a program of its own must be there for it. An M code above 999 that an INI maps
+  /// is like them, and there is never one.
+  bool is_user_m() const { return code(MGroup::kUser) != nullptr || mapped_in_vain_; }
   /// A code that the machine defines is on the line, or may be: what it does is for its sub or its Python to say.
   bool has_remapped_code() const { return remapped_m_ || code_ == Motion::kRemapped || remapped_letters_ != 0; }
   /// Whether the words of a letter are remapped: T, S and F, which have no effect of their own then.
@@ -145,6 +146,7 @@ class WordLine {
   uint8_t fifth_m_ = kNoWord;
   bool unknown_code_ = false;
   bool remapped_m_ = false;
+  bool mapped_in_vain_ = false;  // M1000 and above, as a user code
   uint32_t remapped_letters_ = 0;
   Motion code_ = Motion::kNone;  ///< the motion that the line itself has
   uint32_t letters_ = 0;

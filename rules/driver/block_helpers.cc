@@ -26,6 +26,23 @@ std::vector<std::pair<BlockId, size_t>> branches_of(const Program& program, Stat
 
 }  // namespace
 
+bool is_forgotten_end(const Program& p, StatementId id) {
+  const Statement& s = p.at(id);
+  const BlockId block = p.block_of[id];
+  return s.is(Keyword::kBare) && !s.has_error() && !s.name_open && block != kNoBlock &&
+      p.blocks[block].mistaken_end == id;
+}
+
+void tell_forgotten_end(const Program& p, StatementId id, Finding& f) {
+  const Block& block = p.blocks[p.block_of[id]];
+  const std::string right = p.label_at(id) + " " + std::string(spelling(end_of(block.kind)));
+  f.message = "`" + p.head(id) + "` has no keyword, so it does not close `" + p.head_of(block) + "` on line " +
+      std::to_string(p.at(block.opener).line) + ": LinuxCNC reads it as the beginning of a Fanuc-style sub";
+  f.help = "write `" + right + "`";
+  f.fixes.push_back({f.help, false, {{p.at(id).head_span(), right}}, true});
+  relate(f, p, block.opener, "`" + p.head_of(block) + "` begins here");
+}
+
 std::string with_article(Keyword keyword) {
   const std::string word(spelling(keyword));
   const bool vowel = !word.empty() && std::string_view("aeiou").find(word[0]) != std::string_view::npos;

@@ -23,6 +23,11 @@ void add_relabel_fix(const Input& in, StatementId opener, Finding& finding);
 /// Whether a run goes round for ever because this second end of a loop goes back to it.
 bool loops_again(const Input& in, StatementId id);
 
+/// Whether an O-word without a keyword was surely meant to end the innermost open block, whose label it has.
+bool is_forgotten_end(const Program& program, StatementId id);
+/// Says so in the finding about a stop at that line.
+void tell_forgotten_end(const Program& program, StatementId id, Finding& finding);
+
 /// `a while`, `an if`.
 std::string with_article(Keyword keyword);
 

@@ -160,7 +160,7 @@ CodeAdvice advice_for_code(char letter, int number, Release release) {
   });
   const GCode* later = letter == 'g' ? g_code(number, Release::k2_10) : nullptr;
   if (later != nullptr && release < later->since) {
-    return {"a code of LinuxCNC 2.10 and later", "use `G5`, `G5.1` or `G5.2`, or check for 2.10: `--linuxcnc 2.10`"};
+    return {"is a code of LinuxCNC 2.10 and later", "use `G5`, `G5.1` or `G5.2`, or check for 2.10: `--linuxcnc 2.10`"};
   }
   if (other != kOtherCodes.end() && !other->what.empty())
     return {std::string(other->what), std::string(other->instead)};

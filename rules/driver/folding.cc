@@ -218,15 +218,20 @@ class Folding {
   std::vector<size_t> into_;  ///< by finding: the one that speaks for it
 };
 
-/// In a program for another controller: what no run reaches is part of the finding that says so.
-void fold_into_other_controller(std::vector<Finding>& findings) {
+/// In a program for another controller: what no run reaches is part of the finding that says so. What else is wrong with its
+/// line is left out: that finding has the message, and advice how to write the line for LinuxCNC is no help.
+void fold_into_other_controller(const Source& source, std::vector<Finding>& findings) {
   const auto controller = std::ranges::find_if(findings, [](const Finding& f) { return rule_of(f).other_controller; });
   if (controller == findings.end()) return;
-  const auto follows = [](const Finding& f) {
-    return f.weight == Weight::kAside && !f.stops && f.reach == Reach::kNever;
+  const Span line = source.line(source.position(controller->span.begin).line);
+  const auto is_here = [&](const Finding& f) {
+    return f.source == nullptr && f.span.begin >= line.begin && f.span.begin <= line.end;
+  };
+  const auto follows = [&](const Finding& f) {
+    return f.weight == Weight::kAside && (is_here(f) || (!f.stops && f.reach == Reach::kNever));
   };
   for (const Finding& f : findings) {
-    if (follows(f)) controller->consequences.push_back({f.code, f.span, ""});
+    if (follows(f) && !is_here(f)) controller->consequences.push_back({f.code, f.span, ""});
   }
   std::erase_if(findings, follows);
 }
@@ -257,7 +262,7 @@ void fold_repeated(std::vector<Finding>& findings) {
 bool stops_every_run(const Finding& f) { return f.stops && f.reach == Reach::kAlways && f.source == nullptr; }
 
 void fold_consequences(const Program& program, const FlowResult& flow, std::vector<Finding>& findings) {
-  fold_into_other_controller(findings);
+  fold_into_other_controller(*program.source, findings);
   fold_repeated(findings);
   if (findings.size() > 1) Folding(program, flow, findings).run();
 }

@@ -79,12 +79,19 @@ std::optional<LineError> word_error(const Program& program, const FlowStop& stop
   const Syntax& syntax = program.syntax;
   const Statement& s = program.at(stop.statement);
   if (s.kind == LineKind::kMachineCheck) return syntax.errors[s.first];
+  if (s.kind == LineKind::kUserCode)
+    return LineError{stop.kind, s.keyword_span(), stop.interpreter, {}, kNoExpr, 0, 0, 0};
   const Statement* const asks = s.kind == LineKind::kModeLine ? &s : mode_line_of(syntax, stop.statement);
   // A computed number that is refused comes before a mistake further on.
   if (const LineError* error = syntax.error(s);
       error != nullptr && (error->kind == stop.kind || s.kind == LineKind::kModeLine))
     return *error;
-  if (asks == nullptr) return std::nullopt;
+  if (asks == nullptr) {
+    const auto items = syntax.items_of(s);
+    if (stop.kind != StopKind::kNumberOutOfRange || stop.words.word >= items.size()) return std::nullopt;
+    const Item& item = items[stop.words.word];
+    return LineError{stop.kind, s.span(item.from, item.to), stop.interpreter, {}, kNoExpr, 0, 0, 0};
+  }
   const auto words = syntax.words_of(*asks);
   const auto span_of = [&](uint8_t word, Span none) {
     return word < words.size() ? s.span(words[word].from, words[word].to) : none;

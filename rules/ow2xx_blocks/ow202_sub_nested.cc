@@ -3,6 +3,7 @@
 // called or not. From 2.10 on the same holds in called files.
 #include <algorithm>
 
+#include "rules/driver/block_helpers.h"
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules::ow202 {
@@ -23,6 +24,11 @@ Finding* report(const Input& in, Reporter& out, StatementId id, RegionId outer) 
     } else {
       explain_idiom(in, id, f);
     }
+    return &f;
+  }
+  if (is_forgotten_end(p, id)) {
+    Finding& f = out.add(s.head_span(), "");
+    tell_forgotten_end(p, id, f);
     return &f;
   }
   if (lacks_call(in, id)) {

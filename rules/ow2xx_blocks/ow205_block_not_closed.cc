@@ -98,10 +98,9 @@ void check(const Input& in, Reporter& out) {
     // One mistake, one finding: the line that was meant to be the end speaks for it.
     if (block.mistaken_end != kNoStatement) {
       // Not for a `while`: LinuxCNC takes it as the beginning of a new loop.
-      const Statement& end = p.at(block.mistaken_end);
-      if (end.is(Keyword::kBare) && !end.has_error() && !end.name_open)  // no other rule reports such a line
+      if (is_forgotten_end(p, block.mistaken_end) && !has_stop(in, block.mistaken_end))
         report(in, out, block.opener)->reach = in.flow.reach(block.opener);
-      const bool opens = end.is(Keyword::kWhile);
+      const bool opens = p.at(block.mistaken_end).is(Keyword::kWhile);
       if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end])
         report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
       continue;

@@ -2,6 +2,7 @@
 // Depends on: a frame remembers how it was called; `sub`, bare O, `endsub`, `return` and M99 each
 // refuse the other style.
 
+#include "rules/driver/block_helpers.h"
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules::ow211 {
@@ -58,7 +59,11 @@ void check(const Input& in, Reporter& out) {
     }
     Finding& f = out.add(line.kind == LineKind::kOWord ? line.head_span() : line.keyword_span(), std::move(message));
     f.help = std::move(help);
-    if (s.kind == StopKind::kStyleNeedsM98) explain_idiom(in, s.statement, f);  // `o100 (why) sub`
+    if (is_forgotten_end(p, s.statement)) {
+      tell_forgotten_end(p, s.statement, f);
+    } else if (s.kind == StopKind::kStyleNeedsM98) {
+      explain_idiom(in, s.statement, f);  // `o100 (why) sub`
+    }
     relate(f, p, s.call, "called here");
     return &f;
   });

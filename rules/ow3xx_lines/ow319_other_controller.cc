@@ -51,7 +51,7 @@ needs one clear sign (a line that stops LinuxCNC and cannot be a typing error), 
 comment that names the controller together with a code that LinuxCNC does not have. A few such lines in a program with O-word blocks are mistakes, and are
 reported as mistakes.)",
             .why = R"(LinuxCNC stops at the first line that it does not know. owlint reports the controller there, once;
-other stops in the file are info, and what no run reaches is not reported.)",
+stops at other lines of the file are info, and what no run reaches is not reported.)",
             .bad = R"(O9010
 IF [#1 EQ #0] GOTO 90
 #2 = 0

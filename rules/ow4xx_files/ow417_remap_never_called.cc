@@ -48,9 +48,10 @@ std::string of_m_code(const RemapLine& remap, const std::string& code, bool stri
   if (strict && (number == 7 || number == 8)) return {};
   const bool user = number >= kFirstUserCode && number <= kLastUserCode;
   if (!has(kBuiltInM, number) && !user && number <= kLastMCode) return {};
-  if (number > kLastMCode)
-    return code + " is remapped, but LinuxCNC has no M codes above 999: a program that uses it stops";
   const int group = remap.group.value_or(-1) == -1 ? 10 : *remap.group;
+  if (number > kLastMCode)
+    return code + " is remapped, but LinuxCNC has no M codes above 999: " +
+        (group == 4 || group == 10 ? "a program that uses it stops" : "in a program it does nothing");
   const auto own = std::ranges::find(kGroups, number, &std::pair<int, int>::first);
   if (number == 98 || (own != kGroups.end() && own->second == group))
     return "LinuxCNC never uses this remap: " + code + " keeps its built-in meaning";

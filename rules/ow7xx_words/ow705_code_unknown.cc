@@ -126,14 +126,33 @@ bool is_refused(const Profile& profile, bool m, int number, Finding& f) {
   return false;
 }
 
+/// `M1000`, which the INI remaps: LinuxCNC knows it then, and has nothing to run for it.
+bool is_remapped_in_vain(const Profile& profile, const WordStop& at, Finding& f) {
+  if (profile.setup == nullptr || f.interpreter.starts_with("M-code")) return false;
+  const IniText& text = profile.setup->text;
+  for (const Remap& remap : remaps_of(text)) {
+    const int number = remap.read.m_number();
+    const bool named = f.interpreter.ends_with(fmt::format(": M{}", number)) || at.value == number;
+    if (remap.read.problem != RemapLine::Problem::kNone || number <= kRemappedLast || !named) continue;
+    f.message = fmt::format("`{}` is remapped by the INI, but LinuxCNC runs no sub for M codes above 999", at.word);
+    f.help = "remap a code that is free, such as `M400`, and write that";
+    f.related.push_back({remap.line->span, "this line", text.source(*remap.line)});
+    return true;
+  }
+  return false;
+}
+
 void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
+  if (is_remapped_in_vain(in.profile, at, f)) return;
   const bool m = f.interpreter.find("m code") != std::string::npos || f.interpreter.starts_with("M-code");
   const std::string name = number < 0 || number > kRemappedLast ? at.word : m ? m_name(number) : g_name(number);
   const std::string written = at.value || at.letter == 0 ? at.word : name;
   const CodeAdvice advice = number < 0 ? CodeAdvice{} : advice_for_code(m ? 'm' : 'g', number, release_of(in.profile));
   f.message = "`" + written + "` is not a code of LinuxCNC";
   if (!at.value && number >= 0) f.message = "`" + at.word + "` is " + name + ", which is not a code of LinuxCNC";
-  if (!advice.what.empty()) f.message = "`" + written + "` " + advice.what + "; LinuxCNC does not have it";
+  if (!advice.what.empty()) f.message = "`" + written + "` " + advice.what;
+  const bool later = !m && number >= 0 && g_code(number, Release::k2_10) != nullptr;
+  if (!advice.what.empty() && !later) f.message += "; LinuxCNC does not have it";
   f.help = advice.help.empty() ? "write the code that is meant, or remove it" : advice.help;
   f.group = "code " + name;
   if (const auto& perhaps = in.profile.remapped_perhaps; perhaps != nullptr && perhaps->contains(name)) {
@@ -145,18 +164,21 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   }
   if (number >= 0 && is_refused(in.profile, m, number, f)) return;
   if (number >= 0) relate_unread_remap(in.profile, m ? 'm' : 'g', number, f);
+  const bool no_ini = in.profile.setup == nullptr;
+  const bool can_be_remapped = number >= 0 && number <= kRemappedLast && !later && (!m || number != code::kM98);
+  if (no_ini && can_be_remapped)
+    f.message += std::string(advice.what.empty() ? "," : "") + " unless the machine's INI remaps it";
   if (!m || number <= kUserLast) return;
   if (const std::string sub = sub_without_p(in, at); !sub.empty()) {
     f.message = "`M98` lacks the `P` before the number of its sub: LinuxCNC reads `" + at.word + "`";
     f.help = "write `M98 P" + sub + "`";
     return;
   }
-  f.message += in.profile.setup == nullptr ? ", unless the machine's INI remaps it" : ", and the INI does not remap it";
+  if (!no_ini && number <= kRemappedLast) f.message += ", and the INI does not remap it";
   f.help = number > kRemappedLast ? "M codes end at M199, remapped ones at M999"
-      : in.profile.setup == nullptr
-      ? "name the machine's INI (`--ini`), so that owlint knows its codes"
-      : fmt::format("define it with `REMAP = {} modalgroup=10 ngc=name` in `[RS274NGC]`", name);
-  f.unproven = in.profile.setup == nullptr && number <= kRemappedLast;
+      : no_ini                    ? "name the machine's INI (`--ini`), so that owlint knows its codes"
+               : fmt::format("define it with `REMAP = {} modalgroup=10 ngc=name` in `[RS274NGC]`", name);
+  f.unproven = no_ini && number <= kRemappedLast;
   if (!f.unproven) return;
   f.group = "codes of an INI";  // which is missing for all of them
   f.habit_severity = Severity::kInfo;
@@ -243,7 +265,9 @@ controllers have, owlint says what LinuxCNC has instead; of others, which codes 
 same. docs/codes.md lists all codes.
 
 An INI can add codes with `REMAP`, and M100 to M199 are programs that the machine's owner adds. With the
-machine's INI (`--ini`) owlint knows them. Without it, a code that only some machines have is a warning.
+machine's INI (`--ini`) owlint knows them. Without it, M100 and above are warnings: nobody writes them who has
+no such machine. `M13`, `G37` and the like are errors, as they mostly come from another controller or are typed
+wrong; the message says where an INI could define the code.
 With the INI, owlint also looks at the first line of these programs: LinuxCNC cannot run one whose `#!` line
 ends with a carriage return, or names an interpreter that does not exist.)",
             .why =

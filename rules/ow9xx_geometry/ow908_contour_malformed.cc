@@ -1,12 +1,15 @@
 // OW908 contour-malformed: a lathe contour, spline, NURBS curve or thread whose words do not make one.
 // Depends on: G5 and G5.1 need their control points in XY; the points of G5.2 belong to one curve until G5.3; G76 cuts from J to
 // K; G70 to G72.2 read the sub that Q names, and what they make of its lines (geometry/contour.h).
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
+#include "rules/driver/mode_hazards.h"
 #include "rules/driver/positions.h"
 
 namespace owlint::rules::ow908 {
@@ -15,6 +18,9 @@ namespace {
 constexpr std::string_view kCurve =
     "write the three together: `G5.2` with `X`, `Y` and the weight `P` for each control point";
 constexpr std::string_view kFirst = "write it on the first line with `G6.2`";
+
+/// What begins and ends a curve, and the motions that leave one most often.
+constexpr std::string_view kSetters = "G5.2 G5.3 G6.2 G0 G1 G2 G3 G33 G80 G81 G38.2";
 
 constexpr std::string_view kContours = "G70 G71 G71.1 G71.2 G72 G72.1 G72.2";
 
@@ -161,17 +167,76 @@ void doubt_radius(const Input& in, const FlowStop& stop, Finding& f) {
   f.related.push_back({arc->radius, "the radius is here", nullptr});
 }
 
+/// The last curve that lines before a stop have dropped; null if none has.
+const DroppedCurve* dropped_before(const Input& in, const FlowStop& stop) {
+  const std::vector<DroppedCurve>& curves = in.program.syntax.dropped_curves;
+  const auto behind = std::ranges::upper_bound(curves, in.program.at(stop.statement).line, {}, &DroppedCurve::dropped);
+  return behind == curves.begin() ? nullptr : &*(behind - 1);
+}
+
+/// `G5.3`, or a further point, behind a line that has left the curve: that is the mistake. Returns that curve.
+const DroppedCurve* tell_of_left_curve(const Input& in, const FlowStop& stop, Finding& f) {
+  constexpr std::string_view kOfCurves[] = {"without G5.2 first", "number of control points", "P without X and Y",
+                                            "positive weight P"};
+  const auto says = [&](std::string_view words) { return stop.interpreter.find(words) != std::string::npos; };
+  const DroppedCurve* const curve = std::ranges::any_of(kOfCurves, says) ? dropped_before(in, stop) : nullptr;
+  if (curve == nullptr) return nullptr;
+  const Source& source = *in.program.source;
+  const std::string line = std::to_string(curve->dropped);
+  if (says(kOfCurves[0])) {
+    f.message = fmt::format("`G5.3` ends no curve: LinuxCNC has dropped that of line {} on line {}", curve->line, line);
+    f.help = "write `G5.3` before line " + line;
+  }
+  f.related.push_back({source.line(curve->line), "the curve begins here", nullptr});
+  f.related.push_back({source.line(curve->dropped), "the curve is dropped here", nullptr});
+  return curve;
+}
+
+/// Whether runs get to a curve, and to where it is dropped.
+Reach reach_of(const Input& in, const DroppedCurve& curve) {
+  const bool first = curve.after == kNoStatement;
+  const uint32_t begin = first ? 0 : in.program.at(curve.after).line;
+  const bool stops = std::ranges::any_of(in.flow.stops, [&](const FlowStop& stop) {
+    const uint32_t line = stop.statement == kNoStatement ? 0 : in.program.at(stop.statement).line;
+    return stop.reach == Reach::kAlways && line >= begin && line <= curve.dropped && line > 0;
+  });
+  if (stops || (!first && in.program.at(curve.after).kind == LineKind::kProgramEnd)) return Reach::kNever;
+  return first ? Reach::kAlways : in.flow.reach(curve.after);
+}
+
+/// A curve that is never cut, and no message of LinuxCNC.
+void check_dropped(const Input& in, Reporter& out, const std::set<const DroppedCurve*>& told) {
+  const Source& source = *in.program.source;
+  for (const DroppedCurve& curve : in.program.syntax.dropped_curves) {
+    const Reach reach = reach_of(in, curve);
+    if (reach == Reach::kNever || told.contains(&curve)) continue;
+    Finding& f = out.add(word_of_line(in.program, curve.line, "G5.2"),
+                         "the curve that begins here is never cut: no `G5.3` ends it, and LinuxCNC drops it");
+    f.related.push_back({source.line(curve.dropped), "the curve is dropped here", nullptr});
+    f.help = "write `G5.3` before line " + std::to_string(curve.dropped);
+    f.reach = reach;
+  }
+}
+
 void check(const Input& in, Reporter& out) {
+  std::set<const DroppedCurve*> told;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     Finding& f = add_said(in, out, stop, kSaid);
     doubt_unit(in, stop, f);
     tell_of_two_lines(in, stop, f);
     doubt_radius(in, stop, f);
     tell_of_lost_contour(in, stop, f);
-    relate_setter(in, f, setter_of(in, stop, "G5.2 G5.3 G6.2", false), "is here");
+    if (const DroppedCurve* const curve = tell_of_left_curve(in, stop, f)) {
+      told.insert(curve);
+    } else {
+      const std::optional<Setter> setter = setter_of(in, stop, kSetters, false);
+      const bool of_curve = setter && (setter->word.starts_with("G5.") || setter->word.starts_with("G6."));
+      relate_setter(in, f, setter, of_curve ? "is here" : "sets another motion");
+    }
     note_start(stop, f);
     return &f;
   });
+  check_dropped(in, out, told);
 }
 
 }  // namespace
@@ -187,14 +252,15 @@ extern const Rule kRule{
             .what =
                 R"(A `G70` to `G72.2` without `Q`, or with a sub whose lines do not make a contour that can be cut; a spline
 (`G5`, `G5.1`) without its control points, or with an axis other than X and Y; a NURBS curve (`G5.2`, `G5.3`)
-with points that lack a word or with too few of them; a `G76` whose `I`, `J` and `K` do not make a thread.)",
+with points that lack a word, with too few of them, or without its `G5.3`; a `G76` whose `I`, `J` and `K` do not make a thread.)",
             .why =
                 R"(LinuxCNC stops with `Must specify both P and Q with G5`, `You must specify a number of control points at
 least equal to the order L = 3`, `In G76, K must be greater than J` and the like.
 
 `G5` and `G5.1` do not stay in effect: on a next line with only axis words, the motion from before
 the spline is in effect again. LinuxCNC keeps the points of `G5.2` until `G5.3`; before 2.10, even
-after the end of the program.
+after the end of the program. The curve is cut at the `G5.3`: if another motion or the end of the program
+comes first, it is never cut, and LinuxCNC has no message for that.
 
 `G71` cuts from the right to the left, layer by layer: its contour may not turn back in Z (`G7X error: Not
 monotonic`), that of `G72` not in X. Whether an arc in the sub fits is found only when it is cut. LinuxCNC
@@ -215,8 +281,9 @@ G0 Z5
 M2
 )",
             .fix = R"(Write the missing words, even if they are 0.)",
-            .level_reason =
-                "Error if a run gets here: the program stops. Warning if it stops at an earlier line first.",
+            .level_reason = "Error if a run gets here: the program stops. Warning if it stops at an earlier line "
+                            "first, or if it runs "
+                            "on and a curve is never cut.",
             .interpreter = "Must specify both P and Q with G5",
             .options = "",
         },

@@ -51,7 +51,7 @@ _TABLE = [(re.compile(pattern), frozenset(codes.split())) for pattern, codes in 
     (r"Negative l word", "OW703 OW217"),
     (r"Negative (f word|h word|spindle speed|tool id|g code|m code)|G-code out of range|P value not an integer|P value out of range|"
      r"P value must be|P value should be|R value must be within", "OW703"),
-    (r"Unknown g code used|Unknown m code used|M-code greater than", "OW705"),
+    (r"Unknown g code used|Unknown m code used|M-code greater than|Bug code not m0", "OW705"),
     (r"P word with no", "OW707 OW217"),
     (r"^[A-Z] word with no|\$ \(spindle selection\) word with no|Cannot put an? [abc] in canned cycle|F word used with a g33", "OW707"),
     (r"Dwell time missing|Line with G10 does not have|All axes missing with|S word missing with G96|K word missing with g33|"

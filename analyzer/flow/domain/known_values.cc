@@ -26,7 +26,6 @@ uint64_t hash(const Place& place) {
 
 ValueId KnownValues::intern(double value) {
   constexpr size_t kFew = 16;  // as many as most programs have: to look through them is faster than to hash
-  if (value == 0) value = 0;   // -0 is 0
   const uint64_t bits = std::bit_cast<uint64_t>(value);
   const auto next = [this] { return static_cast<ValueId>(constants_.size()) + kFirstConstant; };
   for (size_t i = 0; i < std::min(constants_.size(), kFew); ++i) {

@@ -54,7 +54,7 @@ struct StopReport {
   StatementId other = kNoStatement;  ///< the line that the message names
   std::string message;               ///< the interpreter's
   std::string detail;                ///< a name that the message is about
-  FaultyWords words;                 ///< if it stops at words in the modes that are in effect
+  FaultyWords words;                 ///< if it stops at words in the modes that are in effect, or at a computed number
 };
 
 /// Something runs, but not as written.

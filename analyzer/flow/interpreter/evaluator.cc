@@ -296,7 +296,10 @@ Evaluation Evaluator::assign(const Statement& s, Parameters& parameters, ReadLog
     Evaluation value = evaluate(item.value, reading, how);
     if (item.letter != 0 && values_.is_constant(value.value)) {
       value.message = refused_number(item.letter, values_.value(value.value));
-      if (value.message != nullptr) value.fails = StopKind::kNumberOutOfRange;
+      if (value.message != nullptr) {
+        value.fails = StopKind::kNumberOutOfRange;
+        value.item = static_cast<uint8_t>(&item - syntax_.items_of(s).data());
+      }
     }
     if (value.fails != StopKind::kNone) return may.may_fail == StopKind::kNone ? value : may;
     if (may.may_fail == StopKind::kNone && value.may_fail != StopKind::kNone) {

@@ -24,6 +24,7 @@ struct Evaluation {
   NameId name = kNoName;                ///< the undefined name
   const char* message = nullptr;        ///< the interpreter's words for a failing operation
   NameId read_only = kNoName;  ///< the line assigns this name; LinuxCNC notices after reading the whole line (measured)
+  uint8_t item = kNoWord;  ///< of a number that its word may not have: the word, by its place among the line's items
 };
 
 /// What the evaluator notes about reads, besides the value.

@@ -128,7 +128,8 @@ struct AbstractMachine::Step {
       const bool mixed = state.mixed;
       // It is not known on which of the joined paths, nor whether one of them gets here.
       state.mixed = mixed || (kind == StopKind::kNameUndefined && (on_some_paths || state.joined));
-      stop(kind, std::move(message), kNoStatement, std::move(detail));
+      out.stop(state,
+               {kind, kNoStatement, std::move(message), std::move(detail), {e.item, kNoWord, 0, false, nullptr}});
       state.mixed = mixed;
       if (on_some_paths && kind == StopKind::kNameUndefined) m.evaluator_.assume_there(e.name, state.parameters);
     }
