@@ -80,9 +80,9 @@ enum class HazardKind : uint8_t {
   kValueCleared,
   kRepeatCount,
   kEndsInSub,
-  kOtherHelper,        ///< a call runs `other`, a sub of another file, and not the one of its own file
-  kSubInCall,          ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
-  /// The main program runs on into a Fanuc sub at `statement`, to the M99 at `other`; or, without `other`, such a sub into the next.
+  kOtherHelper,  ///< a call runs `other`, a sub of another file, and not the one of its own file
+  kSubInCall,    ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
+  /// The main program runs on into a Fanuc sub at `statement`, to the M99 at `other`; without `other`, such a sub does.
   kRunsIntoSub,
   kKeepsValues,        ///< no finding: the line gives each parameter the value that it has, as `#1 = [#1 + 0]` does
   kForeignEnd,         ///< an `endsub` with another sub's label ends a call

@@ -42,6 +42,9 @@ class CompensatedPath {
   /// G20, G21, while compensation is on.
   void change_units(bool inch);
 
+  /// The move that the interpreter sends next; null if none waits.
+  const QueuedMove* waiting() const { return queue_.empty() ? nullptr : &queue_.front(); }
+
   PlanePoint programmed() const { return programmed_; }
   /// The interpreter's current point.
   PlanePoint tool() const { return tool_; }

@@ -135,6 +135,19 @@ bool read_arc(const ModeLine& line, const PathPlane& plane, PlanePoint start, Ar
   return true;
 }
 
+/// What waits cannot be sent in a plane of U, V and W. Of an arc it cannot be said what the interpreter does.
+bool cannot_send(ModeLine& line, uint8_t word) {
+  const std::optional<uint8_t> plane = line.only(Mode::kPlane);
+  const QueuedMove* const waiting = line.place()->path.waiting();
+  if (!plane || *plane < modes::kG17_1 || waiting == nullptr || waiting->arc) return false;
+  const int number = *plane == modes::kG17_1 ? 4 : *plane == modes::kG19_1 ? 5 : 6;
+  PathStep step;
+  step.stop(PathFault::kNotStraight,
+            waiting->rapid ? "BUG: Unsupported plane in cutter compensation"
+                           : printed("BUG: Unsupported plane [%d] in cutter compensation", number));
+  return stops(line, std::move(step), word);
+}
+
 }  // namespace
 
 void begin_path(ModeLine& line, bool right, double radius, int orientation) {
@@ -206,13 +219,15 @@ bool follow_path_by_arc(ModeLine& line, Motion motion, const Point& end) {
 
 bool pause_path(ModeLine& line) {
   if (line.code(MGroup::kStop) < 0 || !is_on_path(line)) return false;
+  if (cannot_send(line, line.at(MGroup::kStop))) return true;
   return stops(line, line.place()->path.pause(), line.at(MGroup::kStop));
 }
 
 bool end_path(ModeLine& line) {
   if (line.place() == nullptr) return false;
   const bool known = is_on_path(line);
-  if (known && stops(line, line.place()->path.off(), line.at(GGroup::kCutterCompensation))) return true;
+  const uint8_t word = line.at(GGroup::kCutterCompensation);
+  if (known && (cannot_send(line, word) || stops(line, line.place()->path.off(), word))) return true;
   line.place()->lose_path();
   return false;
 }

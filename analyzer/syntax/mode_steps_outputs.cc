@@ -1,5 +1,6 @@
 // Inputs and outputs: M62 to M68. Numbers are rounded half to even.
 #include <cmath>
+#include <limits>
 
 #include "analyzer/syntax/mode_line.h"
 
@@ -12,7 +13,9 @@ constexpr StopKind kOutputs = StopKind::kModeConflict;
 bool is_no_index(const ModeLine& line, char letter) {
   if (line.lacks(letter)) return true;
   const double* const value = line.value(letter);
-  return value != nullptr && std::nearbyint(*value) < 0;
+  if (value == nullptr) return false;
+  const double index = std::nearbyint(*value);
+  return index < 0 || index > std::numeric_limits<int32_t>::max();  // beyond it the interpreter's integer is negative
 }
 
 bool digital_output(ModeLine& line, int code, std::string_view refusal) {

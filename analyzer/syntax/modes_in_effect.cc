@@ -157,7 +157,8 @@ void ModesInEffect::pass(const PlainEffect& effect, uint32_t before, uint32_t la
   if (effect.motion != Motion::kNone) drop_curve(effect.first_move == 0 ? last : before + effect.first_move);
   if (effect.moves) moved(effect.alone && !is_single(state_.now[Mode::kMotion]), last);
   if (effect.motion != Motion::kNone) set(Mode::kMotion, static_cast<uint8_t>(effect.motion), last);
-  if (effect.feed) set(Mode::kFeed, modes::kFeedSet, last);
+  const bool inverse = state_.now[Mode::kFeedMode] == value_bit(modes::kG93);
+  if (effect.feed && (!inverse || effect.feeds)) set(Mode::kFeed, modes::kFeedSet, last);
   if (effect.speed) set(Mode::kSpeed, modes::kSpeedSet, last);
   if (effect.straight) set(Mode::kStraightOwed, modes::kNotOwed, last);
 }
@@ -242,14 +243,15 @@ void ModesInEffect::leave_out_asked(ModeMask assigned) {
   });
 }
 
-/// A feed that is not 0 is taken for set if the feed mode is not known: what that does in inverse time mode the flow knows.
+/// A feed that is not 0 is taken for set, whatever the feed mode: what that does in inverse time mode the flow knows. Where that is
+/// surely in effect, F is only for the line's own move.
 void ModesInEffect::set_feed(const WordLine& words, ModeSets* after) {
   constexpr double kSmallFeed = 0.05;
   const uint8_t f = words.find('f');
   const bool open = (after->assigned & after->open & mask_of(Mode::kFeed)) != 0;
-  if (!open || f == kNoWord || !words[f].known || words[f].value < kSmallFeed ||
-      (*after)[Mode::kFeedMode] == value_bit(modes::kG93))
-    return;
+  if (!open || f == kNoWord || !words[f].known || words[f].value < kSmallFeed) return;
+  const bool moves = words.has_axis_words() || words.has_polar_words();
+  if (!moves && (*after)[Mode::kFeedMode] == value_bit(modes::kG93)) return;
   (*after)[Mode::kFeed] = value_bit(modes::kFeedSet);
   after->open &= ~mask_of(Mode::kFeed);
 }
@@ -347,10 +349,13 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   const bool asks_place = !stopped_ && places_.judge(*words, state_.now, statement, asks_);
   // M72 may lose the end.
   if (ends_program(statement) && !statement.block_delete && !stacks_modes(*words)) places_.end();
-  // What has been asked in a mode that the line sets, also by itself: `G17` with compensation says nothing of `G18`.
-  if (asks_) asked_.insert(asked_.end(), faults_.begin(), faults_.end());
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
+  // What has been asked in a mode that the line itself sets: `G17` with compensation says nothing of `G18`.
+  const ModeMask set = worse & ~of_moves(true);
+  for (const ModeFault& fault : faults_) {
+    if (asks_ && (fault.decided_by & set) == 0) asked_.push_back(fault);
+  }
   // With block delete on the line does nothing.
   if (statement.block_delete && (asks_ || after != state_)) {
     asks_ = true;

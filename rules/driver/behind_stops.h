@@ -15,8 +15,8 @@ const FlowStop* stop_that_ends_all(const FlowResult& flow);
 /// Its line; kNoStatement if there is none.
 StatementId stop_of_every_run(const FlowResult& flow);
 
-/// The group of a finding about a line that no run gets to: places of one mistake are one finding. What the interpreter says is not
-/// enough, since several mistakes have one message; what to do about it tells them apart.
+/// The group of a finding about a line that no run gets to: places of one mistake are one finding. What the interpreter says is
+/// not enough, since several mistakes have one message; what to do about it tells them apart.
 std::string group_behind(const Finding& finding, const FlowStop& stop);
 
 class BehindStops {

@@ -3,6 +3,7 @@
 // the skip too, and another `sub` on the way is a nesting error.
 #include <algorithm>
 
+#include "rules/driver/modes.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow204 {
@@ -34,6 +35,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
 void report_running_on(const Input& in, Reporter& out, const Hazard& h) {
   const Program& p = in.program;
   const Statement& next = p.at(h.statement);
+  if (find_word(words_of(*p.source, p.at(h.statement - 1).whole()), "M99") != nullptr)
+    return;  // OW217: it does not act
   const Region& before = p.regions[p.region_of[h.statement - 1]];
   const std::string name = before.opener == kNoStatement ? "the sub above" : "`" + p.head(before.opener) + "`";
   Finding& f =

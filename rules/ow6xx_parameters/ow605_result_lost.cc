@@ -1,5 +1,6 @@
 // OW605 result-lost: a sub leaves a result in #1 to #30 for its caller.
 // Depends on: a call passes values; it saves #1 to #30 and restores all of them on return (measured).
+#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -39,19 +40,21 @@ class Subs {
   std::map<uint32_t, flow::DataFlow> files_;
 };
 
+/// Whether the last line of a sub that assigns #n gives it a number.
+bool sets_number(const Sub& sub, uint32_t n) {
+  const Program& p = *sub.program;
+  return std::ranges::any_of(p.syntax.items_of(p.at(sub.data->last_assignment(sub.region, n))), [&](const Item& item) {
+    return flow::assigns(item) && flow::key_of_target(p.syntax, item) == n &&
+        p.syntax.exprs[item.value].op == Operator::kNumber;
+  });
+}
+
 /// Whether a sub changes an argument for its caller: it assigns #n last without using that. One that only sets an argument to a
 /// number, which it has used before, may tidy up.
 bool changes(const Sub& sub, uint32_t n) {
   if ((sub.data->left_behind(sub.region) >> n & 1) == 0) return false;
-  const Program& p = *sub.program;
-  const Statement& s = p.at(sub.data->last_assignment(sub.region, n));
   const bool used = (sub.data->of(sub.region).arguments >> n & 1) != 0;
-  if (!used) return true;
-  for (const Item& item : p.syntax.items_of(s)) {
-    if (flow::assigns(item) && flow::key_of_target(p.syntax, item) == n)
-      return p.syntax.exprs[item.value].op != Operator::kNumber;
-  }
-  return true;
+  return !used || !sets_number(sub, n);
 }
 
 /// Numbers that a sub assigns without using them, and that the main program reads after the call.
@@ -62,7 +65,8 @@ void check_numbers(const Input& in, const Call& call, const Sub& sub, Reporter& 
   for (uint32_t n = 1; left != 0 && n < flow::kFirstGlobalNumber; ++n) {
     // Where the caller sets the number itself, only what the sub computes for nobody else is meant for it.
     const bool expected = (left >> n & 1) != 0 &&
-        (in.data.expects_from_call(call.statement, n) || (changes(sub, n) && in.data.reads_after(call.statement, n)));
+        (in.data.expects_from_call(call.statement, n) ||
+         (!sets_number(sub, n) && in.data.reads_after(call.statement, n)));
     if (!expected) continue;
     const StatementId assigned = sub.data->last_assignment(sub.region, n);
     const std::string number = "`#" + std::to_string(n) + "`";

@@ -7,12 +7,13 @@ import re
 
 MACHINE = "machine"
 
-_OF_TABLE = re.compile(r"Requested tool -?\d+ not found in the tool table")
+# Which tools there are, and which one is in the spindle.
+_OF_TABLE = re.compile(r"Requested tool -?\d+ not found in the tool table|G\d+ with lathe tool, but plane|G10 L0 not allowed with loaded tool")
 # What compensation with a radius stops, and not without one: the tool table decides where the line gives no diameter itself.
 _OF_RADIUS = re.compile(
     r"The move just after exiting cutter compensation|Cannot use g53 with cutter radius comp|Cannot use G76 threading cycle with|"
     r"(Length|Radius) of cutter compensation entry|Arc move in concave corner|Straight (feed|traverse) in concave corner|"
-    r"Tool radius not less than arc radius|Zero degree inside corner")
+    r"Tool radius not less than arc radius|Zero degree inside corner|Bug code not g0 or g1|BUG: (Invalid|Unsupported) plane")
 # `G41 D1` and `G42` alone: `G41.1 D5` says its diameter.
 _ASKS_TABLE = re.compile(r"(?i)g\s*0*4\s*[12](?![\s\d]*\.)")
 _COMMENT = re.compile(r"\([^)]*\)?|;.*")

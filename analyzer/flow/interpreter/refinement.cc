@@ -25,8 +25,8 @@ uint8_t* Refinement::compared(ParameterKey key) {
   return found != compared_.end() && found->first == key ? &found->second : nullptr;
 }
 
-/// The parameter of `#1`, `[#1 - 2]`, `[2 - #1]` or `ABS[#1]`. `numbers`, with which that is compared, become those with which the
-/// parameter is.
+/// The parameter of `#1`, `[#1 - 2]`, `[2 - #1]` or `ABS[#1]`. `numbers`, with which that is compared, become those with which
+/// the parameter is.
 ParameterKey Refinement::counted_key_of(ExprId side, std::vector<double>& numbers) const {
   for (;;) {
     const Expr& expr = syntax_.exprs[side];

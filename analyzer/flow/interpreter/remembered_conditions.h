@@ -1,6 +1,6 @@
 // Conditions that must come out the same (see ConditionId): structurally equal conditions share an id, and assigning any
-// parameter that a condition reads forgets its outcome. What AND and OR join are conditions, too: `[#1 AND #2]` is true only where
-// `[#1]` is.
+// parameter that a condition reads forgets its outcome. What AND and OR join are conditions, too: `[#1 AND #2]` is true only
+// where `[#1]` is.
 #pragma once
 
 #include <cstdint>

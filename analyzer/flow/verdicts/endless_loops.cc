@@ -4,8 +4,10 @@
 #include <map>
 #include <numeric>
 
+#include "analyzer/flow/domain/ranges.h"
 #include "analyzer/flow/facts/accesses.h"
 #include "analyzer/machine/predefined.h"
+#include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
 namespace {
@@ -38,6 +40,29 @@ bool stays_the_same(const Program& program, const std::vector<StatementId>& read
     const bool of_machine = id.named ? may_be_predefined(program.name(id.id)) : id.id >= kFirstVolatileNumber;
     return of_machine || std::ranges::binary_search(written, key);
   });
+}
+
+/// Whether these conditions compare with numbers alone: two parameters may only be far apart where the step is not 0.
+bool compare_with_numbers(const Program& program, const std::vector<StatementId>& deciding) {
+  const Syntax& syntax = program.syntax;
+  std::vector<ExprId> parts;
+  for (const StatementId id : deciding) {
+    const auto values = syntax.values_of(program.at(id));
+    parts.insert(parts.end(), values.begin(), values.end());
+  }
+  while (!parts.empty()) {
+    const Expr& expr = syntax.exprs[parts.back()];
+    parts.pop_back();
+    double number = 0;
+    if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
+      for_each_operand(expr, [&](ExprId operand) { parts.push_back(operand); });
+    } else if (!is_comparison(expr.op) ||
+               (!literal_value(syntax.exprs, expr.left(), &number) &&
+                !literal_value(syntax.exprs, expr.right(), &number))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -173,12 +198,15 @@ void EndlessLoops::find_stuck() {
     std::vector<StatementId> deciding;  ///< conditions with a way out
     StatementId opener = kNoStatement;
     bool fixed = true;
+    bool keeps_values = false;  ///< some lines assign, but change nothing
   };
   std::map<uint32_t, Round> rounds;
   for (RecordId id = 0; id < trace_.size(); ++id) {
     if (group[id] == 0 || trace_.at(id).statement == kNoStatement) continue;
     Round& round = rounds[group[id]];
-    if (!keep_values_.contains(id)) round.lines.push_back(trace_.at(id).statement);
+    const bool keeps = keep_values_.contains(id);
+    round.keeps_values = round.keeps_values || keeps;
+    if (!keeps) round.lines.push_back(trace_.at(id).statement);
   }
   if (rounds.empty()) return;
   trace_.for_edges([&](RecordId from, RecordId to) {
@@ -207,6 +235,7 @@ void EndlessLoops::find_stuck() {
     if (!round.fixed || round.opener == kNoStatement || round.deciding.empty()) continue;
     sort_once(round.lines);
     sort_once(round.deciding);
+    if (round.keeps_values && !compare_with_numbers(program_, round.deciding)) continue;
     if (!stays_the_same(program_, round.deciding, round.lines)) continue;
     // What a call that was not gone through assigns decides, if it assigns anything.
     if (trace_.leaves_out() &&

@@ -47,7 +47,8 @@ bool leaves_work(const Iteration& analysis, ContextId context, StatementId call,
 
 void find_ends_in_subs(const Iteration& analysis, Hazards& hazards) {
   const Program& program = analysis.program();
-  std::unordered_map<ContextId, std::vector<StatementId>> ends;  // M2, M30 and `%`, by the call in which they are executed
+  std::unordered_map<ContextId, std::vector<StatementId>>
+      ends;  // M2, M30 and `%`, by the call in which they are executed
   for (const Partition& partition : analysis.partitions().all()) {
     const Frame& frame = analysis.calls()[partition.context];
     if (frame.callers.empty() || !frame.exits.empty() || partition.skip != kNoLabel ||
