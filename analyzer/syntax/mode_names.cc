@@ -5,6 +5,7 @@
 #include <bit>
 #include <iterator>
 
+#include "analyzer/syntax/arithmetic.h"
 #include "analyzer/syntax/codes.h"
 #include "analyzer/syntax/line_parser.h"
 

@@ -352,9 +352,9 @@ bool ModesInEffect::judge(Statement& statement, bool keep) {
   const ModeMask worse = after.now.assigned & ~better(after.now);
   std::erase_if(asked_, [&](const ModeFault& fault) { return (fault.decided_by & worse) != 0; });
   // What has been asked in a mode that the line itself sets: `G17` with compensation says nothing of `G18`.
-  const ModeMask set = worse & ~of_moves(true);
+  const ModeMask by_line = worse & ~of_moves(true);
   for (const ModeFault& fault : faults_) {
-    if (asks_ && (fault.decided_by & set) == 0) asked_.push_back(fault);
+    if (asks_ && (fault.decided_by & by_line) == 0) asked_.push_back(fault);
   }
   // With block delete on the line does nothing.
   if (statement.block_delete && (asks_ || after != state_)) {
