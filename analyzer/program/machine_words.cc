@@ -63,6 +63,29 @@ std::optional<RemappedCode> remapped_code(std::string_view remap, Release releas
   }
 }
 
+std::optional<LostCode> lost_code(std::string_view remap, Release release) {
+  const RemapLine line = read_remap(remap, 0);
+  if (line.problem != RemapLine::Problem::kNone) return std::nullopt;
+  if (line.letter() == 'G') {
+    const GCode* const code = g_code(line.g_number(), release);
+    // These two count as motions when they are remapped (measured).
+    constexpr int kG5_3 = 53, kG6_3 = 63;
+    if (code == nullptr || code->group == GGroup::kMotion || code->tenths == kG5_3 || code->tenths == kG6_3)
+      return std::nullopt;
+    return LostCode{'g', code->tenths, MGroup::kUser};
+  }
+  const int number = line.m_number();
+  if (line.letter() != 'M' || number < 0 || number == code::kM98 || number == code::kM99 ||
+      !keeps_its_meaning(number, release))
+    return std::nullopt;
+  const int given = line.group.value_or(-1);
+  const MGroup group = given == -1 ? MGroup::kUser : static_cast<MGroup>(given);
+  const MCode* const code = m_code(number);
+  // A user code keeps its program, but loses its words.
+  if (code != nullptr && code->group == group && group != MGroup::kUser) return std::nullopt;
+  return LostCode{'m', number, group};
+}
+
 namespace {
 
 /// A table may have a thousand tools, and every file that is read keeps its key: so there is a hash of them in it.
@@ -182,8 +205,10 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
       return known.letter == code->letter && known.number == code->number;
     };
     if (code && std::ranges::none_of(remapped, same)) remapped.push_back(*code);
+    if (const auto taken = lost_code(remap->value, words.release)) lost.push_back(*taken);
   }
   words.remapped = remapped;
+  words.lost = lost;
   const Ini& ini = profile.setup->ini;
   words.units_per_mm = units_per_mm(ini);
   set_tolerance(ini, "CENTER_ARC_RADIUS_TOLERANCE_MM", 0.001, &words.arc_tolerance_mm);
@@ -221,6 +246,11 @@ std::string WordsOfMachine::key() const {
     key += code.letter;
     key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group)) + '>';
     key += code.sub;
+  }
+  for (const LostCode& code : lost) {
+    key += " -";
+    key += code.letter;
+    key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group));
   }
   key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "") +
       (words.change_stays ? "s" : "") + (words.retains_offset ? "r" : "");

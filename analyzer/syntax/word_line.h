@@ -102,6 +102,8 @@ class WordLine {
   bool moves_by_remap() const { return code_ == Motion::kRemapped; }
   /// The remapped codes of the line, in the order in which they act.
   std::vector<RemappedWord> remapped_words() const;
+  /// Whether a REMAP line has taken the M code away from its meaning.
+  bool loses_m(int32_t number) const { return lost('m', number) != nullptr; }
   /// A G or M word whose value is not known.
   bool has_unknown_code() const { return unknown_code_; }
 
@@ -116,6 +118,10 @@ class WordLine {
   std::optional<Fault> add_g(int32_t tenths, uint8_t at);
   std::optional<Fault> add_m(int32_t number, uint8_t at);
   std::optional<Fault> range(const Word& word, uint8_t at, int32_t* whole) const;
+  std::optional<Fault> add_lost_m(const LostCode& lost, uint8_t at);
+  /// What a code that a REMAP line has taken away stops with, behind all other checks of the line.
+  std::optional<Fault> lost_fault() const;
+  const LostCode* lost(char letter, int32_t number) const;
   const RemappedCode* remapped(char letter, int32_t number) const;
   const RemappedCode* remapped(const Word& word) const;
 
@@ -145,6 +151,8 @@ class WordLine {
   uint8_t fifth_m_ = kNoWord;
   bool unknown_code_ = false;
   bool remapped_m_ = false;
+  bool call_ = false;
+  uint8_t lost_g_ = kNoWord, lost_user_ = kNoWord, lost_stop_ = kNoWord;  // words of such codes
   uint32_t remapped_letters_ = 0;
   Motion code_ = Motion::kNone;  ///< the motion that the line itself has
   uint32_t letters_ = 0;
