@@ -78,6 +78,7 @@ class CommonFaults {
   }
 
   void run() {
+    fold_said_of_lines();
     for (size_t r = 0; r < reports_.size(); ++r) {
       std::vector<Finding>& findings = reports_[r].findings;
       if (std::ranges::all_of(findings, [](const Finding& f) { return f.group.empty(); })) continue;
@@ -93,6 +94,43 @@ class CommonFaults {
   }
 
  private:
+  /// What a program stops with for a line of the INI, where its finding names that line, is no second finding of the line.
+  void fold_said_of_lines() {
+    using Place = std::tuple<std::string, uint32_t, std::string>;  // path, line, what LinuxCNC says
+    const auto is_ini = [](const FileReport& report) {
+      return small_letters(ending_of(report.source->path())) == ".ini";
+    };
+    const auto place_in = [](const FileReport& report, const Finding& f) {
+      return Place(report.source->path(), report.source->position(f.span.begin).line, f.interpreter);
+    };
+    std::map<Place, bool> said;
+    for (const FileReport& report : reports_) {
+      if (!is_ini(report)) continue;
+      for (const Finding& f : report.findings) {
+        if (!f.stops && !f.interpreter.empty()) said.emplace(place_in(report, f), false);
+      }
+    }
+    if (said.empty()) return;
+    for (const FileReport& report : reports_) {
+      for (const Finding& f : report.findings) {
+        if (!f.stops) continue;
+        for (const Related& related : f.related) {
+          if (related.source == nullptr) continue;
+          const auto found =
+              said.find({related.source->path(), related.source->position(related.span.begin).line, f.interpreter});
+          if (found != said.end()) found->second = true;
+        }
+      }
+    }
+    for (FileReport& report : reports_) {
+      if (!is_ini(report)) continue;
+      std::erase_if(report.findings, [&](const Finding& f) {
+        const auto found = f.stops ? said.end() : said.find(place_in(report, f));
+        return found != said.end() && found->second;
+      });
+    }
+  }
+
   /// The folder of the run that a file lies in, or "".
   std::string_view folder_of_run(const std::string& file) const {
     std::string_view longest;
@@ -219,8 +257,8 @@ class CommonFaults {
     }
     for (auto& [key, first] : of_folder) {
       if (first.others > 0)
-        first.finding->message +=
-            fmt::format("; files are missing in {} other place{}, too", first.others, first.others > 1 ? "s" : "");
+        first.finding->message += fmt::format("; {} more place{} with missing files {} not listed", first.others,
+                                              first.others > 1 ? "s" : "", first.others > 1 ? "are" : "is");
     }
   }
 

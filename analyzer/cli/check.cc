@@ -157,7 +157,7 @@ class Check {
     std::string standard(stdin_ == nullptr ? std::string_view() : stdin_->bytes());
     for (const FileReport& report : result_.reports) {
       // What is found in other files than those that were named is not written into them.
-      if (report.findings.empty() || std::ranges::find(files_, report.source->path()) == files_.end()) continue;
+      if (report.findings.empty() || !is_checked(report.source->path())) continue;
       const std::vector<Edit> edits = suppression_comments(*report.source, report.findings, line_.reason);
       std::string error;
       std::string text = apply_edits(report.source->bytes(), edits);
@@ -246,8 +246,15 @@ class Check {
     totals.hidden = hidden_;
     if (!format.for_people || line_.quiet || totals.files == 0) return true;
     std::cerr << totals_text(totals) << '\n';
+    tell_fixable();
+    return true;
+  }
+
+  /// Fixes are made in the files that were named; in others, such as those that they call, only when these are named.
+  void tell_fixable() const {
     Fixable fixable;
     for (const FileReport& report : result_.reports) {
+      if (!is_checked(report.source->path())) continue;
       const Fixable one = count_fixable(report.findings);
       fixable.safe += one.safe;
       fixable.unsafe += one.unsafe;
@@ -256,8 +263,20 @@ class Check {
     if (fixable.unsafe > 0)
       std::cerr << fmt::format("{} can be fixed with --fix --unsafe, which may change what the program does\n",
                                fixable.unsafe);
-    return true;
+    constexpr size_t kMostFiles = 4;
+    size_t files = 0;
+    for (const FileReport& report : result_.reports) {
+      if (is_checked(report.source->path())) continue;
+      const Fixable one = count_fixable(report.findings);
+      if (one.safe + one.unsafe == 0 || ++files > kMostFiles) continue;
+      std::cerr << fmt::format("{} in {}, which was not named, can be fixed with --fix{} {}\n", one.safe + one.unsafe,
+                               report.source->path(), one.safe > 0 ? "" : " --unsafe", report.source->path());
+    }
+    if (files > kMostFiles)
+      std::cerr << fmt::format("so can findings in {} more\n", counted(files - kMostFiles, "file"));
   }
+
+  bool is_checked(const std::string& path) const { return std::ranges::find(files_, path) != files_.end(); }
 
   bool fails() {
     return std::ranges::any_of(result_.reports, [&](const FileReport& report) {

@@ -18,7 +18,7 @@ std::vector<std::string> format_names(bool all) {
 
 CLI::Option* add_words(CLI::App& app, const std::string& name, std::string& value, const std::string& what,
                        std::vector<std::string> words, const std::string& kind) {
-  return app.add_option(name, value, what)->check(one_of(std::move(words)))->type_name(kind)->capture_default_str();
+  return app.add_option(name, value, what)->transform(one_of(std::move(words)))->type_name(kind)->capture_default_str();
 }
 
 CLI::Option* add_file(CLI::App& app, const std::string& name, auto& value, const std::string& what) {
@@ -41,7 +41,7 @@ void add_color(CLI::App& app, CommandLine& line) {
 
 void add_fail_on(CLI::App& app, CommandLine& line, const std::string& what) {
   app.add_option("--fail-on", line.fail_on, what)
-      ->check(one_of({"error", "warning", "info"}))
+      ->transform(one_of({"error", "warning", "info"}))
       ->type_name("LEVEL")
       ->default_str("error");
 }
@@ -96,19 +96,19 @@ void add_settings_options(CLI::App& app, CommandLine& line) {
       ->type_name("MASK")
       ->group("Machine");
   app.add_option("--linuxcnc", line.linuxcnc, "the LinuxCNC version, or all to report what stops in any version")
-      ->check(one_of({"2.7", "2.8", "2.9", "2.10", "all"}))
+      ->transform(one_of({"2.7", "2.8", "2.9", "2.10", "all"}))
       ->type_name("VERSION")
       ->default_str("2.9")
       ->group("Machine");
   const auto codes = [&](const char* name, std::vector<std::string>& list, const char* what) {
-    add_list(app, name, list, what, "CODES")->delimiter(',')->check(rule_code())->group("Rules");
+    add_list(app, name, list, what, "CODES")->delimiter(',')->transform(rule_code())->group("Rules");
   };
   codes("--select", line.select, "use only these rules: codes, names, or prefixes such as OW3");
   codes("--extend-select", line.extend_select, "also use these rules, even if they are off by default");
   codes("--ignore", line.ignore, "do not use these rules");
   add_list(app, "--severity", line.severity, "set the severity of a rule: off, info, warning or error", "CODE=LEVEL")
       ->delimiter(',')
-      ->check(code_level())
+      ->transform(code_level())
       ->group("Rules");
   add_fail_on(app, line, "exit with 1 if there is a finding of this severity or worse");
   app.get_option("--fail-on")->group("Rules");

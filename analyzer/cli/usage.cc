@@ -37,8 +37,10 @@ std::string unknown_option(const CLI::App& app, const Meant& meant, const std::s
   std::vector<std::string> names;
   add_spellings(*meant.app, names);
   const size_t of_command = names.size();
-  add_spellings(app, names);  // such as `--version`, which no command has
-  const std::string near = rules::nearest(text.substr(0, text.find('=')), names);
+  add_spellings(app, names);     // such as `--version`, which no command has
+  constexpr size_t kLetter = 2;  // of `-x` each other letter would be as near
+  const std::string near =
+      text.size() <= kLetter ? std::string() : rules::nearest(text.substr(0, text.find('=')), names);
   if (near.empty())
     return fmt::format("unknown option `{}`; `--help` lists all, and what comes after `--` is a path", text);
   const bool without_command =
@@ -99,6 +101,7 @@ std::string misspelt_command(const CLI::App& app, const std::string& argument) {
   for (const std::string& name : known) {
     if (near.empty() && word && name.starts_with(argument.substr(0, kTelling))) near = name;
   }
+  if (argument == "fix") return "there is no command and no file `fix`; `owlint --fix PATH` makes the safe fixes";
   // What other programs call them.
   if (argument == "lint") near = "check";
   if (argument == "format") near = "fmt";

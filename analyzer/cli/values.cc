@@ -14,12 +14,37 @@ namespace owlint::cli {
 
 using namespace checking;
 
+namespace {
+
+/// The word that was meant: a misspelt one, one that is cut short (`warn`), or one with too much behind it (`2.9.4`).
+std::string near_word(const std::string& value, const std::vector<std::string>& words) {
+  constexpr size_t kTelling = 3;
+  std::string near = rules::nearest(value, words);
+  for (const std::string& word : words) {
+    const bool shortened = value.size() >= kTelling && word.starts_with(value);
+    if (near.empty() && (shortened || value.starts_with(word + "."))) near = word;
+  }
+  return near;
+}
+
+void trim(std::string& value) {
+  value.erase(0, value.find_first_not_of(" \t"));
+  value.erase(value.find_last_not_of(" \t") + 1);
+}
+
+}  // namespace
+
 // Of all validators only this one has a description: CLI11 puts it behind the name of the value, where words_of() finds it.
 CLI::Validator one_of(std::vector<std::string> words) {
   const std::string description = fmt::format("{}", fmt::join(words, "|"));
   const auto check = [words = std::move(words)](std::string& value) {
     if (std::ranges::find(words, value) != words.end()) return std::string();
-    const std::string near = rules::nearest(value, words);
+    const std::string small = small_letters(value);
+    if (std::ranges::find(words, small) != words.end()) {
+      value = small;
+      return std::string();
+    }
+    const std::string near = near_word(small, words);
     return fmt::format("`{}` is none of {}{}", value, fmt::join(words, ", "),
                        near.empty() ? "" : "; did you mean `" + near + "`?");
   };
@@ -28,6 +53,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
 
 CLI::Validator rule_code() {
   const auto check = [](std::string& value) {
+    trim(value);  // `OW104, OW105`
     std::string code = value;
     std::string error;
     take_code(&code, &error);
@@ -38,12 +64,17 @@ CLI::Validator rule_code() {
 
 CLI::Validator code_level() {
   const auto check = [](std::string& value) {
+    trim(value);
     const size_t equals = value.find('=');
     Severity severity{};
     std::string code = value.substr(0, equals);
     std::string error;
     if (equals == std::string::npos || !severity_from_text(value.substr(equals + 1), &severity)) {
-      error = fmt::format("`{}` is not CODE=LEVEL with a level of off, info, warning or error", value);
+      const std::string near = equals == std::string::npos
+          ? std::string()
+          : near_word(small_letters(value.substr(equals + 1)), {"off", "info", "warning", "error"});
+      error = fmt::format("`{}` is not CODE=LEVEL with a level of off, info, warning or error{}", value,
+                          near.empty() ? "" : "; did you mean `" + value.substr(0, equals + 1) + near + "`?");
     } else {
       take_code(&code, &error);
     }

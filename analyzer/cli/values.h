@@ -8,14 +8,17 @@
 
 namespace owlint::cli {
 
-// --- to be given to an option's check() ---
+// --- to be given to an option's transform(): they change what is written otherwise ---
 
-/// One of these words.
+/// One of these words, in any case.
 CLI::Validator one_of(std::vector<std::string> words);
 /// A rule's code, its name, or the beginning of codes.
 CLI::Validator rule_code();
 /// CODE=LEVEL.
 CLI::Validator code_level();
+
+// --- to be given to an option's check() ---
+
 /// A number that counts something, from 1.
 CLI::Validator count();
 /// A FEATURE mask.

@@ -18,6 +18,7 @@ struct StartRefusal {
     kEndlessJoints,  ///< `JOINTS` is no number, as `3 # three`: the check never ends
     kMinLimit,       ///< of a joint, inside that of its axis
     kMaxLimit,
+    kNoUnits,  ///< task ends where `[TRAJ]` lacks one of its units; check_config() does not say so
   };
   Kind kind = Kind::kBeforeSection;
   const IniLine* line = nullptr;  ///< the one to change; null where a section or key is not there at all

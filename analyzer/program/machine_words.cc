@@ -4,7 +4,6 @@
 #include <bit>
 #include <charconv>
 #include <functional>
-#include <limits>
 
 #include "analyzer/machine/remap_line.h"
 #include "analyzer/machine/setup.h"
@@ -30,11 +29,12 @@ uint32_t axes_of(const MachineSetup& setup) {
 bool keeps_its_meaning(int code, Release release) {
   constexpr int kKept[] = {2, 3, 4, 5, 19, 30, 48, 49, 50, 51, 52, 53, 70, 71, 72, 73, 98, 99};
   if (code == 7 || code == 8) return release < Release::k2_10;
-  return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199);
+  return std::ranges::find(kKept, code) != std::end(kKept) || (code >= 100 && code <= 199) || code >= 1000;
 }
 
-/// remapped_code(), and M codes above 999: LinuxCNC knows one that an INI maps, but never runs its sub.
-std::optional<RemappedCode> known_code(std::string_view remap, Release release) {
+}  // namespace
+
+std::optional<RemappedCode> remapped_code(std::string_view remap, Release release) {
   const RemapLine line = read_remap(remap, 0);
   if (line.problem != RemapLine::Problem::kNone) return std::nullopt;
   RemappedCode out{static_cast<char>(line.letter() - 'A' + 'a'),
@@ -55,8 +55,7 @@ std::optional<RemappedCode> known_code(std::string_view remap, Release release) 
       out.number = static_cast<int16_t>(line.g_number());
       return out;
     case 'M':
-      if (line.m_number() < 0 || line.m_number() > std::numeric_limits<int16_t>::max()) return std::nullopt;
-      if (keeps_its_meaning(line.m_number(), release)) return std::nullopt;
+      if (line.m_number() < 0 || keeps_its_meaning(line.m_number(), release)) return std::nullopt;
       out.number = static_cast<int16_t>(line.m_number());
       if (const int group = line.group.value_or(-1); group != -1) out.group = static_cast<MGroup>(group);
       return out;
@@ -64,12 +63,27 @@ std::optional<RemappedCode> known_code(std::string_view remap, Release release) 
   }
 }
 
-}  // namespace
-
-std::optional<RemappedCode> remapped_code(std::string_view remap, Release release) {
-  constexpr int kEnd = 1000;
-  const std::optional<RemappedCode> code = known_code(remap, release);
-  return code && code->letter == 'm' && code->number >= kEnd ? std::nullopt : code;
+std::optional<LostCode> lost_code(std::string_view remap, Release release) {
+  const RemapLine line = read_remap(remap, 0);
+  if (line.problem != RemapLine::Problem::kNone) return std::nullopt;
+  if (line.letter() == 'G') {
+    const GCode* const code = g_code(line.g_number(), release);
+    // These two count as motions when they are remapped (measured).
+    constexpr int kG5_3 = 53, kG6_3 = 63;
+    if (code == nullptr || code->group == GGroup::kMotion || code->tenths == kG5_3 || code->tenths == kG6_3)
+      return std::nullopt;
+    return LostCode{'g', code->tenths, MGroup::kUser};
+  }
+  const int number = line.m_number();
+  if (line.letter() != 'M' || number < 0 || number == code::kM98 || number == code::kM99 ||
+      !keeps_its_meaning(number, release))
+    return std::nullopt;
+  const int given = line.group.value_or(-1);
+  const MGroup group = given == -1 ? MGroup::kUser : static_cast<MGroup>(given);
+  const MCode* const code = m_code(number);
+  // A user code keeps its program, but loses its words.
+  if (code != nullptr && code->group == group && group != MGroup::kUser) return std::nullopt;
+  return LostCode{'m', number, group};
 }
 
 namespace {
@@ -186,13 +200,15 @@ WordsOfMachine::WordsOfMachine(const Profile& profile) : start(ModeState::starte
   // A part of an INI, without the section, does not say which axes there are.
   if (profile.setup->ini.has_section("TRAJ")) words.axes = axes_of(*profile.setup);
   for (const Ini::Entry* remap : profile.setup->ini.all("RS274NGC", "REMAP")) {
-    const auto code = known_code(remap->value, words.release);
+    const auto code = remapped_code(remap->value, words.release);
     const auto same = [&](const RemappedCode& known) {
       return known.letter == code->letter && known.number == code->number;
     };
     if (code && std::ranges::none_of(remapped, same)) remapped.push_back(*code);
+    if (const auto taken = lost_code(remap->value, words.release)) lost.push_back(*taken);
   }
   words.remapped = remapped;
+  words.lost = lost;
   const Ini& ini = profile.setup->ini;
   words.units_per_mm = units_per_mm(ini);
   set_tolerance(ini, "CENTER_ARC_RADIUS_TOLERANCE_MM", 0.001, &words.arc_tolerance_mm);
@@ -230,6 +246,11 @@ std::string WordsOfMachine::key() const {
     key += code.letter;
     key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group)) + '>';
     key += code.sub;
+  }
+  for (const LostCode& code : lost) {
+    key += " -";
+    key += code.letter;
+    key += std::to_string(code.number) + ':' + std::to_string(static_cast<int>(code.group));
   }
   key += " $" + std::to_string(words.spindles) + (words.change_keeps_spindle ? "+" : "") +
       (words.change_stays ? "s" : "") + (words.retains_offset ? "r" : "");

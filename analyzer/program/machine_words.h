@@ -21,6 +21,10 @@ Release release_of(const Profile& profile);
 /// among them.
 std::optional<RemappedCode> remapped_code(std::string_view remap, Release release);
 
+/// The code whose meaning such a line takes away, as LinuxCNC cannot remap it. Nothing for other codes, for lines that LinuxCNC
+/// refuses, and for M98 and M99, which are read before.
+std::optional<LostCode> lost_code(std::string_view remap, Release release);
+
 /// The entry of an INI that limits an axis (by Axis): `[AXIS_X]MAX_LIMIT`, or if it has none, that of its joint, where each joint
 /// is an axis. Null if there is none. Limits are in units of the machine.
 const Ini::Entry* limit_entry(const Ini& ini, size_t axis, bool greatest);
@@ -34,6 +38,7 @@ struct WordsOfMachine {
   std::string key() const;
 
   std::vector<RemappedCode> remapped;
+  std::vector<LostCode> lost;
   std::vector<Tool> tools;
   ModeState start;                            ///< the modes in which a program begins: start-up code has run
   MachineWords words;                         ///< refers to these

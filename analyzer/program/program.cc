@@ -164,7 +164,7 @@ bool may_be_read(const MachineWords& machine, Expected expected) {
   const auto starts_as_usual = [&](Mode mode) {
     return start[mode] == ModeSets::started()[mode] && !start.is_open(mode);
   };
-  if (!machine.remapped.empty() || !starts_as_usual(Mode::kDistance)) return false;
+  if (!machine.remapped.empty() || !machine.lost.empty() || !starts_as_usual(Mode::kDistance)) return false;
   if (expected == Expected::kNoG91) return true;
   bool usual = !machine.has_limits && !machine.measures_extents && machine.wrapped == 0 && machine.indexing == 0;
   for (size_t i = 0; i < kModes; ++i) {

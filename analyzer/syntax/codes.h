@@ -187,6 +187,13 @@ struct RemappedCode {
   bool python_before = false;     ///< Python runs, of which nothing is known: before the sub, and behind it
   bool python_behind = false;
 };
+/// A built-in code, or an M code above 999, that LinuxCNC cannot remap: a REMAP line puts it into another group, where nothing is
+/// called for it, and its own meaning is gone (measured).
+struct LostCode {
+  char letter;     ///< `g` or `m`
+  int32_t number;  ///< of a G code in tenths
+  MGroup group;    ///< of an M code: in kStop and kUser it stops the program, in others it does nothing
+};
 /// What a row of the tool table says that decides whether a line runs.
 struct Tool {
   int32_t number;
@@ -209,6 +216,7 @@ struct MachineWords {
   Release release = Release::k2_8;
   uint32_t axes = letter_set("xyzabc");
   std::span<const RemappedCode> remapped;
+  std::span<const LostCode> lost;
   bool unsure = false;  ///< the machine is not known: it may have other axes, and codes M200 to M999 of its own
   int32_t spindles = 1;
   bool change_keeps_spindle = false;       ///< M6 does not stop the spindle

@@ -289,7 +289,7 @@ bool LineParser::m_code(ExprId value, size_t from, size_t to, Statement& s) {
     }
     letters_ |= kHasStop | (number == 99 ? kHasReturn : 0U);
   }
-  const bool ends = number == 2 || number == 30;
+  const bool ends = (number == 2 || number == 30) && !words_.loses_m(static_cast<int32_t>(number));
   if (s.kind == LineKind::kM98) return true;  // it is not executed
   if (!ends && (number != 99 || s.kind != LineKind::kWords)) return true;
   s.kind = ends ? LineKind::kProgramEnd : LineKind::kM99Behind;

@@ -93,14 +93,14 @@ uint8_t WordLine::word_of(const CodeSet& codes) const {
 }
 
 bool WordLine::depends_on_motion() const {
-  if (code_ != Motion::kNone || has_taker()) return false;
+  if (lost_g_ != kNoWord || code_ != Motion::kNone || has_taker()) return false;
   if (has_axis_words() || has_polar_words()) return !has_code(GGroup::kToolLength, code::kG43_1);
   return (letters_ & kCenterLetters) != 0;
 }
 
 Motion WordLine::motion(Motion mode) const {
   if (code_ != Motion::kNone) return code_;
-  if (has_taker()) return Motion::kNone;
+  if (lost_g_ != kNoWord || has_taker()) return Motion::kNone;
   if (has_axis_words() || has_polar_words()) return has_code(GGroup::kToolLength, code::kG43_1) ? Motion::kNone : mode;
   return (letters_ & kCenterLetters) != 0 && contains(kArcMotions, mode) ? mode : Motion::kNone;
 }
@@ -131,7 +131,26 @@ std::optional<Fault> WordLine::check(const Modes& before, MotionSet* after) cons
     return out.fault();
   }
   other_words(motion(before.motion), out);
-  return out.fault();
+  std::optional<Fault> fault = out.fault();
+  if (fault && fault->certain) return fault;
+  std::optional<Fault> of_lost = lost_fault();
+  return of_lost ? of_lost : fault;
+}
+
+/// In the order in which they are executed.
+std::optional<Fault> WordLine::lost_fault() const {
+  if (call_) return std::nullopt;
+  const auto fault = [&](std::string message, uint8_t word) {
+    return Fault{StopKind::kCodeUnknown, std::move(message), word, kNoWord, !unknown_code_};
+  };
+  if (lost_user_ != kNoWord) {
+    int32_t number = 0;
+    word_integer(words_[lost_user_].value, &number);
+    return fault("Unknown m code used: M" + std::to_string(number), lost_user_);
+  }
+  if (lost_g_ != kNoWord) return fault("Bug unknown motion code", lost_g_);
+  if (lost_stop_ != kNoWord) return fault("Bug code not m0 m1 m2 m30 m60 m99", lost_stop_);
+  return std::nullopt;
 }
 
 bool WordLine::polar_words(const Modes& before, Outcome& out) const {
@@ -158,6 +177,11 @@ bool WordLine::axis_words(const Modes& before, Outcome& out) const {
   const bool taker = has_taker();
   const uint8_t taking = word_of(kNonModal);
   const uint8_t moving = word_of(GGroup::kMotion);
+  if (lost_g_ != kNoWord) {
+    if (taker && out.stop(StopKind::kAxisWords, "Cannot use two g codes that both use axis values", taking, moving))
+      return true;
+    return !axis && !polar && out.stop(StopKind::kCodeUnknown, "All axes missing with motion code", lost_g_);
+  }
   if (code_ != Motion::kNone && code_ != Motion::kG80) {
     if (taker && out.stop(StopKind::kAxisWords, "Cannot use two g codes that both use axis values", taking, moving))
       return true;

@@ -6,8 +6,8 @@
 namespace owlint {
 namespace {
 
-constexpr int kMCodesEnd = 200;     // what lies behind exists only if remapped
-constexpr int kRemappedEnd = 1000;  // what an INI maps behind it is never run
+constexpr int kMCodesEnd = 200;  // what lies behind exists only if remapped
+constexpr int kRemappedEnd = 1000;
 constexpr size_t kMWords = 4;
 
 }  // namespace
@@ -15,7 +15,8 @@ constexpr size_t kMWords = 4;
 void WordLine::clear() {
   size_ = m_words_ = 0;
   fifth_m_ = kNoWord;
-  unknown_code_ = remapped_m_ = mapped_in_vain_ = false;
+  unknown_code_ = remapped_m_ = call_ = false;
+  lost_g_ = lost_user_ = lost_stop_ = kNoWord;
   remapped_letters_ = 0;
   code_ = Motion::kNone;
   letters_ = 0;
@@ -26,6 +27,7 @@ void WordLine::clear() {
 
 void WordLine::begin_call() {
   clear();
+  call_ = true;
   codes_ = set_of(*m_code(code::kM98));
 }
 
@@ -79,6 +81,12 @@ std::optional<Fault> WordLine::range(const Word& word, uint8_t at, int32_t* whol
   return std::nullopt;
 }
 
+const LostCode* WordLine::lost(char letter, int32_t number) const {
+  const auto found = std::ranges::find_if(
+      machine_->lost, [&](const LostCode& code) { return code.letter == letter && code.number == number; });
+  return found == machine_->lost.end() ? nullptr : &*found;
+}
+
 const RemappedCode* WordLine::remapped(char letter, int32_t number) const {
   const auto found = std::ranges::find_if(
       machine_->remapped, [&](const RemappedCode& code) { return code.letter == letter && code.number == number; });
@@ -89,7 +97,7 @@ const RemappedCode* WordLine::remapped(const Word& word) const {
   if (word.letter != 'g' && word.letter != 'm') return remapped(word.letter, 0);
   int32_t number = 0;
   if (word.letter == 'g' ? !g_tenths(word.value, &number) : !word_integer(word.value, &number)) return nullptr;
-  return number < kRemappedEnd ? remapped(word.letter, number) : nullptr;
+  return remapped(word.letter, number);
 }
 
 std::vector<RemappedWord> WordLine::remapped_words() const {
@@ -124,6 +132,8 @@ std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {
     }
     return Fault{StopKind::kCodeUnknown, "Unknown g code used", at, kNoWord, !machine_->unsure};
   }
+  const bool is_lost = lost('g', tenths) != nullptr;
+  if (is_lost) code = nullptr;
   const GGroup group = code == nullptr ? GGroup::kMotion : code->group;
   Place<GCode>& place = g_[static_cast<size_t>(group)];
   if (place.word != kNoWord) {
@@ -132,7 +142,9 @@ std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {
       return Fault{StopKind::kCodesConflict, "Two g codes used from same modal group", at, place.word, true};
   }
   place = {code, at};
-  if (group == GGroup::kMotion) {
+  if (is_lost) {
+    lost_g_ = at;
+  } else if (group == GGroup::kMotion) {
     code_ = code == nullptr ? Motion::kRemapped : code->motion;
   } else {
     codes_ = codes_ | set_of(*code);
@@ -140,8 +152,22 @@ std::optional<Fault> WordLine::add_g(int32_t tenths, uint8_t at) {
   return std::nullopt;
 }
 
+std::optional<Fault> WordLine::add_lost_m(const LostCode& lost, uint8_t at) {
+  Place<MCode>& place = m_[static_cast<size_t>(lost.group)];
+  if (place.word != kNoWord)
+    return Fault{StopKind::kCodesConflict, "Two m codes used from same modal group", at, place.word, true};
+  const MCode* const code = m_code(lost.number);
+  // Measured: it still runs the program of the machine, but has no words any more.
+  const bool runs = lost.group == MGroup::kUser && code != nullptr && code->group == MGroup::kUser;
+  place = {runs ? code : nullptr, at};
+  if (lost.group == MGroup::kUser && !runs) lost_user_ = at;
+  if (lost.group == MGroup::kStop) lost_stop_ = at;
+  return std::nullopt;
+}
+
 std::optional<Fault> WordLine::add_m(int32_t number, uint8_t at) {
-  const RemappedCode* const machines = remapped('m', number);
+  if (const LostCode* const code = lost('m', number)) return add_lost_m(*code, at);
+  const RemappedCode* const machines = number < kRemappedEnd ? remapped('m', number) : nullptr;
   const MCode* code = m_code(number);
   if (machines == nullptr && (code == nullptr || code->group == MGroup::kCall)) {
     const bool beyond = number >= kMCodesEnd;
@@ -155,12 +181,7 @@ std::optional<Fault> WordLine::add_m(int32_t number, uint8_t at) {
   if (place.word != kNoWord)
     return Fault{StopKind::kCodesConflict, "Two m codes used from same modal group", at, place.word, true};
   place = {machines != nullptr ? nullptr : code, at};
-  if (number >= kRemappedEnd) {
-    // Measured: known, but its sub is never run; in a group of built-in codes it does nothing.
-    mapped_in_vain_ = machines->group == MGroup::kUser;
-    if (machines->group == MGroup::kStop)
-      return Fault{StopKind::kCodeUnknown, "Bug code not m0 m1 m2 m30 m60 m99", at, kNoWord, true};
-  } else if (machines != nullptr) {
+  if (machines != nullptr) {
     remapped_m_ = true;
   } else {
     codes_ = codes_ | set_of(*code);

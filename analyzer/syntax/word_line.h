@@ -92,9 +92,8 @@ class WordLine {
   /// The index of its word, also of a remapped code; kNoWord if the line has none of the group.
   uint8_t word_of(GGroup group) const { return g_[static_cast<size_t>(group)].word; }
   uint8_t word_of(MGroup group) const { return m_[static_cast<size_t>(group)].word; }
-  /// M100 to M199: known to every machine, but a program of its own must be there for it. An M code above 999 that an INI maps
-  /// is like them, and there is never one.
-  bool is_user_m() const { return code(MGroup::kUser) != nullptr || mapped_in_vain_; }
+  /// M100 to M199: known to every machine, but a program of its own must be there for it.
+  bool is_user_m() const { return code(MGroup::kUser) != nullptr; }
   /// A code that the machine defines is on the line, or may be: what it does is for its sub or its Python to say.
   bool has_remapped_code() const { return remapped_m_ || code_ == Motion::kRemapped || remapped_letters_ != 0; }
   /// Whether the words of a letter are remapped: T, S and F, which have no effect of their own then.
@@ -103,6 +102,8 @@ class WordLine {
   bool moves_by_remap() const { return code_ == Motion::kRemapped; }
   /// The remapped codes of the line, in the order in which they act.
   std::vector<RemappedWord> remapped_words() const;
+  /// Whether a REMAP line has taken the M code away from its meaning.
+  bool loses_m(int32_t number) const { return lost('m', number) != nullptr; }
   /// A G or M word whose value is not known.
   bool has_unknown_code() const { return unknown_code_; }
 
@@ -117,6 +118,10 @@ class WordLine {
   std::optional<Fault> add_g(int32_t tenths, uint8_t at);
   std::optional<Fault> add_m(int32_t number, uint8_t at);
   std::optional<Fault> range(const Word& word, uint8_t at, int32_t* whole) const;
+  std::optional<Fault> add_lost_m(const LostCode& lost, uint8_t at);
+  /// What a code that a REMAP line has taken away stops with, behind all other checks of the line.
+  std::optional<Fault> lost_fault() const;
+  const LostCode* lost(char letter, int32_t number) const;
   const RemappedCode* remapped(char letter, int32_t number) const;
   const RemappedCode* remapped(const Word& word) const;
 
@@ -146,7 +151,8 @@ class WordLine {
   uint8_t fifth_m_ = kNoWord;
   bool unknown_code_ = false;
   bool remapped_m_ = false;
-  bool mapped_in_vain_ = false;  // M1000 and above, as a user code
+  bool call_ = false;
+  uint8_t lost_g_ = kNoWord, lost_user_ = kNoWord, lost_stop_ = kNoWord;  // words of such codes
   uint32_t remapped_letters_ = 0;
   Motion code_ = Motion::kNone;  ///< the motion that the line itself has
   uint32_t letters_ = 0;

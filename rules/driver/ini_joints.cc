@@ -11,6 +11,7 @@
 
 #include "rules/driver/ini_values.h"
 #include "rules/driver/remap_rules.h"
+#include "rules/driver/start_refusals.h"
 
 namespace owlint::rules {
 namespace {
@@ -63,7 +64,8 @@ class Joints {
   bool is_named(const std::string& section) const {
     return std::ranges::any_of(text_.lines(), [&](const IniLine& line) {
       return line.kind != IniLine::Kind::kKey && line.kind != IniLine::Kind::kComment &&
-          small_letters(text_.text(line)).find(small_letters(section)) != std::string::npos;
+          (small_letters(text_.text(line)).find(small_letters(section)) != std::string::npos ||
+           (line.kind == IniLine::Kind::kSection && meant_section(text_, text_.name(line)) == section));
     });
   }
 

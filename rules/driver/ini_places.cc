@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "analyzer/machine/ini_keys.h"
 #include "analyzer/program/machine_words.h"
 #include "rules/driver/machine_rules.h"
 #include "rules/driver/remap_rules.h"
+#include "rules/driver/start_refusals.h"
 #include "rules/driver/words.h"
 
 namespace owlint::rules {
@@ -80,8 +83,39 @@ void relate_unread_remap(const Profile& profile, char letter, int number, Findin
   }
 }
 
+namespace {
+
+/// What a code that a REMAP line has taken away has to do with a stop.
+void relate_lost_code(const Input& in, const FlowStop& stop, Finding& finding) {
+  const std::vector<LostRemap> all = lost_codes(in.profile);
+  const std::string_view rule = finding.code;
+  if (all.empty() || (rule != "OW705" && rule != "OW706" && rule != "OW707" && rule != "OW802")) return;
+  constexpr int kTenths = 10, kM3 = 3, kM4 = 4;
+  const std::vector<WrittenWord> words = words_of(*in.program.source, in.program.at(stop.statement).whole());
+  for (const LostRemap& lost : all) {
+    const auto is_code = [&](const WrittenWord& word) {
+      const double value = word.value.value_or(-1) * (word.letter == 'g' ? kTenths : 1);
+      return word.letter == lost.code.letter && std::lround(value) == lost.code.number;
+    };
+    const bool here = std::ranges::any_of(words, is_code);
+    if (rule == "OW705" && here && lost.crashes) finding.interpreter.clear();
+    if (rule == "OW706" && here && finding.interpreter.starts_with("Two ")) {
+      finding.message = finding.message.substr(0, finding.message.find(": ")) + ": the `REMAP` of `" + lost.name +
+          "` puts both into one group";
+      return blame(in.profile, lost, finding);
+    }
+    if (rule == "OW707" && here) return blame(in.profile, lost, finding);
+    // A spindle that never starts.
+    const bool starts = lost.code.letter == 'm' && (lost.code.number == kM3 || lost.code.number == kM4);
+    if (rule == "OW802" && starts) return blame(in.profile, lost, finding);
+  }
+}
+
+}  // namespace
+
 void relate_unused_remap(const Input& in, const FlowStop& stop, Finding& finding) {
   if (in.profile.setup == nullptr || stop.statement == kNoStatement) return;
+  relate_lost_code(in, stop, finding);
   if (finding.code != "OW708" && finding.code != "OW801" && finding.code != "OW802") return;
   if (in.profile.setup->ini.find("RS274NGC", "REMAP") == nullptr) return;
   for (const WrittenWord& word : words_of(*in.program.source, in.program.at(stop.statement).whole())) {
@@ -119,6 +153,49 @@ bool relate_unread_entry(const Profile& profile, std::string_view section, std::
   return false;
 }
 
+bool relate_given_name(const Profile& profile, std::string_view sub, std::string_view name, Finding& finding) {
+  if (profile.setup == nullptr) return false;
+  if (name.starts_with("_ini[")) {
+    const Ini::Entry* const entry = profile.setup->ini.find("RS274NGC", "INI_VARS");
+    if (profile.setup->reads_ini || entry == nullptr) return false;
+    finding.help = "remove `INI_VARS`, or write `INI_VARS = 1`: then programs read the entries of the INI";
+    relate_ini(finding, *entry, "switched off here");
+    return true;
+  }
+  if (name == "n_args") {
+    finding.help = "write `OWORD_NARGS = 1` in `[RS274NGC]` of the machine's INI: then subs have this name";
+    const Ini::Entry* const entry = profile.setup->ini.find("RS274NGC", "OWORD_NARGS");
+    if (entry != nullptr) relate_ini(finding, *entry, "this does not switch it on");
+    return true;
+  }
+  if (name.size() != 1 || name[0] < 'a' || name[0] > 'z') return false;
+  const IniText& text = profile.setup->text;
+  for (const Remap& remap : remaps_of(text)) {
+    const std::string ngc = small_letters(remap.read.ngc);
+    if (ngc.empty() || ngc.substr(ngc.rfind('/') + 1) != sub || remap.earlier != nullptr) continue;
+    const char capital = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    const bool optional = remap.read.argspec.find(name[0]) != std::string_view::npos;
+    const bool by_number = remap.read.argspec.find('@') != std::string_view::npos;
+    if (by_number) {
+      finding.help =
+          fmt::format("with `@` in `argspec` the words are in `#1`, `#2` …: remove the `@`, or read the numbers");
+    } else if (optional) {
+      finding.help = fmt::format(
+          "ask with `EXISTS[#<{0}>]` in an `if` of its own first; or write `{1}` in `argspec`, so that "
+          "every line must have the word",
+          name, capital);
+    } else {
+      finding.help =
+          fmt::format("add `{}` to the `argspec` of the `REMAP`, or assign `#<{}>` in the sub", capital, name);
+    }
+    finding.related.push_back(line_place(text, *remap.line,
+                                         optional ? fmt::format("a line with the code may leave out `{}`", capital)
+                                                  : fmt::format("this passes no `#<{}>`", name)));
+    return true;
+  }
+  return false;
+}
+
 std::vector<const IniFolder*> unused_folders(const MachineSetup& setup) {
   constexpr int kSearched = 10, kOfUserCodes = 5;
   std::vector<const IniFolder*> unused;
@@ -150,13 +227,34 @@ void end_before(Related& list, const IniFolder& unused) {
 
 }  // namespace
 
+namespace {
+
+/// A line that was meant for the search path and is not; empty for others.
+std::string why_no_path(const IniText& text, const IniLine& line) {
+  constexpr std::string_view kKey = "SUBROUTINE_PATH";
+  if (line.continuation) {
+    return text.text(line).starts_with(kKey) ? "the line before goes on in this one, so that LinuxCNC does not see it"
+                                             : "";
+  }
+  if (line.kind == IniLine::Kind::kText)
+    return text.text(line).starts_with(kKey) ? "not read: a line without `=` sets nothing" : "";
+  const bool misspelt = line.kind == IniLine::Kind::kKey && text.section_of(line) == "RS274NGC" &&
+      find_ini_key("RS274NGC", text.name(line)) == nullptr && meant_key("RS274NGC", text.name(line)) == kKey;
+  return misspelt ? "not read: LinuxCNC looks for `SUBROUTINE_PATH`" : "";
+}
+
+}  // namespace
+
 std::vector<Related> search_path_places(const Profile& profile) {
   std::vector<Related> places;
   if (profile.setup == nullptr) return places;
   const IniText& text = profile.setup->text;
   for (const IniLine& line : text.lines()) {
-    if (line.kind != IniLine::Kind::kKey || text.name(line) != "SUBROUTINE_PATH" || places.size() == kMostPlaces)
+    if (places.size() == kMostPlaces) break;
+    if (line.continuation || text.name(line) != "SUBROUTINE_PATH" || line.kind != IniLine::Kind::kKey) {
+      if (const std::string why = why_no_path(text, line); !why.empty()) places.push_back(line_place(text, line, why));
       continue;
+    }
     const std::string why = why_unread(profile, line, "RS274NGC", false);
     places.push_back(line_place(text, line, why.empty() ? "the folders in which LinuxCNC looks" : why));
     const std::vector<const IniFolder*> unused = unused_folders(*profile.setup);

@@ -26,6 +26,10 @@ void relate_unused_remap(const Input& in, const FlowStop& stop, Finding& finding
 /// one, and why it does not count. Section and key in any case. False if there is none.
 bool relate_unread_entry(const Profile& profile, std::string_view section, std::string_view key, Finding& finding);
 
+/// A name that is read and that the INI could give: an entry of its own where it hides them, `#<n_args>`, or `#<p>` in the sub of
+/// a `REMAP` line that passes no P, or one that may be left out. Names that line and says what to write. False for other names.
+bool relate_given_name(const Profile& profile, std::string_view sub, std::string_view name, Finding& finding);
+
 /// Where the INI says in which folders called files are, for findings about files that are not found: the line that is read, or
 /// lines with `SUBROUTINE_PATH` that are not.
 std::vector<Related> search_path_places(const Profile& profile);

@@ -52,8 +52,9 @@ ByFile lint_one_version(const Profile& profile, const LintOptions& options, Libr
     decide(policy, report.findings);
     apply_suppressions(*report.source, suppressions, report.findings);
     put_in_order(report.findings);
-    rules::fold_missing_files(input, report.findings);
+    rules::fold_missing_files(input, report.findings, selected(*find_rule("OW407"), options));
     decide(policy, report.findings);  // what was folded changes it
+    apply_suppressions(*report.source, suppressions, report.findings);
     for (Finding& f : report.findings) {
       if (f.group.empty()) f.group = f.message;  // copies of one configuration have the same mistakes
     }

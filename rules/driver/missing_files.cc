@@ -86,7 +86,8 @@ Finding* speaker_of(std::vector<Finding>& findings) {
 }
 
 /// The first of the findings speaks for all, and for the files that LinuxCNC needs.
-Folded say_part(const SetupInput& in, const std::vector<NamedFile>& elsewhere, std::vector<Finding>& findings) {
+Folded say_part(const SetupInput& in, const std::vector<NamedFile>& elsewhere, std::vector<Finding>& findings,
+                bool speaks_for_calls) {
   Folded folded(findings.size());
   Finding* const speaker = speaker_of(findings);
   std::vector<std::string> names;
@@ -117,6 +118,10 @@ Folded say_part(const SetupInput& in, const std::vector<NamedFile>& elsewhere, s
     speaker->message += fmt::format("; LinuxCNC does not start without `{}`", speaker->missing);
   speaker->help =
       "correct the names; if this folder has only a part of the configuration, check the INI on the machine";
+  if (speaks_for_calls && speaker->code == "OW208") {  // most of them are called by no program
+    speaker->code = "OW407";
+    speaker->rule = find_rule(speaker->code)->name;
+  }
   speaker->reach = Reach::kMaybe;
   speaker->unproven = true;
   speaker->group = "part of a configuration";
@@ -154,10 +159,10 @@ Folded join_names(std::vector<Finding>& findings) {
 
 }  // namespace
 
-void fold_missing_files(const SetupInput& in, std::vector<Finding>& findings) {
+void fold_missing_files(const SetupInput& in, std::vector<Finding>& findings, bool names_folders) {
   if (std::ranges::all_of(findings, [](const Finding& f) { return f.missing.empty(); })) return;
   const std::vector<NamedFile> elsewhere = files_elsewhere(in);
-  const Folded folded = elsewhere.empty() ? join_names(findings) : say_part(in, elsewhere, findings);
+  const Folded folded = elsewhere.empty() ? join_names(findings) : say_part(in, elsewhere, findings, names_folders);
   size_t at = 0;
   std::erase_if(findings, [&](const Finding&) { return folded[at++]; });
 }

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "rules/driver/words.h"
+
 namespace owlint::rules {
 namespace {
 
@@ -45,6 +47,27 @@ std::vector<Remap> remaps_of(const IniText& text) {
     out.push_back(std::move(remap));
   }
   return out;
+}
+
+std::vector<LostRemap> lost_codes(const Profile& profile) {
+  std::vector<LostRemap> lost;
+  if (profile.setup == nullptr) return lost;
+  const IniText& text = profile.setup->text;
+  for (const Remap& remap : remaps_of(text)) {
+    const std::optional<LostCode> code = lost_code(text.value(*remap.line), release_of(profile));
+    if (!code || remap.earlier != nullptr) continue;
+    constexpr std::array kCrashes{3, 4, 7, 30, 48, 50, 73};
+    const bool crashes = code->letter == 'm' && code->group == MGroup::kUser &&
+        std::ranges::find(kCrashes, code->number) != kCrashes.end();
+    lost.push_back({remap.line, *code, code->letter == 'g' ? g_name(code->number) : m_name(code->number), crashes});
+  }
+  return lost;
+}
+
+void blame(const Profile& profile, const LostRemap& lost, Finding& f) {
+  f.help = "remove the `REMAP` line from the INI, or let it name a code that is free, such as " +
+      std::string(lost.code.letter == 'g' ? "`G88.1`" : "`M400`");
+  f.related.push_back({lost.line->span, "this line", profile.setup->text.source(*lost.line)});
 }
 
 Span span_in(const IniText& text, const IniLine& line, std::string_view part) {

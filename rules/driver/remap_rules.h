@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analyzer/machine/remap_line.h"
+#include "analyzer/program/machine_words.h"
 #include "rules/driver/machine_rules.h"
 
 namespace owlint::rules {
@@ -17,6 +18,18 @@ struct Remap {
 
 /// Those that the interpreter reads, up to an empty one. Values that go on in the next line are left out.
 std::vector<Remap> remaps_of(const IniText& text);
+
+/// A code whose meaning a line takes away, as LinuxCNC cannot remap it.
+struct LostRemap {
+  const IniLine* line = nullptr;
+  LostCode code;
+  std::string name;      ///< as messages show it: `M5`
+  bool crashes = false;  ///< LinuxCNC looks outside of its table for it (measured)
+};
+/// Those of the machine; none without its INI.
+std::vector<LostRemap> lost_codes(const Profile& profile);
+/// Adds the line to a finding about a program that uses the code, and what to do.
+void blame(const Profile& profile, const LostRemap& lost, Finding& f);
 
 /// A part of the line's value as a span of its file.
 Span span_in(const IniText& text, const IniLine& line, std::string_view part);

@@ -41,6 +41,38 @@ const IniLine* meant_line(const IniText& text, std::string_view section, bool* m
   return nullptr;
 }
 
+/// The line that was meant for a key that the section lacks: misspelt, without `=`, or joined to the line above, which is then
+/// the one that is wrong.
+const IniLine* meant_key_line(const IniText& text, std::string_view section, std::string_view key, bool* misspelt) {
+  const std::vector<IniLine>& lines = text.lines();
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const IniLine& line = lines[i];
+    if (text.section_of(line) != section) continue;
+    const std::string_view body = text.text(line);
+    const bool begins = body.starts_with(key) &&
+        (body.size() == key.size() || std::string_view(" \t=:").find(body[key.size()]) != std::string_view::npos);
+    if (line.continuation) {
+      if (begins && i > 0) return &lines[i - 1];
+      continue;
+    }
+    if (line.kind == IniLine::Kind::kText && begins) return &line;
+    const bool has_value = line.kind == IniLine::Kind::kKey && line.value.begin != line.value.end;
+    if (has_value && text.name(line) != key && find_ini_key(section, text.name(line)) == nullptr &&
+        !is_display_key(section, text.name(line)) && meant_key(section, text.name(line)) == key) {
+      *misspelt = true;
+      return &line;
+    }
+  }
+  return nullptr;
+}
+
+/// Of a key of a section that LinuxCNC needs.
+void blame(const IniText& text, std::string_view section, std::string_view key, bool has_section,
+           BlamedRefusal& blamed) {
+  blamed.cause =
+      has_section ? meant_key_line(text, section, key, &blamed.misspelt) : meant_line(text, section, &blamed.misspelt);
+}
+
 bool has_checked(const IniText& text, std::string_view section) {
   return std::ranges::any_of(
       text.lines(), [&](const IniLine& line) { return is_checked_section(text, line) && text.name(line) == section; });
@@ -117,6 +149,28 @@ std::string meant_section(const IniText& text, std::string_view name) {
   return !near.empty() && has_key_of(text, name, near) ? near : std::string();
 }
 
+std::string meant_key(std::string_view section, std::string_view name) {
+  constexpr size_t kShort = 5;
+  constexpr size_t kLong = 10;
+  std::vector<std::string> candidates;
+  std::string whole;  // `STARTUP_CODE` for `RS274NGC_STARTUP_CODE`, if one key alone ends so
+  size_t wholes = 0;
+  for (const IniKey& key : ini_keys()) {
+    if (key.section != section_family(section)) continue;
+    if (small_letters(key.name) == small_letters(name)) return std::string(key.name);
+    // Displays have many keys of their own.
+    if (section == "DISPLAY" && key.name != "PROGRAM_PREFIX" && key.name != "NGCGUI_SUBFILE_PATH") continue;
+    if (name.size() >= kLong && key.name.ends_with("_" + std::string(name))) {
+      whole = key.name;
+      ++wholes;
+    }
+    candidates.emplace_back(key.name);
+  }
+  if (wholes == 1) return whole;
+  if (name.size() < kShort) return {};
+  return nearest(std::string(name), candidates, name.size() < kLong ? 1 : 2);
+}
+
 std::vector<BlamedRefusal> start_refusals(const SetupInput& in) {
   std::vector<BlamedRefusal> out;
   if (!is_whole_machine(in)) return out;
@@ -126,17 +180,29 @@ std::vector<BlamedRefusal> start_refusals(const SetupInput& in) {
     switch (refusal.kind) {
       case StartRefusal::Kind::kBeforeSection: blamed.cause = first_bracket_above(text, *refusal.line); break;
       case StartRefusal::Kind::kNoKinematics:
-      case StartRefusal::Kind::kNoJoints:
-        if (!has_checked(text, "KINS")) blamed.cause = meant_line(text, "KINS", &blamed.misspelt);
+      case StartRefusal::Kind::kNoJoints: {
+        const bool joints = refusal.kind == StartRefusal::Kind::kNoJoints;
+        blame(text, "KINS", joints ? "JOINTS" : "KINEMATICS", has_checked(text, "KINS"), blamed);
         break;
+      }
       case StartRefusal::Kind::kMinLimit:
       case StartRefusal::Kind::kMaxLimit:
-        if (refusal.axis == nullptr && !has_checked(text, refusal.axis_name))
-          blamed.cause = meant_line(text, refusal.axis_name, &blamed.misspelt);
+        if (refusal.axis == nullptr)
+          blame(text, refusal.axis_name, refusal.kind == StartRefusal::Kind::kMinLimit ? "MIN_LIMIT" : "MAX_LIMIT",
+                has_checked(text, refusal.axis_name), blamed);
         break;
-      case StartRefusal::Kind::kEndlessJoints: break;
+      case StartRefusal::Kind::kEndlessJoints:
+      case StartRefusal::Kind::kNoUnits: break;
     }
     blamed.refusal = std::move(refusal);
+  }
+  for (const std::string_view key : {"LINEAR_UNITS", "ANGULAR_UNITS"}) {
+    if (find_line(text, "TRAJ", key) != nullptr) continue;
+    BlamedRefusal& blamed = out.emplace_back();
+    blamed.refusal.kind = StartRefusal::Kind::kNoUnits;
+    blamed.key = key;
+    blamed.refusal.message = "emcTrajSetUnits failed to set [TRAJ]LINEAR_UNITS or [TRAJ]ANGULAR_UNITS";
+    blame(text, "TRAJ", key, text.find_section("TRAJ") != nullptr, blamed);
   }
   return out;
 }

@@ -260,7 +260,8 @@ void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.stops = !finding.further && !behind;
   if (behind) finding.group = group_behind(finding, stop);
   finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
-  if (stop.kind != StopKind::kUserCodeMissing) finding.interpreter = stop.interpreter;  // OW705 knows what it is
+  const bool known = stop.kind == StopKind::kUserCodeMissing || !finding.interpreter.empty();  // by the rule
+  if (!known) finding.interpreter = stop.interpreter;
   for (const Decision& decision : stop.path) {
     const Elsewhere place{decision.program == nullptr ? &in.program : decision.program, decision.statement};
     const Statement& s = place.program->at(decision.statement);

@@ -5,8 +5,34 @@
 namespace owlint::rules::ow001 {
 namespace {
 
+/// `(owlint ignore OW104)` and `( owlint : ignore OW104 )`: comments that owlint does not take for its own.
+void check_marks(const Source& source, Reporter& out) {
+  constexpr std::string_view kMark = "owlint";
+  constexpr std::string_view kBlanks = " \t";
+  const std::string_view bytes = source.bytes();
+  for (size_t at = bytes.find(kMark); at != std::string_view::npos; at = bytes.find(kMark, at + 1)) {
+    const size_t before = at == 0 ? std::string_view::npos : bytes.find_last_not_of(kBlanks, at - 1);
+    if (before == std::string_view::npos || (bytes[before] != '(' && bytes[before] != ';')) continue;
+    const size_t end = at + kMark.size();
+    size_t behind = std::min(bytes.find_first_not_of(kBlanks, end), bytes.size());
+    if (behind == end) continue;
+    const bool colon = behind < bytes.size() && bytes[behind] == ':';
+    if (colon) behind = std::min(bytes.find_first_not_of(kBlanks, behind + 1), bytes.size());
+    constexpr std::string_view kIgnore = "ignore";
+    const size_t last = behind + kIgnore.size();
+    if (small_letters(bytes.substr(behind, kIgnore.size())) != kIgnore ||
+        (last < bytes.size() && std::string_view(" \t)-\r\n").find(bytes[last]) == std::string_view::npos))
+      continue;
+    Finding& f = out.add({at, behind}, "a comment for owlint begins with `owlint:`, without a blank before the `:`");
+    f.help = "write `owlint: ignore`";
+    f.reach = Reach::kAlways;
+    f.fixes.push_back({f.help, false, {{{at, behind}, "owlint: "}}});
+  }
+}
+
 void check(const Input& in, Reporter& out) {
   if (in.suppressions_applied) return;
+  check_marks(*in.program.source, out);
   for (const Suppression& s : in.suppressions) {
     if (s.malformed) {
       Finding& f = out.add(s.span, "a comment for owlint has neither `ignore` nor `ignore-file`");

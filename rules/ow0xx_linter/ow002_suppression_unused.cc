@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "rules/driver/behind_stops.h"
 #include "rules/driver/stops.h"
 
@@ -47,6 +49,16 @@ void check(const Input& in, Reporter& out) {
     const std::string where = s.line == 0 ? "in this file" : "on line " + std::to_string(s.line);
     Finding& f = out.add(s.span, "nothing to suppress: no finding of " + what + " " + where);
     f.help = "remove it";
+    // A blank or a comment between it and the line that is meant.
+    const Source& source = *in.program.source;
+    if (s.line > source.position(s.comment.begin).line && s.line <= in.program.syntax.lines) {
+      const std::string_view next = source.slice(source.line(s.line));
+      const size_t first = std::min(next.find_first_not_of(" \t\r"), next.size());
+      const bool blank = first == next.size(), comment = !blank && (next[first] == '(' || next[first] == ';');
+      if (blank || comment)
+        f.help = fmt::format("remove it, or put it right before the line that is meant: line {} {}", s.line,
+                             blank ? "is blank" : "begins with a comment");
+    }
     f.reach = Reach::kAlways;
     f.fixes.push_back({"remove it", false, {{removed(in, s), ""}}});
   }

@@ -292,6 +292,12 @@ void check_setup(const SetupInput& in, Reporter& out) {
       if (near.empty()) f.missing = name + ".ngc";
       f.help = !near.empty() ? "did you mean `" + (named ? near : label_text(near)) + "`?"
                              : "put the file into a folder of `SUBROUTINE_PATH`, or add its folder there";
+      constexpr std::string_view kEnding = ".ngc";
+      if (const std::string stem = name.substr(0, name.size() - std::min(name.size(), kEnding.size()));
+          named && name.ends_with(kEnding) && in.setup.search_path->find(stem)) {
+        f.help = "write `" + stem + "`: LinuxCNC adds the `.ngc` itself";
+        f.missing.clear();
+      }
     }
   }
 }

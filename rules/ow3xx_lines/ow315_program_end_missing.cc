@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "analyzer/machine/setup.h"
-#include "rules/driver/stops.h"
+#include "rules/driver/remap_rules.h"
+#include "rules/driver/words.h"
 
 namespace owlint::rules::ow315 {
 namespace {
@@ -55,6 +56,21 @@ Fix move_below(const Program& p, const Region& sub, StatementId end) {
   return {"move the sub below the end of the program", false, {{{from, to}, ""}, {{place, place}, std::move(lines)}}};
 }
 
+/// Whether the last line is an `M2` or `M30` that a `REMAP` line has taken away from its meaning: that is the mistake then.
+bool lost_end(const Input& in, Span last, Finding& f) {
+  const std::vector<WrittenWord> words = words_of(*in.program.source, last);
+  for (const LostRemap& lost : lost_codes(in.profile)) {
+    constexpr int kM2 = 2, kM30 = 30;
+    if (lost.code.letter != 'm' || (lost.code.number != kM2 && lost.code.number != kM30)) continue;
+    const auto is_code = [&](const WrittenWord& word) { return word.letter == 'm' && word.value == lost.code.number; };
+    if (std::ranges::none_of(words, is_code)) continue;
+    f.message = "the program does not end: because of a `REMAP`, `" + lost.name + "` does nothing";
+    blame(in.profile, lost, f);
+    return true;
+  }
+  return false;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
@@ -78,7 +94,7 @@ void check(const Input& in, Reporter& out) {
     const Span span = p.source->line(line);
     Finding& f = out.add(span, p.syntax.blank ? "the file is empty" : "the program ends without `M2`, `M30` or `%`");
     f.help = p.syntax.percent ? "end it with `%`" : "end it with `M2`";
-    if (p.syntax.blank) return &f;
+    if (p.syntax.blank || lost_end(in, span, f)) return &f;
     const bool by_m98 = stop.call_elsewhere.program != nullptr &&
         stop.call_elsewhere.program->at(stop.call_elsewhere.statement).kind == LineKind::kM98;
     if (by_m98) {

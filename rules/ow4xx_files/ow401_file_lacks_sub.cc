@@ -1,5 +1,7 @@
 // OW401 file-lacks-sub: a called file that does not define the sub with its name.
 // Depends on: LinuxCNC opens `name.ngc` and looks for `o<name> sub`; the end of that file is an error.
+#include "rules/driver/ini_places.h"
+#include "rules/driver/remap_rules.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow401 {
@@ -12,6 +14,10 @@ void check(const Input& in, Reporter& out) {
     const std::string& path = file.source->path();
     Finding& f = out.add(p.at(stop.statement).head_span(),
                          "`" + p.head(stop.statement) + "` reads " + path + ", which does not define that sub");
+    if (p.at(stop.statement).runs_remap()) {
+      if (const Ini::Entry* const entry = remap_entry(in, stop.statement))
+        relate_ini(f, *entry, "the file is named here");
+    }
     if (path == p.source->path()) {
       f.message = "`" + p.head(stop.statement) + "` opens this program itself, because the file is named " +
           file_name(*file.source) + "; it does not define the sub";
@@ -51,6 +57,32 @@ void check(const Input& in, Reporter& out) {
   });
 }
 
+/// Subs that a `REMAP` runs: measured, LinuxCNC looks into the file only when a program uses the code.
+void check_setup(const SetupInput& in, Reporter& out) {
+  for (const Remap& remap : remaps_of(in.setup.text)) {
+    const std::string_view ngc = remap.read.ngc;
+    if (remap.read.problem != RemapLine::Problem::kNone || remap.earlier != nullptr || ngc.empty()) continue;
+    const std::optional<RemappedCode> code = remapped_code(in.setup.text.value(*remap.line), release_of(in.profile));
+    if (!code || (code->letter == 'g' && g_code(code->number, release_of(in.profile)) != nullptr)) continue;
+    const std::string path = remap_file(in.setup, ngc);
+    if (path.empty()) continue;
+    const std::string name = small_letters(ngc.substr(ngc.rfind('/') + 1));
+    const std::shared_ptr<const Program> program = in.library.load_called(path, in.profile);
+    if (program->find_sub(name) != kNoRegion || program->syntax.runs_python) continue;
+    Finding& f = add_at(in, out, *remap.line, span_in(in.setup.text, *remap.line, ngc),
+                        "`" + std::string(remap.read.code) + "` runs `" + label_text(name) + "` in " + path +
+                            ", but the file does not define that sub");
+    f.help = "put `" + label_text(name) + " sub` and `" + label_text(name) + " endsub` around the lines of the file";
+    for (const Region& region : program->regions) {
+      if (region.opener == kNoStatement) continue;
+      f.help = "give the sub the name of its file";
+      f.related.push_back({program->at(region.opener).whole(), "the file defines this sub", program->source});
+      break;
+    }
+    f.interpreter = "EOF in file:" + path + " seeking o-word: o<" + name + "> from line: 0";
+  }
+}
+
 }  // namespace
 
 extern const Rule kRule{
@@ -88,6 +120,7 @@ o<bore> endsub
             .options = "",
         },
     .check = check,
+    .check_setup = check_setup,
 };
 
 }  // namespace owlint::rules::ow401

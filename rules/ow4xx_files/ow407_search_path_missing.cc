@@ -57,6 +57,14 @@ void check_setup(const SetupInput& in, Reporter& out) {
       : several ? "make the folders or correct their names; if the INI is from another computer, name this computer's "
                   "folders with `--sub-path`"
                 : "make the folder, or correct its name";
+  // What people take for a sign between folders, or around them.
+  if (first.text.find(';') != std::string::npos) {
+    f.help = "write `:` between the folders: `;` is a part of the name";
+    f.missing.clear();
+  } else if (first.text.find_first_of("\"'") == 0) {
+    f.help = "remove the quotes: they are a part of the name";
+    f.missing.clear();
+  }
 }
 
 }  // namespace

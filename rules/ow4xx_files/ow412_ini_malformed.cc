@@ -228,6 +228,7 @@ class Checker {
                          (hides_another(line) ? ", and hides the same key below" : ""));
     f.help = "write `KEY = value`, or begin the line with `#` if it is a comment";
     if (!is_known_section(text_.section_of(line))) f.weight = Weight::kRemark;
+    refuse(line, f);
   }
 
   /// What a `\` at the end of a line makes of the next one.
@@ -260,6 +261,7 @@ class Checker {
     f.help = "remove the `\\`";
     f.related.push_back({next.span, "this line has no effect", nullptr});
     if (next.source != line.source) f.related.clear();
+    refuse(line, f);
     f.fixes.push_back({"remove the `\\`", false, {{{line.span.end - 1, line.span.end}, ""}}});
   }
 

@@ -6,6 +6,7 @@
 
 #include "analyzer/machine/ini_keys.h"
 #include "rules/driver/machine_rules.h"
+#include "rules/driver/start_files.h"
 #include "rules/driver/start_refusals.h"
 #include "rules/driver/stops.h"
 
@@ -58,7 +59,11 @@ class Checker {
   Checker(const SetupInput& in, Reporter& out) : in_(in), out_(out), text_(in.setup.text) {}
 
   void run() {
+    for (const BlamedRefusal& blamed : start_refusals(in_)) {
+      if (blamed.misspelt) refused_.try_emplace(blamed.cause, blamed.refusal.message);
+    }
     check_sections();
+    check_halui();
     for (const IniText::Section& section : text_.sections()) {
       if (section.first) check_section(section.name);
     }
@@ -66,20 +71,38 @@ class Checker {
 
  private:
   void check_sections() {
-    std::map<const IniLine*, std::string> refused;
-    for (const BlamedRefusal& blamed : start_refusals(in_)) {
-      if (blamed.misspelt) refused.try_emplace(blamed.cause, blamed.refusal.message);
-    }
     for (const IniText::Section& section : text_.sections()) {
       const std::string meant = meant_section(text_, section.name);
       if (meant.empty()) continue;
+      const bool blanks = std::string_view(" \t").find(section.name.front()) != std::string_view::npos ||
+          std::string_view(" \t").find(section.name.back()) != std::string_view::npos;
+      if (blanks && !reads_strictly(in_)) continue;  // OW412
       const IniLine& line = text_.lines()[section.line];
       Finding& f = add_at(in_, out_, line, line.name,
                           "LinuxCNC reads no section `[" + section.name + "]`, and this INI has no `[" + meant + "]`");
       f.help = "write `[" + meant + "]` if you mean that one; upper and lower case matter";
       f.fixes.push_back({"write `" + meant + "`", false, {{line.name, meant}}});
-      if (const auto found = refused.find(&line); found != refused.end()) refuses(f, found->second);
+      refuse(line, f);
     }
+  }
+
+  /// Where LinuxCNC does not start for want of what the line was meant for.
+  void refuse(const IniLine& line, Finding& f) const {
+    if (const auto found = refused_.find(&line); found != refused_.end()) refuses(f, found->second);
+  }
+
+  /// halui runs these, and nothing starts it.
+  void check_halui() {
+    const IniLine* const command = find_line(text_, "HALUI", "MDI_COMMAND");
+    if (command == nullptr || !is_whole_machine(in_) || text_.find_section("HAL") == nullptr) return;
+    for (const IniLine* line : lines_of(text_, "HAL")) {
+      if (small_letters(text_.value(*line)).find("halui") != std::string::npos) return;
+    }
+    if (!in_.setup.ini.missing_includes().empty() || hal_files_have(in_, "halui")) return;
+    Finding& f = add_at(in_, out_, *command, command->name,
+                        "nothing runs `MDI_COMMAND`: the program for it, `halui`, is not started");
+    f.help = "add `HALUI = halui` to `[HAL]`";
+    f.unproven = true;  // a HAL file that is not here may start it
   }
 
   void check_section(const std::string& section) {
@@ -133,6 +156,11 @@ class Checker {
                             std::string(text_.value(first)) + "`, and ignores this one");
     if (kinematics) f.message += "; but its check before the start looks at this one";
     f.help = "keep one of the two lines";
+    const IniKey* const key = find_ini_key(text_.section_of(line), name);
+    if (key != nullptr && key->type == IniKey::Type::kPaths && comment_in(text_.value(line)) == std::string::npos &&
+        !line.continued && !first.continued)
+      f.help = "write both in one line, with `:` between them: `" + name + " = " + std::string(text_.value(first)) +
+          ":" + std::string(text_.value(line)) + "`";
     f.group = name + " twice";  // copies of one configuration have the same lines
     f.habit_severity = Severity::kInfo;
     f.related.push_back(
@@ -174,7 +202,7 @@ class Checker {
       return;
     }
     if (!known) return;
-    const std::string near = near_key(section, name);
+    const std::string near = meant_key(section, name);
     if (near.empty() || values.contains(near)) return;
     Finding& f =
         add_at(in_, out_, line, line.name,
@@ -182,27 +210,13 @@ class Checker {
     f.help = "write `" + near + "` if you mean that one" +
         (small_letters(near) == small_letters(name) ? "; upper and lower case matter" : "");
     f.fixes.push_back({"write `" + near + "`", false, {{line.name, near}}});
-  }
-
-  /// The key of the section that a name was meant for: in another case, or with one letter wrong, or two of a long one.
-  static std::string near_key(const std::string& section, const std::string& name) {
-    constexpr size_t kShort = 5;
-    constexpr size_t kLong = 10;
-    std::vector<std::string> candidates;
-    for (const IniKey& key : ini_keys()) {
-      if (key.section != section_family(section)) continue;
-      if (small_letters(key.name) == small_letters(name)) return std::string(key.name);
-      // Displays have many keys of their own.
-      if (section == "DISPLAY" && key.name != "PROGRAM_PREFIX" && key.name != "NGCGUI_SUBFILE_PATH") continue;
-      candidates.emplace_back(key.name);
-    }
-    if (name.size() < kShort) return {};
-    return nearest(name, candidates, name.size() < kLong ? 1 : 2);
+    refuse(line, f);
   }
 
   const SetupInput& in_;
   Reporter& out_;
   const IniText& text_;
+  std::map<const IniLine*, std::string> refused_;  // what LinuxCNC prints, by the line that is the cause
 };
 
 void check_setup(const SetupInput& in, Reporter& out) { Checker(in, out).run(); }
@@ -219,7 +233,8 @@ extern const Rule kRule{
         {
             .what =
                 R"(A key or section whose name is nearly one that LinuxCNC reads and that this INI lacks, or only a part of it; a key in the wrong
-section; a key that is set twice, to two values; a value below an empty line of the same key.)",
+section; a key that is set twice, to two values; a value below an empty line of the same key; an `MDI_COMMAND` of `[HALUI]`
+without `[HAL]HALUI`.)",
             .why =
                 R"(LinuxCNC looks for each key by its exact name, in one section, and uses the first value. If there is
 none, it uses its default and gives no message. Nor does it mention keys that it never looks for. A line
@@ -242,7 +257,8 @@ RETAIN_G43 = 1
             .fix =
                 R"(Write the exact name, once, in the section where LinuxCNC looks for it. owlint does not check the names
 of keys that only a display, a driver or your own HAL files read.)",
-            .level_reason = "Warning: LinuxCNC starts, without this value. Error for a section that LinuxCNC needs.",
+            .level_reason =
+                "Warning: LinuxCNC starts, without this value. Error for a section or key that LinuxCNC needs.",
             .interpreter = "",
             .options = "--ini machine.ini",
         },

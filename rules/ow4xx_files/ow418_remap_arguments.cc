@@ -119,6 +119,11 @@ class Checker {
         add(argspec.empty() ? remap_.read.code : argspec,
             "the sub reads `#" + std::to_string(number) + "`, but words are passed as names, such as `#<p>`: it is 0");
     f.help = "write `argspec=@…` to pass words as `#1`, `#2` …, or read the names";
+    if (argspec.empty()) {
+      f.message = "this `REMAP` has no `argspec`, so it passes no words, and `#" + std::to_string(number) +
+          "`, which the sub reads, is 0";
+      f.help = "write `argspec=@P`, with the letter of each word that the sub gets, in the order of `#1`, `#2` …";
+    }
     relate_line(f, sub, sub.argument_lines[number], "read here");
     return false;
   }

@@ -113,6 +113,17 @@ class Checker {
     return at < text.size() && text[at] >= '0' && text[at] <= '9';
   }
 
+  /// `T2 P2 Z20` for `T2P2Z20`.
+  static std::string separated(std::string_view words) {
+    std::string text;
+    for (const char c : words) {
+      const bool letter = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+      if (letter && !text.empty()) text += ' ';
+      text += c;
+    }
+    return text;
+  }
+
   bool check_number(std::string_view word, uint64_t begin) {
     if (word.size() < 3) return false;
     const bool whole = std::string_view("tTpPqQ").find(word[0]) != std::string_view::npos;
@@ -136,10 +147,11 @@ class Checker {
     Finding& f = out_.add(source_, {begin, begin + shown.size()},
                           joined ? "no space in `" + shown + "`: LinuxCNC reads only `" + read + "`"
                                  : "`" + shown + "` is not one number: LinuxCNC reads `" + read + "`");
-    f.help = joined ? "write `" + read + " " + rest + "`"
+    f.help = joined ? "write `" + separated(shown) + "`"
         : whole     ? "write a whole number"
                     : "write one decimal number, such as `" + read.substr(0, 1) + "0.25`";
-    if (joined) f.fixes.push_back({"put a space between them", false, {{{begin + end, begin + end}, " "}}});
+    if (joined)
+      f.fixes.push_back({"put spaces between the words", false, {{{begin, begin + shown.size()}, separated(shown)}}});
     return true;
   }
 

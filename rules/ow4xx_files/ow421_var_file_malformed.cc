@@ -121,6 +121,23 @@ size_t behind_digits(std::string_view text, size_t at) {
   return std::min(text.find_first_not_of("0123456789", at), text.size());
 }
 
+/// `#500 3`, and `500 a`: a number with one word behind it.
+void check_word(const std::shared_ptr<const Source>& source, Span whole, size_t begin, size_t behind, Reporter& out) {
+  const std::string_view text = source->slice(whole);
+  const size_t end = std::min(text.find_first_of(" \t\r", behind), text.size());
+  if (behind >= text.size() || behind_blanks(text, end) < text.size()) return;
+  const std::string word(text.substr(behind, end - behind));
+  const bool number = word.find_first_not_of("+-.0123456789") == std::string::npos;
+  const bool sign = text[begin] == '#';
+  if (sign != number) return;  // with both it is a comment
+  Finding& f = out.add(source, {whole.begin + begin, whole.begin + end},
+                       sign ? "LinuxCNC ignores this line: `#` may not stand before the number"
+                            : "LinuxCNC ignores this line: `" + word + "` is not a number");
+  f.help = sign
+      ? "write `" + std::string(text.substr(begin + 1, end - begin - 1)) + "`; if the line is a comment, add words"
+      : "write a number behind it";
+}
+
 /// A line that LinuxCNC ignores, though it has a parameter's number (measured with `rs274 -v`): `500=3`, `#500 = 3`, `500`. With
 /// the same number in another line it is a comment.
 void check_ignored(const std::shared_ptr<const Source>& source, Span whole, const VarFile& file, Reporter& out) {
@@ -136,7 +153,7 @@ void check_ignored(const std::shared_ptr<const Source>& source, Span whole, cons
   const size_t behind = behind_blanks(text, end);
   const bool equals = behind < text.size() && text[behind] == '=';
   if (std::ranges::find(file.rows, std::stol(number), &VarRow::number) != file.rows.end()) return;
-  if (!equals && (sign || behind < text.size())) return;
+  if (!equals && (sign || behind < text.size())) return check_word(source, whole, begin, behind, out);
   const std::string_view value = text.substr(behind_blanks(text, equals ? behind + 1 : behind));
   if (equals && (value.empty() || std::string_view("+-.0123456789").find(value[0]) == std::string_view::npos)) return;
   const size_t last = std::min(text.find_last_not_of(" \t\r") + 1, text.size());

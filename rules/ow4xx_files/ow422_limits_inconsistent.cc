@@ -27,7 +27,9 @@ class Checker {
       check_unit("ANGULAR_UNITS", "degree");
     }
     for (const IniText::Section& section : text_.sections()) {
-      if (section.first && section_family(section.name).ends_with('_')) check_order(section.name);
+      if (!section.first || !section_family(section.name).ends_with('_')) continue;
+      check_order(section.name);
+      check_empty(section.name);
     }
     check_coordinates();
   }
@@ -74,7 +76,8 @@ class Checker {
         case StartRefusal::Kind::kMinLimit:
         case StartRefusal::Kind::kMaxLimit: add_limit(refusal); break;
         case StartRefusal::Kind::kBeforeSection:
-        case StartRefusal::Kind::kEndlessJoints: break;  // OW412 and OW415
+        case StartRefusal::Kind::kEndlessJoints:
+        case StartRefusal::Kind::kNoUnits: break;  // OW412, OW415 and below
       }
     }
   }
@@ -172,6 +175,7 @@ class Checker {
   void add_empty(const StartRefusal& refusal) {
     const bool of_joint = refusal.line->value.begin == refusal.line->value.end;
     const IniLine& line = of_joint ? *refusal.line : *refusal.axis;
+    said_empty_.insert(&line);
     Finding& f = add_at(in_, out_, line,
                         "`" + std::string(text_.name(line)) +
                             "` is empty: LinuxCNC does not start, as its check takes "
@@ -219,11 +223,33 @@ class Checker {
 
   void check_unit(const std::string& key, const std::string& example) {
     if (find_line(text_, "TRAJ", key) != nullptr) return;
+    // A line that was meant for it is the mistake.
+    const std::vector<BlamedRefusal> refusals = start_refusals(in_);
+    if (std::ranges::any_of(refusals, [&](const BlamedRefusal& b) { return b.key == key && b.cause != nullptr; }))
+      return;
     Finding* const finding = add_needed("TRAJ", key);
     if (finding == nullptr) return;
     Finding& f = *finding;
     if (f.help.empty()) f.help = "add `" + key + " = " + example + "` to `[TRAJ]`";
     refuse(f, "emcTrajSetUnits failed to set [TRAJ]LINEAR_UNITS or [TRAJ]ANGULAR_UNITS");
+  }
+
+  /// Measured: the check compares numbers with nothing, and passes; the axis then has no limit.
+  void check_empty(const std::string& section) {
+    if (!reads_section(text_, section)) return;
+    std::set<std::string_view> seen;
+    for (const IniLine* line : lines_of(text_, section)) {
+      const std::string_view name = text_.name(*line);
+      if (line->kind != IniLine::Kind::kKey || (name != "MIN_LIMIT" && name != "MAX_LIMIT") ||
+          !seen.insert(name).second)
+        continue;
+      if (line->value.begin != line->value.end || said_empty_.contains(line)) continue;
+      Finding& f = add_at(in_, out_, *line,
+                          "`" + std::string(name) + "` is empty: `[" + section +
+                              "]` has no such limit, and "
+                              "may move any distance");
+      f.help = "write the limit, or remove the line";
+    }
   }
 
   void check_order(const std::string& section) {
@@ -272,6 +298,7 @@ class Checker {
   const SetupInput& in_;
   Reporter& out_;
   const IniText& text_;
+  std::set<const IniLine*> said_empty_;
 };
 
 void check_setup(const SetupInput& in, Reporter& out) {

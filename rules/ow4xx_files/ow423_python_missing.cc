@@ -136,6 +136,13 @@ class Checker {
                         "`" + needs[0].option + "` needs `[PYTHON]TOPLEVEL`, which this INI does not have: LinuxCNC " +
                             (start ? "does not start" : "starts, and the code stops the program"));
     f.help = "add `[PYTHON]` with `TOPLEVEL = python/toplevel.py`" + std::string(start ? "" : ", or remove the option");
+    if (const IniText::Section* const section = text_.find_section("PYTHON")) {
+      const IniLine& line = text_.lines()[section->line];
+      f.help = "add `TOPLEVEL = python/toplevel.py` to `[PYTHON]` on line " + std::to_string(line.number) +
+          std::string(start ? "" : ", or remove the option");
+      f.related.push_back({line.span, "`TOPLEVEL` is missing in this section",
+                           line.source == needs[0].line->source ? nullptr : text_.source(line)});
+    }
     constexpr size_t kMostShown = 10;
     for (size_t i = 1; i < std::min(needs.size(), kMostShown); ++i)
       f.related.push_back({needs[i].span, "needed here as well",

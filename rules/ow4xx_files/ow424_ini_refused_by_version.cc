@@ -28,7 +28,8 @@ void word(const StrictRefusal& refusal, std::string_view text, Finding& f) {
       break;
     case Kind::kBadKey:
       f.message = code(text) + " is not a valid key name";
-      f.help = "use letters, digits and `_`, and begin with a letter";
+      f.help = text.starts_with("//") ? "begin a comment with `#`: `//` begins none"
+                                      : "use letters, digits and `_`, and begin with a letter";
       break;
     case Kind::kBadSection:
       f.message = code(text) + " is not a valid section name";

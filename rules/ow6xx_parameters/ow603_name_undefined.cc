@@ -1,7 +1,6 @@
 // OW603 name-undefined: a named parameter that is read where some path has not assigned it.
-// Depends on: reading an unassigned name stops the run; `#<name>` is local to the sub that runs,
-// `#<_name>` is global. A name reads 0 in the value that it is first assigned, and a comment shows one that is not assigned as
-// `######` (measured).
+// Depends on (measured): reading an unassigned name stops the run; `#<name>` is local to the sub that runs, `#<_name>` is
+// global. A name reads 0 in the value that it is first assigned, and a comment shows one that is not assigned as `######`.
 #include <cctype>
 #include <optional>
 #include <set>
@@ -40,7 +39,7 @@ void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
   f.message = name + " is read here, but " +
       (profile.setup->reads_ini ? "the machine's INI has no number for it"
                                 : "`INI_VARS = 0` in the machine's INI hides its entries");
-  if (!profile.setup->reads_ini) return;
+  if (relate_given_name(profile, "", std::string_view(name).substr(3), f)) return;
   f.help =
       "write section and entry in capital letters in the INI, and only a decimal number: no unit, no comment after it; "
       "`EXISTS[#<…>]` tests it first";
@@ -326,6 +325,8 @@ void check(const Input& in, Reporter& out) {
       const bool called = s.call != kNoStatement || s.call_elsewhere.program != nullptr;
       names.explain(s.detail, p.region_of[s.statement], called ? place_of(in, s.call, s.call_elsewhere) : Elsewhere{},
                     f);
+      const NameId sub = p.regions[p.region_of[s.statement]].name;
+      if (sub != kNoName) relate_given_name(in.profile, p.name(sub), s.detail, f);
     }
     // `[EXISTS[#<name>] AND [#<name> GT 3]]`.
     if (const Span asked = asked_span(p, s.statement, "#<" + s.detail + ">"); asked.end > asked.begin) {

@@ -65,8 +65,18 @@ void missing_axis(const Input& in, const FlowStop& stop, char letter, const std:
   if (axes != nullptr && !axes->value.empty()) f.related.push_back({axes->span, "the machine's axes", axes->source});
 }
 
+/// `G71 P100 Q110 U1`: whether the line is a cycle of another controller, whose finding says all.
+bool is_foreign_cycle(const Input& in, const FlowStop& stop) {
+  if (stop.kind != StopKind::kWordUnknown || in.profile.setup != nullptr || stop.statement == kNoStatement)
+    return false;
+  const std::vector<WrittenWord> line = words_of(*in.program.source, in.program.at(stop.statement).whole());
+  return find_word(line, "G71 G72 G73") != nullptr && find_word(line, "P") != nullptr &&
+      find_word(line, "Q") != nullptr && habit_of(in, stop.statement).has_value();
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
+    if (is_foreign_cycle(in, stop)) return nullptr;
     const WordStop at = word_stop(in, stop);
     Finding& f = out.add(at.span, "");
     if (stop.kind == StopKind::kWordUnknown) {

@@ -184,6 +184,25 @@ void unknown(const Input& in, const WordStop& at, int number, Finding& f) {
   f.habit_severity = Severity::kInfo;
 }
 
+/// A code that LinuxCNC has, but for a `REMAP` line that it cannot use.
+bool is_lost(const Input& in, const WordStop& at, Finding& f) {
+  constexpr int kTenths = 10;
+  if (!at.value || (at.letter != 'g' && at.letter != 'm')) return false;
+  const auto number = static_cast<int>(std::lround(*at.value * (at.letter == 'g' ? kTenths : 1)));
+  for (const LostRemap& lost : lost_codes(in.profile)) {
+    if (lost.code.letter != at.letter || lost.code.number != number) continue;
+    // It is still a program of the machine.
+    const bool user = number >= kUserFirst && number <= kUserLast && lost.code.group == MGroup::kUser;
+    if (at.letter == 'm' && user) return false;
+    f.message = fmt::format("LinuxCNC cannot remap `{}`, and because of its `REMAP` {}", lost.name,
+                            lost.crashes ? "it crashes here, or stops" : "the code stops the program");
+    blame(in.profile, lost, f);
+    f.group = "code " + lost.name;
+    return true;
+  }
+  return false;
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop);
@@ -191,6 +210,7 @@ void check(const Input& in, Reporter& out) {
     f.interpreter = stop.interpreter;
     const int number = number_of(at, stop.interpreter);
     const bool m = f.interpreter.find("m code") != std::string::npos;
+    if (is_lost(in, at, f)) return &f;
     if (m && number >= kUserFirst && number <= kUserLast) {
       user_code(in, number, f);
     } else if (!sub_without_p(in, at).empty() || !tell_split_code(*in.program.source, at, f)) {
@@ -269,7 +289,10 @@ machine's INI (`--ini`) owlint knows them. Without it, M100 and above are warnin
 no such machine. `M13`, `G37` and the like are errors, as they mostly come from another controller or are typed
 wrong; the message says where an INI could define the code.
 With the INI, owlint also looks at the first line of these programs: LinuxCNC cannot run one whose `#!` line
-ends with a carriage return, or names an interpreter that does not exist.)",
+ends with a carriage return, or names an interpreter that does not exist.
+
+A `REMAP` of a code that LinuxCNC cannot remap takes the code's own meaning away (OW417). Where the code then stops
+the program, the finding is at the line that uses it.)",
             .why =
                 R"(LinuxCNC stops when it reads the line, with `Unknown g code used`, `Unknown m code used: M17` or `M-code
 greater than 199: M428`. Nothing of the line is executed. M100 to M199 are read without an error, and

@@ -77,6 +77,13 @@ void relate_motion(const Input& in, const FlowStop& stop, const WordStop& at, Fi
   if (setter && !setter->restores()) relate_setter(in, f, setter, "is in effect from here on");
 }
 
+/// The first word of a line with one of the letters; null if there is none.
+const WrittenWord* first_of(const std::vector<WrittenWord>& line, std::string_view letters) {
+  const auto found = std::ranges::find_if(
+      line, [&](const WrittenWord& word) { return letters.find(word.letter) != std::string_view::npos; });
+  return found == line.end() ? nullptr : &*found;
+}
+
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
     const WordStop at = word_stop(in, stop);
@@ -86,6 +93,9 @@ void check(const Input& in, Reporter& out) {
     explain(*in.program.source, at, of_call, release_of(in.profile), f);
     const bool of_code = (at.letter == 'p' || at.letter == 'q') && at.find('g') != nullptr;
     if (std::optional<Habit> habit = of_code ? habit_of(in, stop.statement) : std::nullopt) {
+      // Without the axes U and W, which most machines lack, LinuxCNC stops at those words first.
+      const WrittenWord* const axis = in.profile.setup == nullptr ? first_of(at.line, "uvw") : nullptr;
+      if (axis != nullptr) f.interpreter = fmt::format("Bad character '{}' used", axis->letter);
       f.message = std::move(habit->message);
       f.help = std::move(habit->help);
     }

@@ -250,4 +250,21 @@ TEST_CASE("standard input that needs no suppression is put out as it is", "[cli]
   CHECK(check({"--add-suppressions", "--reason", "old", "-"}, kFixed).out == kFixed);
 }
 
+TEST_CASE("a fix in a called file names the file to give", "[cli][fix]") {
+  const Scratch s;
+  s.write("main.ngc", "o<twice> call\nM2\n");
+  s.write("twice.ngc",
+          "o<twice> sub\no100 if [#5070 EQ 0]\n  G0 X1\no100 endif\no100 if [#5070 EQ 1]\n  G0 X3\n"
+          "o100 endif\no<twice> endsub\n");
+  const auto check_here = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"check", "--no-find-ini"});
+    return owlint::test::owlint(arguments, "", s.path());
+  };
+  const Run run = check_here({"main.ngc"});
+  INFO(run.out << run.err);
+  CHECK(run.err.find("can be fixed with --fix\n") == std::string::npos);
+  CHECK(run.err.find("1 in twice.ngc, which was not named, can be fixed with --fix twice.ngc\n") != std::string::npos);
+  CHECK(check_here({"--fix", "twice.ngc"}).err.find("fixed 1 finding in 1 file\n") == 0);
+}
+
 }  // namespace fix_command_test

@@ -156,4 +156,22 @@ TEST_CASE("a helper that several sub files define is one finding that names them
   CHECK(report["files"][1]["findings"].empty());
 }
 
+TEST_CASE("what a program stops with for a line of the INI is no second finding of that line", "[groups]") {
+  const Scratch folder;
+  folder.write("machine.ini", "[RS274NGC]\nREMAP = M400 modalgroup=6 argspec=P ngc=fa\n");
+  folder.write("fa.ngc", "o<fa> sub\n  G0 X#<q>\no<fa> endsub\n");
+  folder.write("main.ngc", "M400 P1\nM2\n");
+  const auto codes = [&](const std::string& arguments) {
+    std::string found;
+    for (const auto& file : nlohmann::json::parse(check(folder, "--format json " + arguments).out)["files"]) {
+      for (const auto& f : file["findings"]) {
+        if (f["code"] == "OW418" || f["code"] == "OW603") found += f["code"].get<std::string>() + " ";
+      }
+    }
+    return found;
+  };
+  CHECK(codes("machine.ini") == "OW418 ");
+  CHECK(codes("--ini machine.ini machine.ini main.ngc") == "OW603 ");
+}
+
 }  // namespace groups_test

@@ -75,6 +75,13 @@ TEST_CASE("a misspelt command or option names the nearest", "[cli][usage]") {
   CHECK(said("chekc good.ngc") == "there is no command and no file `chekc`, did you mean `owlint check`?");
   CHECK(said("explian OW101") == "there is no command and no file `explian`, did you mean `owlint explain`?");
   CHECK(said("lint good.ngc") == "there is no command and no file `lint`, did you mean `owlint check`?");
+  CHECK(said("fix good.ngc") == "there is no command and no file `fix`; `owlint --fix PATH` makes the safe fixes");
+  CHECK(said("-x good.ngc") == "unknown option `-x`; `--help` lists all, and what comes after `--` is a path");
+  CHECK(said("--linuxcnc 2.9.4 good.ngc") ==
+        "--linuxcnc: `2.9.4` is none of 2.7, 2.8, 2.9, 2.10, all; did you mean `2.9`?");
+  CHECK(said("--severity OW104=warn good.ngc") ==
+        "--severity: `OW104=warn` is not CODE=LEVEL with a level of off, info, warning or error; did you mean "
+        "`OW104=warning`?");
   CHECK(said("audit lst") == "there is no lst, did you mean `owlint audit list`?");
   CHECK(said("check --selct OW1 good.ngc") == "unknown option `--selct`, did you mean `--select`?");
   CHECK(said("fmt --chekc good.ngc") == "unknown option `--chekc`, did you mean `--check`?");
@@ -138,6 +145,19 @@ TEST_CASE("help is laid out for people", "[cli][usage]") {
   CHECK(contains(help, "  --find-ini, --no-find-ini\n"));
   CHECK(owlint::test::owlint({"help"}).out == owlint::test::owlint({"--help"}).out);
   CHECK(owlint::test::owlint({"help", "check"}).out == help);
+}
+
+TEST_CASE("values may have capitals and blanks around them", "[cli][usage]") {
+  const Scratch s;
+  s.write("good.ngc", "M2\n");
+  const auto runs = [&](const std::vector<std::string>& arguments) {
+    const Run run = owlint::test::owlint(arguments, "", s.path());
+    INFO(run.err);
+    CHECK(run.status == 0);
+  };
+  runs({"check", "--select", "OW104, OW105", "good.ngc"});
+  runs({"check", "--fail-on", "INFO", "good.ngc"});
+  runs({"check", "--severity", "OW104=off, OW105=Info", "good.ngc"});
 }
 
 }  // namespace usage_test

@@ -115,8 +115,6 @@ void AbstractMachine::Step::repeated_word(const LineError& repeated) {
 
 /// Without the machine's INI it is not known which codes it has.
 UserCode AbstractMachine::Step::known_of(uint32_t user_code) const {
-  constexpr uint32_t kLast = 199;  // behind it are those that the INI maps in vain
-  if (user_code > kLast) return UserCode::kMissing;
   return m.profile_.setup == nullptr ? UserCode::kUnknown : m.profile_.setup->user_code(static_cast<int>(user_code));
 }
 

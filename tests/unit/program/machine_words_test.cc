@@ -146,3 +146,20 @@ TEST_CASE("limits of rotary axes are degrees, or unknown", "[machine]") {
   CHECK_FALSE(limited("ANGULAR_UNITS = rad\n"));
   CHECK_FALSE(limited(""));
 }
+
+TEST_CASE("a REMAP of a code that LinuxCNC cannot remap takes its meaning away", "[machine][remap]") {
+  const auto lost = [](const char* line, Release release = Release::k2_8) { return lost_code(line, release); };
+  REQUIRE(lost("M5 modalgroup=6 ngc=fa"));
+  CHECK(lost("M5 modalgroup=6 ngc=fa")->group == MGroup::kToolChange);
+  CHECK(lost("M1200 ngc=fa")->number == 1200);
+  CHECK(lost("M1200 ngc=fa")->group == MGroup::kUser);
+  CHECK(lost("G17 modalgroup=1 ngc=fa")->number == 170);
+  CHECK(lost("M7 modalgroup=6 ngc=fa"));
+  CHECK_FALSE(lost("M7 modalgroup=6 ngc=fa", Release::k2_10));
+  for (const char* kept :
+       {"M5 modalgroup=7 ngc=fa", "M400 modalgroup=6 ngc=fa", "M6 modalgroup=6 ngc=fa", "M98 modalgroup=6 ngc=fa",
+        "M99 ngc=fa", "G1 ngc=fa", "G88.1 ngc=fa", "T ngc=fa", "M5 modalgroup=3 ngc=fa", "M5"}) {
+    INFO(kept);
+    CHECK_FALSE(lost(kept));
+  }
+}
