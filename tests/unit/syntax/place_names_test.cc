@@ -50,6 +50,9 @@ TEST_CASE("the tool and the coordinate system are read by number", "[place]") {
   place.loaded_tool = 3;
   CHECK(PlaceName::find(5400)->number(place, false) == 3);
   REQUIRE(ModeName::find(5220));
-  CHECK(ModeName::find(5220)->number(value_bit(modes::kG55)) == 2);
+  const auto numbers = ModeName::find(5220)->numbers(value_bit(modes::kG55));
+  REQUIRE(numbers);
+  CHECK(numbers->least == 2);
+  CHECK(numbers->greatest == 2);
   CHECK_FALSE(ModeName::find(5221));
 }
