@@ -69,9 +69,11 @@ class Matcher {
 
   void line(StatementId id) {
     const Statement& s = program_.at(id);
-    if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown) return without_label(id);
+    if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown) return without_label(id, s.keyword);
+    if (s.has_error() && (s.kind == LineKind::kWords || s.label == kNoName)) return unreadable(id);
     if (s.kind != LineKind::kOWord || s.label == kNoName) return;
     if (s.is(Keyword::kBare)) return misread(id);
+    if (is_numbered(s)) return without_label(id, s.keyword);
     switch (s.keyword) {
       case Keyword::kWhile:
         if (const BlockId loop = find(Keyword::kDo, s.label); loop != kNoBlock) return close(loop, id);
@@ -139,9 +141,36 @@ class Matcher {
     return !open_.empty() && block(open_.back()).kind == kind && !comes_later(block(open_.back()));
   }
 
-  /// A keyword whose label was forgotten.
-  void without_label(StatementId id) {
-    const Keyword keyword = program_.at(id).keyword;
+  /// Whether the line number stands in place of the label, so that it need not be that of the block: line numbers rise.
+  bool is_numbered(const Statement& s) {
+    const LineError* const error = program_.syntax.error(s);
+    if (!s.refused || error == nullptr || error->kind != StopKind::kLabelForgotten) return false;
+    if (s.is(Keyword::kBreak) || s.is(Keyword::kContinue)) return by_label_.innermost(s.label) == kNoBlock;
+    const Keyword opener = opener_of(s.keyword);
+    return opener != Keyword::kUnknown && opener != Keyword::kSub && find(opener, s.label) == kNoBlock;
+  }
+
+  /// A line that is meant to end or divide a block, and is not read as an O-word.
+  void unreadable(StatementId id) {
+    if (open_.empty()) return;
+    const Meant meant = meant_by(program_, id);
+    // Another block's label is meant.
+    const bool other = meant.label != kNoName && meant.label != block(open_.back()).label &&
+        std::ranges::any_of(program_.by_label[meant.label], [&](StatementId line) { return line != id; });
+    const bool until = block(open_.back()).kind == Keyword::kDo && begins_with_until(id);
+    if (!other) without_label(id, until ? Keyword::kWhile : meant.keyword);
+  }
+
+  /// `until [...]`, `loop until [...]`, `o until [...]`: the end of a `do` in other languages.
+  bool begins_with_until(StatementId id) const {
+    std::string text = small_letters(program_.source->slice(program_.at(id).whole()).substr(0, kLineLimit));
+    text.erase(std::min(text.find('['), text.size()));
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
+    return text == "until" || text == "loopuntil" || text == "ountil";
+  }
+
+  /// A keyword whose label was forgotten, or is another one.
+  void without_label(StatementId id, Keyword keyword) {
     if (ends_block(keyword) || keyword == Keyword::kWhile) {
       if (means_to_close(keyword == Keyword::kWhile ? Keyword::kDo : opener_of(keyword))) mistake(id);
     } else if (keyword == Keyword::kElse || keyword == Keyword::kElseif) {
@@ -162,7 +191,9 @@ class Matcher {
     if (!s.has_error() && !s.name_open && block(open_.back()).kind != Keyword::kDo)
       meant = {end_of(block(open_.back()).kind), true, s.label, "", s.head_span(), 0};
     const Keyword opener = meant.keyword == Keyword::kWhile ? Keyword::kDo : opener_of(meant.keyword);
-    if (opener == Keyword::kUnknown || meant.label != block(open_.back()).label) return;
+    // A name without its `>` that no other line has is no other block's.
+    const bool unused = s.name_open && (meant.label == kNoName || program_.by_label[meant.label].empty());
+    if (opener == Keyword::kUnknown || (meant.label != block(open_.back()).label && !unused)) return;
     if (block(open_.back()).kind == opener && (ends_block(meant.keyword) || opener == Keyword::kDo) &&
         !comes_later(block(open_.back())))
       mistake(id);

@@ -16,25 +16,45 @@ struct Token {
   size_t to = 0;
 };
 
+/// Behind the bracket at `at`, if it holds the name or number of a label and stands where a label does: first on the line,
+/// or after the letter. `at` itself if not.
+size_t behind_label_bracket(std::string_view line, size_t at, std::string_view before) {
+  const bool after_letter = before == "o" || before == "O";
+  if (!after_letter && (!before.empty() || line[at] != '[')) return at;
+  const size_t close = line.find(line[at] == '(' ? ')' : ']', at);
+  if (close == std::string_view::npos || close == at + 1) return at;
+  const bool label = std::ranges::all_of(line.substr(at + 1, close - at - 1), [](char c) {
+    return is_digit(c) || c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  });
+  return label ? close + 1 : at;
+}
+
 std::vector<Token> tokens_of(std::string_view line) {
   std::vector<Token> out;
   size_t at = 0;
-  while (at < line.size() && line[at] != ';' && line[at] != '[') {
-    if (line[at] == '(') at = std::min(line.find(')', at), line.size() - 1);
-    if (is_blank(line[at]) || line[at] == ')') {
-      ++at;
-      continue;
-    }
+  const auto label_bracket = [&](std::string_view before) {
+    return out.empty() && (line[at] == '[' || line[at] == '(') ? behind_label_bracket(line, at, before) : at;
+  };
+  while (at < line.size() && line[at] != ';' && (line[at] != '[' || label_bracket("") > at)) {
+    if (line[at] == '(') at = std::min(line.find(')', at), line.size());
+    if (at < line.size() && (is_blank(line[at]) || line[at] == ')')) ++at;
+    if (at == line.size() || is_blank(line[at]) || line[at] == '(' || line[at] == ';') continue;
     Token token;
     token.from = at;
     size_t name = std::string_view::npos;  // where the name that is open ends
     for (; at < line.size(); ++at) {
       const char c = line[at];
       const bool in_name = name != std::string_view::npos && at <= name;
+      if (const size_t behind = in_name ? at : label_bracket(token.text); behind > at) {
+        token.text += line.substr(at, behind - at);
+        at = behind - 1;
+        continue;
+      }
       if (!in_name && (is_blank(c) || c == '(' || c == ';' || c == '[')) break;
       if (c == '<' && !in_name) name = line.find('>', at);
       if (!is_blank(c)) token.text += c;
     }
+    if (token.text.empty()) break;
     token.to = at;
     token.text = small_letters(token.text);
     out.push_back(std::move(token));
@@ -67,19 +87,43 @@ Keyword near_keyword(const std::string& word) {
   return found == kKeywordSpellings.end() ? Keyword::kUnknown : static_cast<Keyword>(found - kKeywordSpellings.begin());
 }
 
-/// A label without its `o` and its `< >`.
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// A label without its `o`, and without what is around it in place of `< >`.
 std::string bare_label(std::string_view text) {
-  if (text.size() > 1 && text[0] == 'o' && (text[1] == '<' || (text[1] >= '0' && text[1] <= '9')))
+  constexpr std::string_view kOpen = "<{([\"'";
+  const size_t letters = std::min(text.find_first_not_of('o'), text.size());
+  if (is_number(text.substr(letters))) {
+    text.remove_prefix(letters);
+  } else if (text.size() > 1 && text[0] == 'o' && kOpen.find(text[1]) != std::string_view::npos) {
     text.remove_prefix(1);
-  if (text.starts_with('<')) text.remove_prefix(1);
-  if (text.ends_with('>')) text.remove_suffix(1);
+  }
+  if (!text.empty() && kOpen.find(text[0]) != std::string_view::npos) text.remove_prefix(1);
+  while (!text.empty() && std::string_view(">})]\"':,").find(text.back()) != std::string_view::npos)
+    text.remove_suffix(1);
   return std::string(text);
+}
+
+/// Whether `text` stands where a label does and is one, if its letter is another one: `o100`, `100`, `<hole>`, `q100`, `#100`.
+bool is_labelled(std::string_view text) {
+  if (text.starts_with('o') || text.starts_with('#') || text.starts_with('q')) text.remove_prefix(1);
+  const std::string label = bare_label(text);
+  return is_number(label) || (label.size() > 1 && is_number(std::string_view(label).substr(1))) ||
+      (text.starts_with('<') && text.ends_with('>'));
+}
+
+/// Whether a value in brackets follows the keyword; one that may have none does not say.
+bool takes_value(Keyword keyword) {
+  return keyword == Keyword::kIf || keyword == Keyword::kElseif || keyword == Keyword::kWhile ||
+      keyword == Keyword::kRepeat;
 }
 
 class Reading {
  public:
   Reading(const Program& program, const Statement& s)
-      : program_(program), s_(s), tokens_(tokens_of(program.source->slice(s.whole()))) {
+      : program_(program), s_(s), line_(text_of(program, s)), tokens_(tokens_of(line_)) {
     if (s.block_delete && !tokens_.empty() && tokens_[0].text == "/") tokens_.erase(tokens_.begin());
     const bool numbered = !tokens_.empty() && tokens_[0].text.size() > 1 && tokens_[0].text[0] == 'n' &&
         tokens_[0].text.find_first_not_of("0123456789.", 1) == std::string::npos;
@@ -100,19 +144,28 @@ class Reading {
     return {};
   }
 
-  /// `ohole sub`, `o sub`.
-  Meant name_behind_o() {
-    if (tokens_.size() < 2 || tokens_[0].text.empty()) return {};
-    return found(exact_keyword(tokens_[1].text), tokens_[0].text.substr(1), 0, 1);
+  /// `ohole sub`, `o hole sub`, `o"hole" sub`, `o(100) sub`, `o sub`.
+  Meant behind_letter() {
+    if (tokens_.empty() || !tokens_[0].text.starts_with('o')) return {};
+    const size_t last = tokens_.size() - 1;
+    if (last == 0) return found(exact_keyword(std::string_view(tokens_[0].text).substr(1)), "", 0, 0);
+    if (last > 1 && tokens_[0].text != "o") return {};
+    std::string name = last == 1 ? tokens_[0].text.substr(1) : "";
+    for (size_t i = 1; i < last; ++i) name += tokens_[i].text;
+    return found(exact_keyword(tokens_[last].text), bare_label(name), 0, last);
   }
 
-  /// `hole sub`, `sub <hole>`. Of subs only: other text may well have an `if` in it.
+  /// `hole sub`, `sub <hole>`, `Q100 if`, `endif 100`, and `o1 endif (open`.
   Meant words() {
     if (tokens_.size() != 2) return {};
-    const Keyword first = exact_keyword(tokens_[0].text);
-    const Keyword second = exact_keyword(tokens_[1].text);
-    if (first != Keyword::kUnknown && global_label(first)) return found(first, bare_label(tokens_[1].text), 0, 1);
-    if (second != Keyword::kUnknown && global_label(second)) return found(second, bare_label(tokens_[0].text), 0, 1);
+    for (const size_t at : {0U, 1U}) {
+      const Keyword keyword = exact_keyword(tokens_[at].text);
+      const std::string& label = tokens_[1 - at].text;
+      if (keyword == Keyword::kUnknown) continue;
+      // Other text may well have an `if` in it.
+      if (global_label(keyword) || (is_labelled(label) && takes_value(keyword) == value_follows()))
+        return found(keyword, label_of(label), 0, 1);
+    }
     return {};
   }
 
@@ -126,7 +179,70 @@ class Reading {
     return meant;
   }
 
+  /// `o100: sub`, `o100-endif`, `o1O0 sub`, `o<f> sbu`, `o<f> end` of a sub.
+  Meant behind_label() {
+    std::string_view rest = program_.source->slice({s_.keyword_span().begin, s_.end()});
+    rest = rest.substr(0, rest.find_first_of("(;["));
+    rest = rest.substr(0, rest.find_last_not_of(" \t\r") + 1);
+    std::string word = small_letters(rest);
+    std::erase_if(word, is_blank);
+    Meant meant;
+    meant.has_label = true;
+    meant.label = s_.label;
+    meant.name = s_.label == kNoName ? "" : program_.name(s_.label);
+    meant.words = {s_.label_span().begin, s_.keyword_span().begin + rest.size()};
+    const size_t digits = word.find_first_not_of("o0123456789");
+    if (word.starts_with('o') && digits != std::string::npos &&
+        is_number(meant.name)) {  // the letter O typed for a zero
+      meant.keyword = exact_keyword(word.substr(digits));
+      if (meant.keyword != Keyword::kUnknown) {
+        std::replace(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(digits), 'o', '0');
+        meant.name += word.substr(0, digits);
+        meant.label = program_.syntax.names.find(meant.name);
+        return meant;
+      }
+    }
+    std::string letters = word;
+    std::erase_if(letters, [](char c) { return std::string_view(":,-_./").find(c) != std::string_view::npos; });
+    meant.keyword = exact_keyword(letters);
+    if (meant.keyword != Keyword::kUnknown) return meant;
+    meant.words = s_.head_span();
+    std::string written = small_letters(program_.source->slice(s_.keyword_span()));
+    std::erase_if(written, is_blank);
+    meant.keyword = near_keyword(written);
+    // Whatever ends it in another language.
+    const bool of_sub = meant.keyword == Keyword::kUnknown && written.starts_with("end") && s_.label != kNoName &&
+        std::ranges::any_of(program_.by_label[s_.label],
+                            [&](StatementId id) { return program_.at(id).is(Keyword::kSub); });
+    if (of_sub) meant.keyword = Keyword::kEndsub;
+    return meant;
+  }
+
  private:
+  /// Without a comment that LinuxCNC cannot read.
+  static std::string_view text_of(const Program& program, const Statement& s) {
+    const std::string_view line = program.source->slice(s.whole());
+    const LineError* const error = program.syntax.error(s);
+    return error == nullptr || error->kind > StopKind::kCommentUnclosed ? line : line.substr(0, line.find('('));
+  }
+
+  /// Whether a bracket comes behind the last token.
+  bool value_follows() const {
+    const size_t next = line_.find_first_not_of(" \t\r", tokens_.back().to);
+    return next != std::string_view::npos && line_[next] == '[';
+  }
+
+  /// `100` of `Q100`, `#100` and `@100`; of `x100` only if that is a label.
+  std::string label_of(std::string_view text) const {
+    const bool before_name = text.size() > 1 && text[1] == '<';
+    const std::string label = bare_label(text.starts_with('#') || before_name ? text.substr(1) : text);
+    if (label.size() < 2 || !is_number(std::string_view(label).substr(1)) || is_digit(label[0])) return label;
+    const std::string number = label.substr(1);
+    const NameId id = program_.syntax.names.find(number);
+    const bool used = id != kNoName && !program_.by_label[id].empty();
+    return used || label[0] == 'q' || label[0] < 'a' || label[0] > 'z' ? number : label;
+  }
+
   Meant found(Keyword keyword, const std::string& label, size_t first, size_t last) const {
     Meant meant;
     meant.keyword = keyword;
@@ -139,6 +255,7 @@ class Reading {
 
   const Program& program_;
   const Statement& s_;
+  std::string_view line_;
   std::vector<Token> tokens_;
 };
 
@@ -151,18 +268,13 @@ Meant meant_by(const Program& program, StatementId id) {
   if (s.name_open) return Reading(program, s).open_name();
   if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown)
     return {s.keyword, false, kNoName, "", s.keyword_span(), 0};
-  if (s.kind == LineKind::kWords)
-    return error->kind == StopKind::kWordUnreadable ? Reading(program, s).words() : Meant{};
+  if (s.kind == LineKind::kWords) return Reading(program, s).words();
   if (s.kind != LineKind::kOWord) return {};
-  const std::string label = s.label == kNoName ? std::string() : program.name(s.label);
-  if (s.refused) return {s.keyword, true, s.label, label, s.head_span(), 0};
-  if (error->kind == StopKind::kLabelWord) return Reading(program, s).name_behind_o();
+  if (s.refused) return {s.keyword, true, s.label, s.label == kNoName ? "" : program.name(s.label), s.head_span(), 0};
+  if (s.label == kNoName && s.label_expr == kNoExpr) return Reading(program, s).behind_letter();
   if (error->kind == StopKind::kTrailingText && s.is(Keyword::kBare) && s.comment)
     return Reading(program, s).behind_comment();
-  if (error->kind != StopKind::kKeywordUnknown) return {};
-  std::string word(program.source->slice(s.keyword_span()));
-  std::erase_if(word, is_blank);
-  return {near_keyword(small_letters(word)), true, s.label, label, s.head_span(), 0};
+  return error->kind == StopKind::kKeywordUnknown ? Reading(program, s).behind_label() : Meant{};
 }
 
 std::unordered_map<NameId, StatementId> misread_subs(const Program& program) {
@@ -177,9 +289,10 @@ std::unordered_map<NameId, StatementId> misread_subs(const Program& program) {
     if (!s.has_error() && !s.name_open) continue;
     const Meant meant = meant_by(program, id);
     if (meant.keyword != Keyword::kSub) continue;
-    if (!meant.has_label)
+    const bool used = meant.label != kNoName && !program.by_label[meant.label].empty();
+    if (!used)
       without_label = id;
-    else if (meant.label != kNoName)
+    else
       out.emplace(meant.label, id);
   }
   return out;

@@ -1,5 +1,6 @@
 // What a line was meant to be that LinuxCNC reads as something else or not at all: `o<loop while [1]` without its `>`,
-// `o1 (why) endif`, `o<f> sbu`, `hole sub`, `sub <hole>`, `N100 endsub`. So one mistake stays one finding, and says where it is.
+// `o1 (why) endif`, `o<f> sbu`, `hole sub`, `sub <hole>`, `Q100 if`, `N100 endsub`. So one mistake stays one finding, and
+// says where it is.
 #pragma once
 
 #include <string>

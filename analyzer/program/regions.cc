@@ -24,6 +24,32 @@ void find_endsub(const Program& program, StatementId next_sub, Region* region) {
   if (first != region->end) region->early_end = first;
 }
 
+/// Whether a block is open above the line `place` that began below `opener`, and its end follows before `limit`: then an M99
+/// there is an early way out.
+bool is_within_block(const Program& program, StatementId opener, StatementId place, StatementId limit) {
+  std::vector<const Statement*> open;
+  const auto close = [&](const Statement& s, Keyword kind) {
+    const auto own = std::find_if(open.rbegin(), open.rend(),
+                                  [&](const Statement* o) { return o->label == s.label && o->is(kind); });
+    const bool found = own != open.rend();
+    if (found) open.erase(std::prev(own.base()), open.end());
+    return found;
+  };
+  const auto read = [&](StatementId id) {
+    const Statement& s = program.at(id);
+    if (s.kind != LineKind::kOWord || s.label == kNoName || s.refused) return;
+    if (ends_block(s.keyword)) {
+      close(s, opener_of(s.keyword));
+    } else if (opens_block(s.keyword) && (!s.is(Keyword::kWhile) || !close(s, Keyword::kDo))) {
+      open.push_back(&s);
+    }
+  };
+  for (StatementId id = opener + 1; id < place; ++id) read(id);
+  const size_t depth = open.size();
+  for (StatementId id = place + 1; id < limit && open.size() >= depth; ++id) read(id);
+  return open.size() < depth;
+}
+
 }  // namespace
 
 void find_regions(Program& program) {
@@ -63,11 +89,15 @@ void find_regions(Program& program) {
       const auto limit = static_cast<StatementId>(opener - program.syntax.statements.begin());
       const auto m99 = std::ranges::lower_bound(fanuc_returns, limit);
       if (m99 != fanuc_returns.begin() && *std::prev(m99) > id) region.end = *std::prev(m99);
+      if (region.end != kNoStatement && is_within_block(program, id, region.end, limit)) {
+        region.end = kNoStatement;
+        region.last = limit;
+      }
     }
     if (region.end != kNoStatement) {
       region.last = region.end + 1;
     } else {
-      region.last = next_sub;
+      if (region.last == 0) region.last = next_sub;
       // No other sub is open here, so an `endsub` before the next one was probably meant for this.
       for (StatementId at = id + 1; at < region.last && sub; ++at) {
         const Statement& end = program.at(at);

@@ -99,11 +99,12 @@ void LineParser::misplaced_character(size_t at, Statement& s) {
   if (c == 'o') {
     while (to < line_.size() && line_[to] != '(' && line_[to] != ';') ++to;
     fail(s, StopKind::kWordBefore, at, to, bad_character('o'));
-    return recover(at, s);
+    return s.kind == LineKind::kM99 ? void() : recover(at, s);  // in a sub, M99 returns or is refused first
   }
   if ((is_digit(c) || c == '<') && label_without_o(at, s)) return;
   if (is_foreign(c)) to = at + foreign_run(line_.text(), at);
   fail(s, StopKind::kBadCharacter, at, to, bad_character(c));
+  if (s.kind == LineKind::kM99) return;
   if (line_[to] == 'o') {
     recover(to, s);
   } else if (is_foreign(c) && label_end(to) != 0) {  // an O of another alphabet

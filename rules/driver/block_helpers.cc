@@ -94,6 +94,11 @@ bool has_unreadable_line(const Input& in, NameId label, RegionId region) {
   return in.index.unreadable.contains(static_cast<uint64_t>(region) << 32 | label);
 }
 
+bool has_misread_opener(const Input& in, StatementId id) {
+  const auto opener = in.index.openers.find({in.program.region_of[id], in.program.at(id).label});
+  return opener != in.index.openers.end() && opener->second < id && in.program.at(opener->second).has_error();
+}
+
 bool loops_again(const Input& in, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
@@ -289,6 +294,17 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
                            "`" + head + "` has the label of `" + p.head(s.other) + "` on line " +
                                std::to_string(opener.line) + ", which is no " + std::string(openers));
       relate(f, p, s.other, "the label is used here");
+      const BlockId ended = p.block_of[s.other];
+      const bool over = opener.is(Keyword::kDo) && line.is(Keyword::kEndwhile) && ended != kNoBlock &&
+          p.blocks[ended].end != kNoStatement && p.blocks[ended].end < s.statement;
+      if (over) {
+        const Statement& end = p.at(p.blocks[ended].end);
+        f.message = "`" + head + "`, but `" + p.head(p.blocks[ended].end) + "` on line " + std::to_string(end.line) +
+            " has already ended the loop";
+        f.help = "remove the line: a `do` ends with its `while`";
+        f.fixes.push_back({"remove `" + head + "`", false, {{line.head_span(), ""}}});
+        return &f;
+      }
       f.help = "write the label of the " + std::string(openers) + " that it belongs to";
       if (opener.is(Keyword::kRepeat) && (line.is(Keyword::kBreak) || line.is(Keyword::kContinue)))
         f.help = "a `repeat` cannot be left early: write the loop as a `while` with a counter";
@@ -337,7 +353,8 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
   for (const StatementId id : in.index.stray_parts) {
     const Statement& s = p.at(id);
     if (!wanted(s.keyword) || has_stop(in, id)) continue;
-    if (has_unreadable_line(in, s.label, p.region_of[id]) || loops_again(in, id)) continue;
+    if (has_unreadable_line(in, s.label, p.region_of[id]) || loops_again(in, id) || has_misread_opener(in, id))
+      continue;
     FlowStop unmet;
     unmet.statement = id;
     if (Finding* f = report(unmet)) f->reach = in.flow.reach(id);

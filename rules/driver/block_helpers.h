@@ -8,6 +8,9 @@ namespace owlint::rules {
 /// Whether a line with this label has an unknown keyword: then it may be the missing part of the block.
 bool has_unreadable_line(const Input& in, NameId label, RegionId region);
 
+/// Whether the line belongs to a block whose first line LinuxCNC cannot read: the finding about that line speaks for it.
+bool has_misread_opener(const Input& in, StatementId id);
+
 /// Whether two statements are in different branches of one `if`, so that no single pass executes both.
 bool in_exclusive_branches(const Program& program, StatementId a, StatementId b);
 

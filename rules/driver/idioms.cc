@@ -16,6 +16,8 @@ constexpr Idiom kIdioms[] = {
     begins_with_zero,
     has_letter_in_label,
     has_sign_behind_label,
+    divides_keyword,
+    ends_with_colon,
     jumps,
     loops_as_fanuc,
     says_then,
@@ -36,6 +38,10 @@ constexpr Idiom kIdioms[] = {
     names_contour,
     lacks_letter,
     lacks_label,
+    has_label_behind,
+    labels_with_word,
+    has_words_behind_label,
+    misspells_keyword,
     has_letters_in_number,
     has_exponent,
     is_no_number,
@@ -54,6 +60,7 @@ constexpr Idiom kIdioms[] = {
     calls_function_in_round,
     has_checksum,
     has_slash_inside,
+    computes_across_comment,
     computes_without_brackets,
     assigns_otherwise,
     lacks_equal,
@@ -68,8 +75,6 @@ constexpr Idiom kIdioms[] = {
     has_other_operator,
     has_other_function,
     has_odd_sign,
-    has_label_behind,
-    labels_with_word,
     is_other_word,
 };
 
@@ -125,7 +130,22 @@ void RefusedLine::propose(Finding& f, std::string title, std::vector<Edit> edits
   }
   line.append(program.source->slice({done, statement.end()}));
   if (statement.block_delete) line.erase(0, line.find('/') + 1);
-  f.fixes = {{std::move(title), surely_meant && surely_runs(line), std::move(edits), true}};
+  const bool safe = surely_meant && surely_runs(line) && calls_known_subs(in, line);
+  f.fixes = {{std::move(title), safe, std::move(edits), true}};
+}
+
+bool calls_known_subs(const Input& in, const std::string& line) {
+  const Program& p = in.program;
+  const Syntax syntax = scan(*Source::own("", line + "\n"));
+  return std::ranges::all_of(syntax.statements, [&](const Statement& s) {
+    if (!s.calls() || s.label == kNoName) return true;
+    const std::string& name = syntax.names.text(s.label);
+    const NameId label = p.syntax.names.find(name);
+    if (label != kNoName && in.index.subs.contains(label)) return true;
+    const auto lines = label == kNoName ? std::span<const StatementId>() : p.by_label[label];
+    return std::ranges::any_of(lines, [&](StatementId id) { return p.at(id).opens_sub(); }) ||
+        in.linked.search_path().find(name).has_value();
+  });
 }
 
 void explain_idiom(const Input& in, StatementId statement, Finding& finding) {

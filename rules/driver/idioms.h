@@ -50,6 +50,10 @@ struct RefusedLine {
   void propose(Finding& f, std::string title, std::vector<Edit> edits, bool surely_meant) const;
 };
 
+/// Whether the subs that a line calls are known: in the program or on the search path. A fix that writes a call of another one
+/// would only lead to the next stop.
+bool calls_known_subs(const Input& in, const std::string& line);
+
 /// Operators that are words. Longer ones come before their beginnings.
 inline constexpr std::string_view kWordOperators[] = {"mod", "and", "xor", "or", "eq", "ne", "gt", "ge", "lt", "le"};
 
@@ -71,7 +75,6 @@ bool brackets_behind_keyword(const RefusedLine& line, Finding& f);
 bool tests_behind_do(const RefusedLine& line, Finding& f);
 bool rounds_brackets(const RefusedLine& line, Finding& f);
 bool lacks_letter(const RefusedLine& line, Finding& f);
-bool lacks_label(const RefusedLine& line, Finding& f);
 bool has_odd_sign(const RefusedLine& line, Finding& f);
 bool has_other_comment(const RefusedLine& line, Finding& f);
 bool comes_before_percent(const RefusedLine& line, Finding& f);
@@ -83,6 +86,8 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f);
 bool says_then(const RefusedLine& line, Finding& f);
 bool repeats_until(const RefusedLine& line, Finding& f);
 bool ends_as_shell(const RefusedLine& line, Finding& f);
+bool has_words_behind_label(const RefusedLine& line, Finding& f);
+bool misspells_keyword(const RefusedLine& line, Finding& f);
 bool is_other_word(const RefusedLine& line, Finding& f);
 
 // In a character that looks like another (idioms_characters.cc).
@@ -113,6 +118,7 @@ bool has_not_before_bracket(const RefusedLine& line, Finding& f);
 // In a calculation that is not in brackets, and what looks like one (idioms_calculations.cc).
 bool has_checksum(const RefusedLine& line, Finding& f);
 bool has_slash_inside(const RefusedLine& line, Finding& f);
+bool computes_across_comment(const RefusedLine& line, Finding& f);
 bool computes_without_brackets(const RefusedLine& line, Finding& f);
 bool calls_function_in_round(const RefusedLine& line, Finding& f);
 
@@ -139,8 +145,14 @@ bool divides_arguments(const RefusedLine& line, Finding& f);
 /// The number of other lines that the label of a line was surely meant to be, `100` of `o1o0 endif` and of `N10 100 endif`;
 /// kNoName for other lines.
 NameId mistyped_label(const Program& program, StatementId id);
+/// The label that a line with this keyword is meant to have, as it is written, where its own is none of the program's: that of
+/// the block or sub that it ends, or of the lines below that belong to it. Empty if there are no such lines.
+std::string label_meant(const RefusedLine& line, Keyword keyword);
+bool lacks_label(const RefusedLine& line, Finding& f);
 bool has_letter_in_label(const RefusedLine& line, Finding& f);
 bool has_sign_behind_label(const RefusedLine& line, Finding& f);
+bool divides_keyword(const RefusedLine& line, Finding& f);
+bool ends_with_colon(const RefusedLine& line, Finding& f);
 bool begins_with_zero(const RefusedLine& line, Finding& f);
 
 // In a code or word of another controller, and in a unit (idioms_controllers.cc).

@@ -190,6 +190,25 @@ bool has_slash_inside(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+/// `#1 = 1 (one) + 2`: the value ends at the comment.
+bool computes_across_comment(const RefusedLine& line, Finding& f) {
+  const bool kind = line.kind() == StopKind::kBadCharacter || line.kind() == StopKind::kWordUnreadable;
+  if (!kind || !line.before().ends_with(')') || operator_length(line.rest()) == 0) return false;
+  const size_t open = line.before().rfind('(');
+  const std::string_view value = line.before().substr(0, open);
+  const size_t start = value.find_last_of("=") == std::string_view::npos ? 0 : value.find_last_of("=") + 1;
+  if (start == 0 || start >= open) return false;
+  const std::string all =
+      without_edges(line.written(start, open)) + " " + without_edges(line.written(line.at, line.end));
+  if (!surely_runs("#1=[" + all + "]")) return false;
+  f.message = "a calculation must be in brackets, without a comment in it";
+  f.help = "write `[" + all + "]`, and the comment behind it";
+  const std::string comment = line.written(open, line.at);
+  line.propose(f, "write brackets around the calculation",
+               {line.put(start, line.end, "[" + all + "] " + without_edges(comment))}, false);
+  return true;
+}
+
 /// `#1 = #1 + 1`, `X#1+5`, `X1 1/2`.
 bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kWordUnreadable &&

@@ -76,9 +76,18 @@ bool calls_by_name(const RefusedLine& line, Finding& f) {
   const bool name = (letter || rest[0] == '<') && !line.before().ends_with('#');
   if (!number && !name) return false;
   if (number) {
+    const size_t digits = std::min(rest.find_first_not_of("0123456789", 1), rest.size());
+    const bool call = rest.substr(digits) == "call";
+    if (digits < rest.size() && !call) return false;
+    if (line.before().find('p') != std::string_view::npos) {
+      f.message = "a second call on the line of the `M98`";
+      f.help = "write one call on a line";
+      return true;
+    }
+    const std::string right = "P" + line.written(line.at + 1, line.at + digits);
     f.message = "`M98` needs the number of the sub after `P`";
-    f.help = "write `M98 P" + line.written(line.at + 1, line.end) + "`";
-    line.propose(f, "write `P`", {line.put(line.at, line.at + 1, "P")}, true);
+    f.help = "write `M98 " + right + "`";
+    line.propose(f, call ? f.help : "write `P`", {line.put(line.at, line.end, right)}, !call);
     return true;
   }
   const size_t open = line.at + (letter ? 1 : 0);
@@ -168,17 +177,37 @@ bool has_label_behind(const RefusedLine& line, Finding& f) {
   return true;
 }
 
-/// `drill sub`, `odrill call`.
+/// `drill sub`, `odrill call`, `o hole sub`, `o(hole) sub`, `Q100 if`, `#<hole> call`.
 bool labels_with_word(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kLabelWord) return false;
+  if (line.statement.refused || line.kind() == StopKind::kKeywordUnknown || line.kind() == StopKind::kTrailingText ||
+      line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kLabelNotInteger)
+    return false;
   const Meant meant = meant_by(line.program, line.id);
-  if (meant.keyword == Keyword::kUnknown || !meant.has_label) return false;
-  const std::string words(line.program.source->slice(meant.words));
+  if (meant.keyword == Keyword::kUnknown) return false;
+  const Program& p = line.program;
+  const std::string keyword(spelling(meant.keyword));
+  const std::string words(p.source->slice(meant.words));
+  const bool used = meant.label != kNoName &&
+      std::ranges::any_of(p.by_label[meant.label], [&](StatementId id) { return id != line.id; });
+  const std::string other = used ? std::string() : label_meant(line, meant.keyword);
+  if (other.empty() && !meant.has_label) return false;
   const bool closed = meant.name.ends_with('>') && meant.name.find('<') == std::string::npos;  // `of> sub`
-  const std::string label = label_text(closed ? meant.name.substr(0, meant.name.size() - 1) : meant.name);
-  f.message = "the label `" + words.substr(0, words.find_first_of(" \t(")) + "` is not written as `" + label + "`";
-  f.help = "write `" + label + " " + std::string(spelling(meant.keyword)) + "`";
-  line.propose(f, f.help, {{meant.words, label + " " + std::string(spelling(meant.keyword))}}, false);
+  const std::string label =
+      !other.empty() ? other : label_text(closed ? meant.name.substr(0, meant.name.size() - 1) : meant.name);
+  // What stands in place of the label.
+  std::string written = words;
+  const bool behind = small_letters(words).starts_with(keyword);
+  if (behind) {
+    f.message = "the label must come before `" + keyword + "`";
+  } else {
+    written.resize(words.size() - std::min(words.size(), keyword.size()));
+    written.erase(std::min(written.find_last_not_of(" \t") + 1, written.size()));
+    f.message = "the label `" + written + "` is not written as `" + label + "`";
+    if (!other.empty()) f.message = "`" + written + "` is not the label `" + label + "`";
+    if (!meant.has_label) f.message = "the O-word has no label before `" + keyword + "`";
+  }
+  f.help = "write `" + label + " " + keyword + "`";
+  line.propose(f, f.help, {{meant.words, label + " " + keyword}}, false);
   return true;
 }
 
@@ -197,9 +226,14 @@ bool quotes_name(const RefusedLine& line, Finding& f) {
   const uint64_t begin = line.error.span.begin;
   f.message = of_parameter ? "the name of a parameter is in `< >`, not in quotes"
                            : "the name of a sub is in `< >`, not in quotes";
-  f.help = std::string("write `") + (of_parameter ? "#" : "o") + "<" + name + ">`";
-  line.propose(f, f.help, {{{begin + letter, begin + to + quote_length(text.substr(to))}, "<" + name + ">"}},
-               !bounds_sub(line.statement));
+  std::string label = "<" + name + ">";
+  const NameId id = line.program.syntax.names.find(small_letters(name));
+  const bool used = id != kNoName && !line.program.by_label[id].empty();
+  const std::string other = of_parameter || used ? "" : label_meant(line, meant_by(line.program, line.id).keyword);
+  if (!other.empty()) label = other.substr(1);
+  f.help = std::string("write `") + (of_parameter ? "#" : "o") + label + "`";
+  line.propose(f, f.help, {{{begin + letter, begin + to + quote_length(text.substr(to))}, label}},
+               !bounds_sub(line.statement) && other.empty());
   return true;
 }
 

@@ -85,6 +85,13 @@ bool has_comma(const RefusedLine& line, Finding& f) {
     f.help = "write each argument in its own brackets: `[1] [2]`";
     if (together) f.help += "; write a decimal point as `.`";
     std::string thousands;
+    const bool before_end = line.text[line.at + 1] == ']' || line.text[line.at - 1] == '[';
+    if (before_end) {
+      f.message = "there is a comma, but no value";
+      f.help = "remove the comma";
+      line.propose(f, f.help, {line.put(line.at, line.at + 1, "")}, false);
+      return true;
+    }
     if (together && may_be_thousands(line, line.at, line.at + 1, &thousands)) return true;
     line.propose(f, "write each argument in its own brackets", {line.put(line.at, line.at + 1, "] [")}, false);
     return true;

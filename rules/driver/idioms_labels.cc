@@ -1,4 +1,4 @@
-// Idioms in labels: a zero and the letter O in each other's place, and a sign behind the label.
+// Idioms in labels: a zero and the letter O in each other's place, and a sign behind the label or in the keyword.
 #include <algorithm>
 
 #include "analyzer/text/characters.h"
@@ -91,10 +91,32 @@ bool has_letter_in_label(const RefusedLine& line, Finding& f) {
   return true;
 }
 
-/// `o100: if [1]`, `o100, if [1]`.
+std::string label_meant(const RefusedLine& line, Keyword keyword) {
+  constexpr size_t kMost = 1000;  // mistakes that are looked through
+  const Program& p = line.program;
+  const BlockId block = p.block_of[line.id];
+  if (block != kNoBlock && p.blocks[block].opener != line.id) return p.label_text(p.blocks[block].label);
+  const StatementId sub = p.regions[p.region_of[line.id]].opener;
+  if ((keyword == Keyword::kEndsub || keyword == Keyword::kReturn) && sub != kNoStatement &&
+      p.at(sub).is(Keyword::kSub))
+    return p.label_at(sub);
+  const Index& index = line.in.index;
+  if (index.openers.size() + index.subs.size() > kMost) return {};
+  for (const auto& [label, opener] : index.openers) {
+    if (opener == line.id) return p.label_text(label.second);
+  }
+  for (const auto& [label, opener] : index.subs) {
+    if (opener == line.id) return p.label_text(label);
+  }
+  return {};
+}
+
+/// `o100: if [1]`, `o100, if [1]`, `o100-endif`, `o100 _if [1]`.
 bool has_sign_behind_label(const RefusedLine& line, Finding& f) {
   const std::string_view rest = line.rest();
-  if (line.kind() != StopKind::kKeywordUnknown || (!rest.starts_with(":") && !rest.starts_with(","))) return false;
+  if (line.kind() != StopKind::kKeywordUnknown || rest.empty() ||
+      std::string_view(":,-_./").find(rest[0]) == std::string_view::npos)
+    return false;
   const Keyword keyword = whole_keyword(rest.substr(1));
   if (keyword == Keyword::kUnknown) return false;
   const std::string sign(rest.substr(0, 1));
@@ -102,6 +124,43 @@ bool has_sign_behind_label(const RefusedLine& line, Finding& f) {
   f.help = "remove the `" + sign + "`";
   line.propose(f, f.help, {line.put(line.at, line.at + 1, line.apart(line.at + 1) ? "" : " ")},
                keyword != Keyword::kSub && keyword != Keyword::kEndsub);
+  return true;
+}
+
+/// `o100 else-if [1]`, `o100 end-if`, `o100 end_while`.
+bool divides_keyword(const RefusedLine& line, Finding& f) {
+  const bool behind = line.kind() == StopKind::kTrailingText && line.statement.keyword_to == line.statement.rest_from;
+  if (!behind && line.kind() != StopKind::kKeywordUnknown) return false;
+  const size_t from = line.at - (behind ? line.keyword_text().size() : 0);
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const size_t to = std::min(text.find('[', from), text.size());
+  std::string word(text.substr(from, to - from));
+  std::erase_if(word, [](char c) { return std::string_view("-_./").find(c) != std::string_view::npos; });
+  const Keyword keyword = keyword_of(word);
+  if (to - from == word.size() || spelling(keyword) != word) return false;
+  const bool takes_value = keyword == Keyword::kElseif;
+  if (takes_value != (to < text.size())) return false;
+  const std::string right = line.program.label_at(line.id) + " " + word;
+  f.message = "`" + line.written(from, to) + "` is not the keyword `" + word + "`";
+  f.help = "write `" + right + (takes_value ? " " + line.written(to, line.end) : "") + "`";
+  line.propose(f, "write `" + word + "`", {{{line.text.offset(from), line.text.span(to - 1, to).end}, word}},
+               !takes_value && keyword != Keyword::kEndsub);
+  return true;
+}
+
+/// `o1 if [#1 EQ 1]:`, `o1 else: G0 X1`.
+bool ends_with_colon(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with(":") || line.has_keyword(Keyword::kBare) ||
+      line.has_keyword(Keyword::kCall))
+    return false;
+  const std::string behind = line.at + 1 < line.end ? line.written(line.at + 1, line.end) : std::string();
+  f.message = "a `:` after `" + line.program.head(line.id) + "`: LinuxCNC has a block without it";
+  f.help = "remove the `:`";
+  if (!behind.empty()) {
+    f.help += ", and write `" + behind.substr(behind.find_first_not_of(" \t")) + "` on a line of its own";
+    return true;
+  }
+  line.propose(f, f.help, {line.put(line.at, line.at + 1, "")}, true);
   return true;
 }
 
@@ -121,6 +180,84 @@ bool begins_with_zero(const RefusedLine& line, Finding& f) {
   f.message = "this O-word begins with the digit zero instead of the letter O";
   f.help = "write `" + right + "`";
   line.propose(f, f.help, {line.put(line.at, line.at + digits + word.size(), right)}, false);
+  return true;
+}
+
+namespace {
+
+/// `N10 if [1]` … `N30 endif`: one label for the lines of a block that have a line number in its place. All are changed
+/// together: line numbers rise, and no two of these lines have the same.
+bool label_block(const RefusedLine& line, Finding& f) {
+  constexpr StatementId kLargest = 2000;  // a block that is corrected as a whole
+  const Program& p = line.program;
+  const BlockId id = p.block_of[line.id];
+  const Block& block = p.blocks[id];
+  const std::string label = p.label_text(block.label);
+  const StatementId end = block.end == kNoStatement ? block.mistaken_end : block.end;
+  f.help = "write `" + label + " " + line.keyword_text() + "`";
+  if (line.id != block.opener) {
+    f.help += ", for the block on line " + std::to_string(p.at(block.opener).line);
+  }
+  if (end == kNoStatement || end - block.opener > kLargest || end < line.id) return true;
+  std::vector<Edit> edits;
+  bool free = true;  // no line of another block has the label
+  for (StatementId at = block.opener; at <= end; ++at) {
+    const LineError* const error = p.syntax.error(p.at(at));
+    const bool numbered =
+        error != nullptr && error->kind == StopKind::kLabelForgotten && p.at(at).kind == LineKind::kOWord;
+    if (p.block_of[at] == id && numbered) edits.push_back({p.at(at).label_span(), label});
+  }
+  for (const StatementId at : p.by_label[block.label]) free = free && p.block_of[at] == id;
+  line.propose(f, "write the label `" + label + "`", {{line.statement.label_span(), label}}, free);
+  f.fixes[0].title += edits.size() > 1 ? " on all lines of the block" : "";
+  f.fixes[0].edits = std::move(edits);
+  return true;
+}
+
+}  // namespace
+
+/// `endif`, `N100 sub`: a keyword without its label.
+bool lacks_label(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kLabelForgotten) return false;
+  const Program& p = line.program;
+  const std::string word = line.keyword_text();
+  if (line.statement.kind == LineKind::kOWord) {  // the line number was read in place of the label
+    const size_t number = line.text.text().find('n');
+    size_t second = number + 2;
+    while (second < line.at && !line.apart(second)) ++second;
+    if (second < line.at) {  // `N100 100 if`
+      const std::string right = "o" + line.written(second, line.at);
+      f.message = "the letter `o` is missing before the label";
+      f.help = "write `" + right + " " + word + "`";
+      const uint64_t begin = line.text.offset(second);
+      line.propose(f, "write the letter `o`", {{{begin, begin}, "o"}}, !bounds_sub(line.statement));
+      return true;
+    }
+    f.message =
+        "the `o…` label is missing before `" + word + "`: `" + line.written(number, line.at) + "` is a line number";
+    f.help = "write `" + p.head(line.id) + "`";
+    if (p.block_of[line.id] != kNoBlock) return label_block(line, f);
+    line.propose(f, "write `o` instead of `N`", {line.put(number, number + 1, "o")}, !bounds_sub(line.statement));
+    return true;
+  }
+  f.message = "the `o…` label is missing before `" + word + "`";
+  const std::string below = label_meant(line, line.statement.keyword);
+  f.help = "write the label first: `" + (below.empty() ? "o100" : below) + " " + word + "`";
+  const BlockId block = p.block_of[line.id];
+  const Region& region = p.regions[p.region_of[line.id]];
+  const bool of_sub = line.has_keyword(Keyword::kEndsub) || line.has_keyword(Keyword::kReturn);
+  const StatementId opener = block != kNoBlock ? p.blocks[block].opener : of_sub ? region.opener : kNoStatement;
+  if (opener == kNoStatement) {
+    if ((line.has_keyword(Keyword::kSub) && below.empty()) || line.has_keyword(Keyword::kCall))
+      f.help = "write the label first: `o<name> " + word + "`";
+    return true;
+  }
+  const std::string label = p.label_at(opener);
+  f.help =
+      "write `" + label + " " + word + "`, for `" + p.head(opener) + "` on line " + std::to_string(p.at(opener).line);
+  relate(f, p, opener, "`" + p.head(opener) + "` begins here");
+  const bool ends = block != kNoBlock && p.blocks[block].mistaken_end == line.id;
+  line.propose(f, "write the label `" + label + "`", {line.put(line.at, line.at, label + " ")}, ends);
   return true;
 }
 

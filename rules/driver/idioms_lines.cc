@@ -25,15 +25,34 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
       line.has_keyword(Keyword::kWhile) || line.has_keyword(Keyword::kRepeat) || line.has_keyword(Keyword::kReturn) ||
       line.has_keyword(Keyword::kEndsub);
   if (line.kind() != StopKind::kTrailingText || !line.statement.has_bracket || !takes_one) return false;
-  if (rest.starts_with("[")) {
+  const bool counts = line.has_keyword(Keyword::kRepeat);
+  const bool tests = !counts && !line.has_keyword(Keyword::kReturn) && !line.has_keyword(Keyword::kEndsub);
+  if (rest.starts_with("[") || (tests && rest.starts_with(",["))) {
     f.message = "`" + line.keyword_text() + "` takes one pair of brackets, but here is a second one";
-    f.help = "write one pair around everything, and join the parts: `[[...] AND [...]]`";
+    f.help = tests ? "write one pair around everything, and join the parts: `[[...] AND [...]]`"
+        : counts   ? "write one count, in one pair of brackets"
+                   : "return one value";
     return true;
   }
   const std::string_view joint = joint_of(rest);
   if (joint.empty() && std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); }))
     return false;
+  const bool computes = joint.empty() && (line.first_word().empty() || rest.starts_with("mod"));
+  if (counts && !computes) {
+    f.message = "`repeat` takes a number of passes, but no condition";
+    f.help = "write the loop as a `while` with a counter: it can test a condition, too";
+    return true;
+  }
   const size_t open = line.text.text().find('[', line.text.text().find(line.keyword_text()));
+  if (line.before().ends_with(')')) {
+    const size_t comment = line.before().rfind('(');
+    const std::string word = joint.empty() ? std::string() : std::string(joint) + " ";
+    const size_t from = line.at + (joint.empty() ? 0 : std::min(rest.find_first_not_of("&|"), rest.size()));
+    const std::string all = line.written(open, comment) + " " + word + line.written(from, line.end);
+    f.message = "the condition ends before the comment: put brackets around the whole condition";
+    f.help = "write `" + line.keyword_text() + " [" + all + "]`, and the comment behind it";
+    return true;
+  }
   const size_t behind_joint = line.at + std::min(rest.find_first_not_of("&|"), rest.size());
   if (!joint.empty()) {
     const std::string all =
@@ -53,8 +72,9 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
     word = std::ranges::find_if(
         kOperators, [&](std::string_view w) { return behind_all && whole.substr(*behind_all).starts_with(w); });
   }
-  f.message = "the condition ends before `" + line.written(line.at, line.at + first->size()) +
-      "`: put brackets around the whole condition";
+  const std::string what = tests ? "condition" : counts ? "count" : "value";
+  f.message = "the " + what + " ends before `" + line.written(line.at, line.at + first->size()) +
+      "`: put brackets around the whole " + what;
   const size_t all_end = behind_all.value_or(line.end);
   const std::string all = line.written(open, all_end);
   f.help = "write `" + line.keyword_text() + " [" + all + "]`";
@@ -65,14 +85,14 @@ bool has_two_brackets(const RefusedLine& line, Finding& f) {
   }
   const std::string behind_text = line.written(all_end, line.end);
   if (whole.substr(all_end) == "]") {  // the outer bracket is only closed
-    line.propose(f, "write `[` before the condition", {line.put(open, open, "[")}, true);
+    line.propose(f, "write `[` before the " + what, {line.put(open, open, "[")}, true);
     return true;
   }
   if (!behind_text.empty()) {
     f.help += ", and `" + behind_text + "` on a line of its own";
     return true;
   }
-  const bool computes = line.first_word().empty() || rest.starts_with("mod");  // perhaps it is no part of the condition
+  // What computes is perhaps no part of the condition.
   line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")},
                !computes);
   // At the end of the text, not of the spaces after it.
@@ -108,7 +128,8 @@ bool has_comment_inside(const RefusedLine& line, Finding& f) {
   const bool whole = text.find_first_of("(;", next) == std::string_view::npos && !line.rest().starts_with("sub") &&
       !line.rest().starts_with("endsub");
   line.propose(f, "move the comment to the end of the line",
-               {{{comment.begin, line.text.offset(next)}, ""}, {{line_end, line_end}, moved}}, whole);
+               {{{comment.begin, line.text.offset(next)}, line.apart(open) ? "" : " "}, {{line_end, line_end}, moved}},
+               whole);
   return true;
 }
 
@@ -173,7 +194,9 @@ bool tests_behind_do(const RefusedLine& line, Finding& f) {
 
 /// `sub [x]`, `else [#1 EQ 1]`, `endif [..]`, `do [..]`.
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || !line.statement.has_bracket)
+  const bool behind_comment = line.at > 0 && line.text[line.at - 1] == ')';
+  if (line.kind() != StopKind::kTrailingText || !line.rest().starts_with("[") || line.has_keyword(Keyword::kBare) ||
+      (!line.statement.has_bracket && !behind_comment))
     return false;
   const std::string text = line.written(line.at, line.end);
   const std::string label = line.program.label_at(line.id);
@@ -186,7 +209,7 @@ bool brackets_behind_keyword(const RefusedLine& line, Finding& f) {
     line.propose(f, "remove `" + text + "`", {line.put(line.at, line.end, "")}, false);
   } else if (line.has_keyword(Keyword::kElse)) {
     f.help = "write `" + label + " elseif " + text + "`";
-    line.propose(f, "write `elseif`", {{line.statement.keyword_span(), "elseif"}}, false);
+    if (!behind_comment) line.propose(f, "write `elseif`", {{line.statement.keyword_span(), "elseif"}}, false);
   } else if (line.has_keyword(Keyword::kDo)) {
     f.help = "write the condition at the end of the loop: `" + label + " while " + text + "`";
   } else if (line.has_keyword(Keyword::kEndwhile) && line.ends_do()) {
@@ -222,50 +245,16 @@ bool lacks_letter(const RefusedLine& line, Finding& f) {
   const std::string label = line.program.label_at(line.id);
   f.message = "the letter `o` is missing before the label";
   f.help = "write `" + line.program.head(line.id) + "`";
+  const NameId id = line.statement.label;
+  const std::string other =
+      id == kNoName || line.program.by_label[id].size() > 1 ? std::string() : label_meant(line, line.statement.keyword);
+  if (!other.empty() && other != label) {
+    f.message = "`" + line.written(line.at, line.at + label.size() - 1) + "` is not the label `" + other + "`";
+    f.help = "write `" + other + " " + line.keyword_text() + "`";
+    line.propose(f, f.help, {{line.statement.label_span(), other}}, false);
+    return true;
+  }
   line.propose(f, "write the letter `o`", {line.put(line.at, line.at, "o")}, !bounds_sub(line.statement));
-  return true;
-}
-
-/// `endif`, `N100 sub`: a keyword without its label.
-bool lacks_label(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kLabelForgotten) return false;
-  const Program& p = line.program;
-  const std::string word = line.keyword_text();
-  if (line.statement.kind == LineKind::kOWord) {  // the line number was read in place of the label
-    const size_t number = line.text.text().find('n');
-    size_t second = number + 2;
-    while (second < line.at && !line.apart(second)) ++second;
-    if (second < line.at) {  // `N100 100 if`
-      const std::string right = "o" + line.written(second, line.at);
-      f.message = "the letter `o` is missing before the label";
-      f.help = "write `" + right + " " + word + "`";
-      const uint64_t begin = line.text.offset(second);
-      line.propose(f, "write the letter `o`", {{{begin, begin}, "o"}}, !bounds_sub(line.statement));
-      return true;
-    }
-    f.message =
-        "the `o…` label is missing before `" + word + "`: `" + line.written(number, line.at) + "` is a line number";
-    f.help = "write `" + p.head(line.id) + "`";
-    line.propose(f, "write `o` instead of `N`", {line.put(number, number + 1, "o")}, !bounds_sub(line.statement));
-    return true;
-  }
-  f.message = "the `o…` label is missing before `" + word + "`";
-  f.help = "write the label first: `o100 " + word + "`";
-  const BlockId block = p.block_of[line.id];
-  const Region& region = p.regions[p.region_of[line.id]];
-  const bool of_sub = line.has_keyword(Keyword::kEndsub) || line.has_keyword(Keyword::kReturn);
-  const StatementId opener = block != kNoBlock ? p.blocks[block].opener : of_sub ? region.opener : kNoStatement;
-  if (opener == kNoStatement) {
-    if (line.has_keyword(Keyword::kSub) || line.has_keyword(Keyword::kCall))
-      f.help = "write the label first: `o<name> " + word + "`";
-    return true;
-  }
-  const std::string label = p.label_at(opener);
-  f.help =
-      "write `" + label + " " + word + "`, for `" + p.head(opener) + "` on line " + std::to_string(p.at(opener).line);
-  relate(f, p, opener, "`" + p.head(opener) + "` begins here");
-  const bool ends = block != kNoBlock && p.blocks[block].mistaken_end == line.id;
-  line.propose(f, "write the label `" + label + "`", {line.put(line.at, line.at, label + " ")}, ends);
   return true;
 }
 
@@ -303,6 +292,8 @@ bool has_other_comment(const RefusedLine& line, Finding& f) {
         return rest.substr(1).starts_with(std::string(name) + "[");
       }))
     return false;
+  // `else-if` and `do-while` are words.
+  if (*mark == "-" && !line.apart(line.at) && is_small_letter(line.text[line.at - 1])) return false;
   if ((*mark == "#" || *mark == "--" || *mark == "-" || *mark == "'") && (!trailing || value || !is_small_letter(next)))
     return false;
   f.message = "`" + std::string(*mark) + "` does not begin a comment";

@@ -274,6 +274,38 @@ bool has_not_before_bracket(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+namespace {
+
+/// `[#1 GTE 1]`, `[#1 EQUALS 1]`: LinuxCNC reads the operator that such a word begins with, and then the rest.
+bool compares_in_other_word(const RefusedLine& line, Finding& f) {
+  constexpr std::array<Other, 11> kWords = {{{"gteq", "GE"},
+                                             {"gte", "GE"},
+                                             {"geq", "GE"},
+                                             {"lteq", "LE"},
+                                             {"lte", "LE"},
+                                             {"leq", "LE"},
+                                             {"neq", "NE"},
+                                             {"equals", "EQ"},
+                                             {"equal", "EQ"},
+                                             {"eqv", "EQ"},
+                                             {"less", "LT"}}};
+  if (line.at < 2 || line.apart(line.at)) return false;
+  const size_t from = line.at - 2;
+  const std::string_view text = line.text.text().substr(from, line.end - from);
+  const auto* other = std::ranges::find_if(kWords, [&](const Other& o) { return text.starts_with(o.text); });
+  const bool whole = other != kWords.end() &&
+      (!is_small_letter(text[std::min(other->text.size(), text.size() - 1)]) || line.apart(from + other->text.size()));
+  if (!whole) return false;
+  const std::string word = line.written(from, from + other->text.size());
+  const std::string instead(other->instead);
+  f.message = "`" + word + "` is not a LinuxCNC operator";
+  f.help = "write `" + instead + "`";
+  line.propose(f, f.help, {{{line.text.offset(from), line.text.span(0, from + word.size()).end}, instead}}, false);
+  return true;
+}
+
+}  // namespace
+
 /// `NOT`, `SQR[2]`, `[depth + 1]`.
 bool has_other_function(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression || line.at >= line.text.size()) return false;
@@ -283,6 +315,7 @@ bool has_other_function(const RefusedLine& line, Finding& f) {
     return true;
   }
   if (!line.error.message.starts_with("Unknown word") || !is_small_letter(line.text[line.at])) return false;
+  if (compares_in_other_word(line, f)) return true;
   std::string_view lowered = line.text.text().substr(line.at, name_end(line, line.at) - line.at);
   const auto* other = std::ranges::find_if(
       kFunctions, [&](const Other& o) { return lowered == o.text || (o.text == "not" && lowered.starts_with("not")); });

@@ -5,6 +5,7 @@
 
 #include "rules/driver/idioms.h"
 
+#include "analyzer/syntax/known_line.h"
 #include "analyzer/text/characters.h"
 
 namespace owlint::rules {
@@ -20,7 +21,7 @@ struct OtherWord {
   std::string_view instead;
 };
 
-constexpr std::array<OtherWord, 38> kOtherWords = {{
+constexpr std::array<OtherWord, 40> kOtherWords = {{
     {"gosub", "call a sub with `o100 call`"},
     {"until", "close `do` with `while` and the opposite condition"},
     {"wend", "write `o100 endwhile`, with the label of the `while`"},
@@ -28,6 +29,8 @@ constexpr std::array<OtherWord, 38> kOtherWords = {{
     {"endfor", "count in a `while`, or use `repeat` and `endrepeat`"},
     {"endloop", "use `repeat` and `endrepeat`, or `while` and `endwhile`"},
     {"endproc", "end a sub with `o<name> endsub`"},
+    {"enddef", "end a sub with `o<name> endsub`"},
+    {"endfunction", "end a sub with `o<name> endsub`"},
     {"enddo", "close `do` with `while [...]`"},
     {"endcase", "use `if`, `elseif` and `endif`"},
     {"endswitch", "use `if`, `elseif` and `endif`"},
@@ -160,11 +163,30 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+namespace {
+
+/// `o100 if [#1 EQ 2] G0 X1 ELSE G0 X2`.
+bool says_else(const RefusedLine& line, Finding& f) {
+  const size_t found = line.rest().find("else");
+  if (line.kind() != StopKind::kTrailingText || !line.has_keyword(Keyword::kIf) || found == std::string_view::npos ||
+      found == 0 || line.rest().starts_with("then") || surely_refused(line.written(line.at, line.at + found)))
+    return false;
+  const std::string label = line.program.label_at(line.id);
+  f.message = "both branches are on the line of the `if`";
+  f.help = "write `" + line.written(line.at, line.at + found) + "`, `" + label + " else` and `" +
+      line.written(std::min(line.at + found + 4, line.end), line.end) + "` on lines of their own, before `" + label +
+      " endif`";
+  return true;
+}
+
+}  // namespace
+
 /// `o100 if [#1 EQ 2] then`.
 bool says_then(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text().substr(0, line.end);
   const bool forgotten = text.substr(line.at).starts_with("if") &&
       (line.kind() == StopKind::kLabelForgotten || line.kind() == StopKind::kNumberMissing);
+  if (says_else(line, f)) return true;
   const bool here = line.rest().starts_with("then") &&
       (line.kind() == StopKind::kTrailingText || line.kind() == StopKind::kWordUnreadable);
   const size_t bracket = text.find("]then", line.at);
@@ -235,9 +257,11 @@ bool ends_as_shell(const RefusedLine& line, Finding& f) {
 /// A keyword of another language, after a label or alone.
 bool is_other_word(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown &&
-      line.kind() != StopKind::kTrailingText && line.kind() != StopKind::kNumberMissing)
+      line.kind() != StopKind::kTrailingText && line.kind() != StopKind::kNumberMissing &&
+      (line.kind() != StopKind::kLineNumber || line.first_word() != "next"))
     return false;
-  const std::string_view word = line.first_word();
+  const bool loop = line.rest().starts_with("loopuntil[");
+  const std::string_view word = line.first_word().substr(loop ? 4 : 0);
   const auto* other = std::ranges::find(kOtherWords, word, &OtherWord::word);
   if (other != kOtherWords.end()) {
     f.message = "LinuxCNC has no `" + upper(word) + "`";
@@ -262,11 +286,50 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   if ((line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kNumberMissing) ||
       keyword == Keyword::kUnknown || line.first_word() != spelling(keyword))
     return false;
-  f.message = "the `o…` label is missing before `" + std::string(spelling(keyword)) + "`";
-  f.help = keyword == Keyword::kCall || keyword == Keyword::kSub
-      ? "write the label first: `o<name> " + std::string(spelling(keyword)) + "`"
-      : "write the label first, and the condition or values in square brackets: `o100 " +
-          std::string(spelling(keyword)) + " [...]`";
+  const std::string text(spelling(keyword));
+  const bool takes_value = keyword == Keyword::kIf || keyword == Keyword::kElseif || keyword == Keyword::kWhile ||
+      keyword == Keyword::kRepeat;
+  f.message = "the `o…` label is missing before `" + text + "`";
+  f.help = "write the label first: `o100 " + text + "`";
+  if (keyword == Keyword::kCall || keyword == Keyword::kSub) f.help = "write the label first: `o<name> " + text + "`";
+  if (takes_value)
+    f.help = "write the label first, and the condition or values in square brackets: `o100 " + text + " [...]`";
+  return true;
+}
+
+/// `O100 G0 X1`: words on the line of the program's number.
+bool has_words_behind_label(const RefusedLine& line, Finding& f) {
+  constexpr std::string_view kLetters = "abcdefghijklmnpqrstuvwxyz#", kValue = "#[0123456789.+-<";
+  const std::string_view rest = line.rest();
+  if (line.kind() != StopKind::kKeywordUnknown || rest.size() < 2 ||
+      line.statement.keyword_to == line.statement.label_to || kLetters.find(rest[0]) == std::string_view::npos ||
+      kValue.find(rest[1]) == std::string_view::npos)
+    return false;
+  const std::string words = line.written(line.at, line.end);
+  if (surely_refused(words)) return false;
+  f.message = "`" + words + "` after `" + line.program.label_at(line.id) + "`: words need a line of their own";
+  f.help = "write `" + words + "` on the next line";
+  const Span rest_of_line{line.text.span(line.at - 1, line.at).end, line.text.offset(line.at)};
+  line.propose(f, f.help,
+               {{rest_of_line,
+                 line_end(*line.program.source, line.statement) + indent_of(*line.program.source, line.statement)}},
+               false);
+  return true;
+}
+
+/// `o100 iff [1]`, `o100 whilee [#1 LT 3]`.
+bool misspells_keyword(const RefusedLine& line, Finding& f) {
+  const std::string_view letters = line.first_word();
+  if (line.kind() != StopKind::kBracketMissing || letters.empty() || line.apart(line.at) ||
+      !line.rest().substr(letters.size()).starts_with('['))
+    return false;
+  const std::string word = line.keyword_text() + std::string(letters);
+  const std::string near = nearest(word, {kKeywordSpellings.begin(), kKeywordSpellings.end()});
+  if (near.empty()) return false;
+  const uint64_t begin = line.statement.keyword_span().begin;
+  f.message = "`" + word + "` is not an O-word keyword";
+  f.help = "write `" + near + "`";
+  line.propose(f, f.help, {{{begin, line.text.span(line.at, line.at + letters.size()).end}, near}}, false);
   return true;
 }
 

@@ -5,6 +5,7 @@
 
 #include "analyzer/syntax/further_faults.h"
 #include "analyzer/syntax/look_alike.h"
+#include "analyzer/text/characters.h"
 #include "rules/driver/behind_stops.h"
 #include "rules/driver/idioms.h"
 #include "rules/driver/words.h"
@@ -13,6 +14,52 @@ namespace owlint {
 namespace {
 
 uint64_t key_of(RegionId region, NameId label) { return static_cast<uint64_t>(region) << 32 | label; }
+
+using Openers = std::map<std::pair<RegionId, NameId>, StatementId>;
+
+/// Lines that LinuxCNC does not read as the first line of a block that they are meant to be, each by the label of the lines
+/// below that belong to it: its own, or that of the first end of its kind for which no block is open.
+void find_openers(const Program& program, Openers* openers) {
+  std::map<RegionId, std::vector<std::pair<Keyword, StatementId>>> waiting;
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const Statement& s = program.at(id);
+    const RegionId region = program.region_of[id];
+    const bool misread = s.name_open || (s.has_error() && !s.refused);
+    if (const Meant meant = misread ? meant_by(program, id) : Meant{}; opens_block(meant.keyword)) {
+      if (meant.label != kNoName && !program.by_label[meant.label].empty())
+        openers->emplace(std::pair(region, meant.label), id);
+      else
+        waiting[region].emplace_back(meant.keyword, id);
+      continue;
+    }
+    const auto open = waiting.find(region);
+    if (open == waiting.end() || s.kind != LineKind::kOWord || s.label == kNoName || s.has_error()) continue;
+    const BlockId block = program.block_of[id];
+    const bool begins = block != kNoBlock && s.is(Keyword::kWhile) && program.blocks[block].end == kNoStatement &&
+        program.blocks[block].mistaken_end == kNoStatement && program.blocks[block].opener == id;
+    const Keyword kind = begins ? Keyword::kDo : block == kNoBlock ? opener_of(s.keyword) : Keyword::kUnknown;
+    auto& lines = open->second;
+    const auto found = std::find_if(lines.rbegin(), lines.rend(), [&](const auto& line) { return line.first == kind; });
+    if (kind == Keyword::kUnknown || found == lines.rend()) continue;
+    openers->emplace(std::pair(region, s.label), found->second);
+    if (begins || ends_block(s.keyword)) lines.erase(std::prev(found.base()), lines.end());
+  }
+}
+
+/// `100` of a line that begins with `:0100`; empty for other lines.
+std::string number_behind_colon(const Program& program, StatementId id) {
+  const LineError* const error = program.syntax.error(program.at(id));
+  if (error == nullptr || error->kind != StopKind::kBadCharacter || program.source->slice(error->span) != ":")
+    return {};
+  const std::string_view text = program.source->slice({error->span.end, program.at(id).end()});
+  const std::string_view digits = text.substr(0, std::min(text.find_first_not_of("0123456789"), text.size()));
+  return digits.empty() ? "" : std::string(digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1)));
+}
+
+bool is_until(const Program& program, StatementId id) {
+  return program.at(id).is(Keyword::kUnknown) &&
+      small_letters(program.source->slice(program.at(id).keyword_span())) == "until";
+}
 
 }  // namespace
 
@@ -145,7 +192,8 @@ void Index::add_line(const Program& program, StatementId id) {
     sub_lines.push_back(id);
   } else if (!global_label(s.keyword) && s.label != kNoName) {
     const BlockId block = program.block_of[id];
-    if (block == kNoBlock || program.blocks[block].mistaken_end == id) stray_parts.push_back(id);
+    // Of a line that is refused, its label may be none: the finding about the line comes first.
+    if (!s.refused && (block == kNoBlock || program.blocks[block].mistaken_end == id)) stray_parts.push_back(id);
   }
 }
 
@@ -160,11 +208,10 @@ void Index::find_spoken_for(const Program& program, const FlowResult& flow, cons
     if (!program.at(region.opener).refused || same) spoken_for.insert(region.likely_end);
   }
   // What was meant to begin one: the first stop that comes of it.
+  find_openers(program, &openers);
+  std::unordered_map<std::string, StatementId> colons;  // `:100`, by number
   for (StatementId id = 0; id < program.size(); ++id) {
-    if (!program.at(id).name_open) continue;
-    const Meant meant = meant_by(program, id);
-    if (opens_block(meant.keyword) && meant.label != kNoName)
-      openers.emplace(std::pair(program.region_of[id], meant.label), id);
+    if (const std::string number = number_behind_colon(program, id); !number.empty()) colons.emplace(number, id);
   }
   const auto speak_for = [&](const auto& lines, auto key, StatementId before) {
     const auto found = lines.find(key);
@@ -179,6 +226,12 @@ void Index::find_spoken_for(const Program& program, const FlowResult& flow, cons
       if (end != kNoStatement && !stopped[end]) spoken_for.insert(end);
     } else if (stop.kind == StopKind::kSubNotFound) {
       speak_for(subs, program.syntax.names.find(stop.detail), kNoStatement);
+      if (s.kind == LineKind::kM98) speak_for(colons, stop.detail, kNoStatement);
+    } else if (stop.kind == StopKind::kBracketMissing && s.is(Keyword::kRepeat) && s.label != kNoName) {
+      // `repeat` … `until`: the first line says it all.
+      for (const StatementId id : program.by_label[s.label]) {
+        if (id > stop.statement && !stopped[id] && is_until(program, id)) spoken_for.insert(id);
+      }
     } else if (stop.kind == StopKind::kReturnOutside || stop.kind == StopKind::kNotInDefinition) {
       speak_for(subs, s.label, stop.statement);
     } else if (stop.kind == StopKind::kLabelUndefined && s.label != kNoName) {

@@ -361,7 +361,8 @@ std::string misread_words(const Program& program, StatementId line) {
   if (!s.has_error()) return "`" + program.label_at(line) + "` on " + where + " has no keyword";
   if (s.kind == LineKind::kWords && s.keyword != Keyword::kUnknown)
     return "`" + std::string(spelling(s.keyword)) + "` on " + where + " has no label";
-  return "LinuxCNC does not read " + where + " as `" + std::string(spelling(meant_by(program, line).keyword)) + "`";
+  const std::string meant(spelling(meant_by(program, line).keyword));
+  return "LinuxCNC does not read " + where + " as " + (meant.empty() ? "its end" : "`" + meant + "`");
 }
 
 void name_misread(const Program& program, StatementId line, const std::string& right, Finding& finding) {

@@ -31,7 +31,8 @@ void name_mistaken_end(const Program& p, const Block& block, StatementId id, Fin
     f.message = "`" + p.head(id) + "` does not close " + began + ": it has another label, so it begins a new loop";
     relate(f, p, block.opener, "`" + p.head_of(block) + "` begins here");
     f.help = "write `" + right + "`";
-  } else if (end.is(Keyword::kBare)) {
+  } else if (end.is(Keyword::kBare) || end.keyword == Keyword::kUnknown ||
+             (end.kind == LineKind::kOWord && end.label == kNoName)) {
     f.message += ": " + misread_words(p, block.mistaken_end);
     name_misread(p, block.mistaken_end, right, f);
     return;
@@ -100,13 +101,16 @@ void check(const Input& in, Reporter& out) {
       // Not for a `while`: LinuxCNC takes it as the beginning of a new loop.
       if (is_forgotten_end(p, block.mistaken_end) && !has_stop(in, block.mistaken_end))
         report(in, out, block.opener)->reach = in.flow.reach(block.opener);
-      const bool opens = p.at(block.mistaken_end).is(Keyword::kWhile);
+      const Statement& end = p.at(block.mistaken_end);
+      const bool opens = end.is(Keyword::kWhile) && !end.refused;
       if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end])
         report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
       continue;
     }
     // So does a line with its label that the interpreter cannot read.
-    if (p.at(block.opener).inner_cr || has_unreadable_line(in, block.label, block.region)) continue;
+    if (p.at(block.opener).inner_cr || has_unreadable_line(in, block.label, block.region) ||
+        has_misread_opener(in, block.opener))
+      continue;
     // So does the end that is outside, where the sub ends inside the block.
     const Region& region = p.regions[block.region];
     if (block.region != kMainRegion && region.end != kNoStatement) {

@@ -14,6 +14,8 @@
 namespace owlint::rules::ow208 {
 namespace {
 
+constexpr double kMostNumber = 1e9;  // of a sub
+
 std::string number_only(const std::string& name) {
   return name.find_first_not_of("-0123456789") == std::string::npos ? name : std::string();
 }
@@ -98,7 +100,7 @@ bool names_file(const Input& in, const Statement& s, const std::string& name, Fi
     }
   }
   if (file.empty()) file = path.find_other_ending(name).value_or("");
-  if (file.empty()) return false;
+  if (file.empty() || file == normal_path(in.program.source->path())) return false;  // the program itself lacks the sub
   f.help = "LinuxCNC looks only for `" + name + ".ngc`: rename " + file;
   return true;
 }
@@ -112,6 +114,21 @@ Elsewhere defined_elsewhere(const Input& in, const std::string& name) {
     }
   }
   return {};
+}
+
+/// How a call without `P` is written: with the number of another word, as in `M98 Q7001`, if that is a sub's.
+std::string call_meant(const Program& p, const Statement& s) {
+  const auto begins_sub = [&](std::string_view number) {
+    const NameId id = p.syntax.names.find(number);
+    return id != kNoName && std::ranges::any_of(p.by_label[id], [&](StatementId at) { return p.at(at).opens_sub(); });
+  };
+  for (const WrittenWord& word : words_of(*p.source, s.whole())) {
+    if (word.letter == 'm' || word.letter == 'l' || !word.value || *word.value < 0 || *word.value > kMostNumber)
+      continue;
+    const std::string number = std::to_string(static_cast<long>(*word.value));
+    if (begins_sub(number)) return "M98 P" + number;
+  }
+  return "M98 P100";
 }
 
 void check(const Input& in, Reporter& out) {
@@ -137,7 +154,7 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(stop.statement);
     if (stop.kind == StopKind::kM98NoTarget) {
       Finding& f = out.add(s.keyword_span(), "`M98` has no `P` with the number of the sub");
-      f.help = "write `M98 P100`";
+      f.help = "write `" + call_meant(p, s) + "`";
       return &f;
     }
     const std::string label = label_text(stop.detail);

@@ -90,6 +90,15 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
           "`M99` comes after other words: LinuxCNC returns from a sub only if `M99` is the first word of the line";
       f.help = "write `M99` on a line of its own";
       f.fixes.push_back(split_line(p, s, s.keyword_span().begin, f.help));
+      if (const StatementId sub = p.regions[p.region_of[id]].opener;
+          sub != kNoStatement && p.at(sub).is(Keyword::kSub)) {
+        const std::string jump = p.label_at(sub) + " return";
+        f.message = "`M99` after other words, in a sub that `call` calls: LinuxCNC returns from it with `return`";
+        f.help = "write `" + jump + "` on a line of its own";
+        f.fixes[0].title = f.help;
+        f.fixes[0].safe = false;
+        f.fixes[0].edits.push_back({s.keyword_span(), jump});
+      }
       break;
     case StopKind::kM99Jump:
     case StopKind::kM99Rest:

@@ -40,7 +40,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   } else {
     f.help = "put it on a line of its own, or remove it";
     Fix fix = split_line(p, s, s.rest_span().begin, "put it on a line of its own");
-    fix.safe = fix.safe && runs_on(s.keyword) && !is_block_line(p.source->slice(s.rest_span()));
+    fix.safe = fix.safe && runs_on(s.keyword) && !is_block_line(p.source->slice(s.rest_span())) &&
+        calls_known_subs(in, std::string(p.source->slice(s.rest_span())));
     f.fixes.push_back(std::move(fix));
   }
   explain_idiom(in, id, f);

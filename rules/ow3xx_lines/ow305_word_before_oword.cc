@@ -12,6 +12,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   Finding& f = out.add(span, "an O-word must come first on its line");
   f.help = "put it on a line of its own; only `/` and a line number may come before it";
   f.fixes.push_back(split_line(in.program, s, span.begin, "put the O-word on a line of its own"));
+  f.fixes[0].safe =
+      f.fixes[0].safe && calls_known_subs(in, std::string(in.program.source->slice({span.begin, s.end()})));
   explain_idiom(in, id, f);
   return &f;
 }

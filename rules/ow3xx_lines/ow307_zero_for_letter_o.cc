@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "rules/driver/stops.h"
+#include "rules/driver/idioms.h"
 
 namespace owlint::rules::ow307 {
 namespace {
@@ -41,7 +41,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   for (const StatementId line : lines) {
     const uint64_t zero = p.syntax.error(p.at(line))->span.begin;
     fix.edits.push_back({{zero, zero + 1}, "o"});
-    fix.safe = fix.safe && !bounds_sub(p.at(line));
+    const Statement& s = p.at(line);
+    fix.safe = fix.safe && !bounds_sub(s) && (!s.is(Keyword::kCall) || calls_known_subs(in, p.head(line)));
   }
   f.fixes.push_back(std::move(fix));
   return &f;

@@ -116,7 +116,7 @@ void check(const Input& in, Reporter& out) {
       Finding& f = out.add({at, at + 1}, "a NUL byte: LinuxCNC ignores the rest of the line without a message");
       f.help = "the file is damaged, or not a program";
       f.reach = in.flow.reach(id);
-    } else if ((refused || s.inner_cr) && !has_stop(in, id)) {
+    } else if ((refused || s.inner_cr) && !has_stop(in, id) && !in.index.spoken_for.contains(id)) {
       report(in, out, id)->reach = in.flow.reach(id);
     }
   }

@@ -95,11 +95,12 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(span, p.syntax.blank ? "the file is empty" : "the program ends without `M2`, `M30` or `%`");
     f.help = p.syntax.percent ? "end it with `%`" : "end it with `M2`";
     if (p.syntax.blank || lost_end(in, span, f)) return &f;
-    const bool by_m98 = stop.call_elsewhere.program != nullptr &&
-        stop.call_elsewhere.program->at(stop.call_elsewhere.statement).kind == LineKind::kM98;
+    const Elsewhere call = place_of(in, stop.call, stop.call_elsewhere);
+    const bool by_m98 = call.program != nullptr && call.program->at(call.statement).kind == LineKind::kM98;
     if (by_m98) {
       f.message = "the sub for `M98` ends without `M99`";
       f.help = "end it with `M99`";
+      if (call.program == &p) relate(in, f, call, "called here");
     }
     const std::string_view bytes = p.source->bytes();
     const std::string end = bytes.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";

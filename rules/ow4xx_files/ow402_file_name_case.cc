@@ -14,6 +14,10 @@ void check(const Input& in, Reporter& out) {
         out.add(p.at(stop.statement).head_span(),
                 "`" + p.head(stop.statement) + "` looks for `" + stop.detail + ".ngc`, but the file is named " + other);
     f.help = "rename the file to `" + stop.detail + ".ngc`: LinuxCNC looks only for names in small letters";
+    if (normal_path(other) == normal_path(p.source->path())) {
+      f.message = "`" + p.head(stop.statement) + "` has the name of this program, which does not define the sub";
+      f.help = "define the sub in this program, or correct the name";
+    }
     return &f;
   });
   const std::string name = file_name(*p.source);

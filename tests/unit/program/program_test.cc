@@ -122,6 +122,36 @@ TEST_CASE("a Fanuc sub reaches from its number to M99", "[program]") {
   CHECK(p->calls[0].target == 1);
 }
 
+TEST_CASE("a Fanuc sub goes on behind an M99 in a block that ends below", "[program]") {
+  const auto p = build("M98 P100\nM98 P200\nM2\nO100\no1 if [1]\nM99\no1 endif\nG0 X1\nO200\nM99\n");
+  REQUIRE(p->regions.size() == 3);
+  CHECK(p->regions[1].end == kNoStatement);
+  CHECK(line_of(*p, p->regions[2].opener) == 9);
+  CHECK(line_of(*p, p->blocks[0].end) == 7);
+}
+
+TEST_CASE("an end is taken for the missing one, whatever stands in place of its label", "[program]") {
+  for (const char* const end : {"o endif", "Q1 endif", "#1 endif", "[1] endif", "o(1) endif", "ox endif", "endif o1",
+                                "endif 1", "<x> endif", "N9 endif", "o1.5 endif", "o1 endif (open"}) {
+    CAPTURE(end);
+    const auto p = build("o1 if [1]\nG0 X1\n" + std::string(end) + "\nM2\n");
+    REQUIRE(p->blocks.size() == 1);
+    REQUIRE(p->blocks[0].mistaken_end != kNoStatement);
+    CHECK(line_of(*p, p->blocks[0].mistaken_end) == 3);
+  }
+  const auto loop = build("o1 do\n#1=1\nuntil [#1 GT 3]\nM2\n");
+  CHECK(line_of(*loop, loop->blocks[0].mistaken_end) == 3);
+}
+
+TEST_CASE("other text with the word of an end ends nothing", "[program]") {
+  for (const char* const text : {"end of if", "see endif", "Q1 endif [2]", "G0 endif X1"}) {
+    CAPTURE(text);
+    const auto p = build("o1 if [1]\nG0 X1\n" + std::string(text) + "\no1 endif\nM2\n");
+    CHECK(p->blocks[0].mistaken_end == kNoStatement);
+    CHECK(line_of(*p, p->blocks[0].end) == 4);
+  }
+}
+
 TEST_CASE("labels are written as machinists write them", "[program]") {
   const auto p = build("o0100 if [1]\no<Deep Hole> sub\n");
   CHECK(p->label_text(p->at(0).label) == "o100");
