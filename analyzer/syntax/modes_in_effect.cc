@@ -243,8 +243,8 @@ void ModesInEffect::leave_out_asked(ModeMask assigned) {
   });
 }
 
-/// A feed that is not 0 is taken for set, whatever the feed mode: what that does in inverse time mode the flow knows. Where that is
-/// surely in effect, F is only for the line's own move.
+/// A feed that is not 0 is taken for set, whatever the feed mode: what that does in inverse time mode the flow knows. Where that
+/// is surely in effect, F is only for the line's own move.
 void ModesInEffect::set_feed(const WordLine& words, ModeSets* after) {
   constexpr double kSmallFeed = 0.05;
   const uint8_t f = words.find('f');

@@ -97,8 +97,10 @@ Index::Index(const Program& program, const FlowResult& flow, const MachineWords&
       }
     }
     const std::string_view code = rules::code_of(stop, program);
-    if (stop.set_in != nullptr) {
-      // Lines that stop on some way because of one line that has set a mode are one mistake: the first one names the others.
+    // Lines that stop on some way because of one line that has set a mode are one mistake: the first one names the others. But a
+    // word that the motion does not take is a mistake of its own line.
+    const bool of_words = stop.kind == StopKind::kWordUnused || stop.kind == StopKind::kWordMissing;
+    if (stop.set_in != nullptr && !of_words) {
       const auto [first, added] = set_by.try_emplace({code, stop.set_in, stop.set_line}, stop.statement);
       if (!added) {
         consequences.emplace(first->second, &stop);

@@ -256,9 +256,8 @@ StatementId telling_call(const Program& program, const FlowStop& stop) {
 void describe_stop(const Input& in, const FlowStop& stop, Finding& finding) {
   finding.further = stop.further != nullptr;
   finding.reach = stop.reach;
-  const bool behind = stop.reach == Reach::kNever;  // another stop; such findings fold, but not with those of real ones
-  finding.stops = !finding.further && !behind;
-  if (behind) finding.group = group_behind(finding, stop);
+  finding.stops = !finding.further && stop.reach != Reach::kNever;
+  if (stop.reach == Reach::kNever) finding.group = group_behind(finding, stop);  // not with those of real ones
   finding.unproven = finding.unproven || (stop.unproven && !finding.help.starts_with("write `"));
   const bool known = stop.kind == StopKind::kUserCodeMissing || !finding.interpreter.empty();  // by the rule
   if (!known) finding.interpreter = stop.interpreter;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/domain/ranges.h"
+#include "analyzer/syntax/statement.h"
 
 namespace owlint::flow {
 
@@ -21,5 +22,8 @@ void for_known_comparisons(const ExprPool& exprs, ExprId condition, bool truth, 
     visit(condition, Operator::kEq, kNoExpr, true);
   }
 }
+
+/// Whether a condition compares with numbers alone, as `[[#1 GT 0] AND [#2 LT 5]]` does.
+bool compares_with_numbers(const Syntax& syntax, ExprId condition);
 
 }  // namespace owlint::flow

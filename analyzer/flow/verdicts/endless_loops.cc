@@ -4,10 +4,9 @@
 #include <map>
 #include <numeric>
 
-#include "analyzer/flow/domain/ranges.h"
 #include "analyzer/flow/facts/accesses.h"
+#include "analyzer/flow/facts/conditions.h"
 #include "analyzer/machine/predefined.h"
-#include "analyzer/syntax/line_parser.h"
 
 namespace owlint::flow {
 namespace {
@@ -42,27 +41,11 @@ bool stays_the_same(const Program& program, const std::vector<StatementId>& read
   });
 }
 
-/// Whether these conditions compare with numbers alone: two parameters may only be far apart where the step is not 0.
+/// Two parameters may only be far apart where the step is not 0.
 bool compare_with_numbers(const Program& program, const std::vector<StatementId>& deciding) {
-  const Syntax& syntax = program.syntax;
-  std::vector<ExprId> parts;
-  for (const StatementId id : deciding) {
-    const auto values = syntax.values_of(program.at(id));
-    parts.insert(parts.end(), values.begin(), values.end());
-  }
-  while (!parts.empty()) {
-    const Expr& expr = syntax.exprs[parts.back()];
-    parts.pop_back();
-    double number = 0;
-    if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
-      for_each_operand(expr, [&](ExprId operand) { parts.push_back(operand); });
-    } else if (!is_comparison(expr.op) ||
-               (!literal_value(syntax.exprs, expr.left(), &number) &&
-                !literal_value(syntax.exprs, expr.right(), &number))) {
-      return false;
-    }
-  }
-  return true;
+  return std::ranges::all_of(deciding, [&](StatementId id) {
+    return compares_with_numbers(program.syntax, program.syntax.values_of(program.at(id)).front());
+  });
 }
 
 }  // namespace
