@@ -163,7 +163,8 @@ TEST_CASE("what a program stops with for a line of the INI is no second finding 
   folder.write("main.ngc", "M400 P1\nM2\n");
   const auto codes = [&](const std::string& arguments) {
     std::string found;
-    for (const auto& file : nlohmann::json::parse(check(folder, "--format json " + arguments).out)["files"]) {
+    const nlohmann::json report = nlohmann::json::parse(check(folder, "--format json " + arguments).out);
+    for (const auto& file : report["files"]) {
       for (const auto& f : file["findings"]) {
         if (f["code"] == "OW418" || f["code"] == "OW603") found += f["code"].get<std::string>() + " ";
       }
