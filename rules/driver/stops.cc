@@ -371,10 +371,10 @@ void name_misread(const Program& program, StatementId line, const std::string& r
   finding.related.push_back({meant.words, "this is probably meant to be `" + right + "`", nullptr});
   const std::string_view before = program.source->slice({s.offset, meant.words.begin});
   finding.help = "write `" + right + "` on line " + std::to_string(s.line);
-  const LineError* error = program.syntax.error(s);
-  if (error != nullptr && error->kind == StopKind::kWordBefore)
+  const bool first = before.find_first_not_of(" \t") == std::string_view::npos;
+  if (const LineError* error = program.syntax.error(s); error != nullptr && error->kind == StopKind::kWordBefore)
     finding.help = "put `" + right + "` of line " + std::to_string(s.line) + " on a line of its own";
-  else if (before.find_first_not_of(" \t") == std::string_view::npos)
+  else if (first && program.source->slice(meant.words) != right)
     finding.fixes.push_back({"write `" + right + "`", false, {{meant.words, right}}, true});
 }
 

@@ -86,10 +86,10 @@ TEST_CASE("codes that run programs of one machine are one finding, with the name
   folder.write("machine.ini", "[RS274NGC]\nUSER_M_PATH = mcodes\n");
   folder.write("a.ngc", "M110\nM160\nM110\nM2\n");
   CHECK(contains(check(folder, "--ini machine.ini a.ngc").out,
-                 "`M110` runs a program of the machine, whose folders are not here; the same of `M160` (3 places)"));
+                 "`M110` runs a program of the machine, whose folders are not here (also `M160`; 3 places)"));
   folder.write("b.ngc", "M111\nM112\nM113\nM2\n");
   CHECK(contains(check(folder, "--ini machine.ini a.ngc b.ngc").out,
-                 "; the same of `M160`, `M111` and 2 more (6 places in 2 files)"));
+                 "(also `M160`, `M111` and 2 more; 6 places in 2 files)"));
 }
 
 TEST_CASE("the text shows some places and counts the others", "[groups]") {

@@ -85,7 +85,7 @@ def _run(path, mode, block_delete):
 
 
 def _outcome(path, status, text, x):
-    lines = [line for line in text.split("\n") if not _GOES_ON.search(line)] or [""]
+    lines = "\n".join(line for line in text.split("\n") if not _GOES_ON.search(line)).lstrip("\n").split("\n")
     message = lines[0].replace(path, "PROGRAM").strip()
     if status in (-signal.SIGXCPU, -signal.SIGKILL):
         return Outcome("hang", 0, message[:HANG_SAYS])
