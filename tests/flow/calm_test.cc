@@ -38,8 +38,8 @@ bool proves(const Found& coarse, const Found& stepwise) {
       (coarse.what == stepwise.what && coarse.severity == Severity::kError && stepwise.severity == Severity::kWarning);
 }
 
-/// Of names that a list of cases assigns together, all may be missing on joined paths. On paths that are kept apart, the first that
-/// is read is missing only where the run ends there, and then the others are not.
+/// Of names that a list of cases assigns together, all may be missing on joined paths. On paths that are kept apart, the first
+/// that is read is missing only where the run ends there, and then the others are not.
 void drop_further_names(std::vector<Found>& stepwise, const std::vector<Found>& coarse) {
   const auto is_name = [](const Found& f) { return f.severity == Severity::kInfo && f.what.starts_with("OW603"); };
   if (std::ranges::none_of(coarse, is_name)) return;
