@@ -257,8 +257,8 @@ class CommonFaults {
     }
     for (auto& [key, first] : of_folder) {
       if (first.others > 0)
-        first.finding->message += fmt::format("; {} more place{} with missing files {} not listed", first.others,
-                                              first.others > 1 ? "s" : "", first.others > 1 ? "are" : "is");
+        first.finding->message +=
+            fmt::format("; files are missing in {} other place{}, too", first.others, first.others > 1 ? "s" : "");
     }
   }
 
