@@ -295,8 +295,12 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
                                std::to_string(opener.line) + ", which is no " + std::string(openers));
       relate(f, p, s.other, "the label is used here");
       const BlockId ended = p.block_of[s.other];
+      const auto reopens = [&](const Block& other) {
+        return other.label == line.label && p.blocks[ended].end < other.opener && other.opener < s.statement;
+      };
       const bool over = opener.is(Keyword::kDo) && line.is(Keyword::kEndwhile) && ended != kNoBlock &&
-          p.blocks[ended].end != kNoStatement && p.blocks[ended].end < s.statement;
+          p.blocks[ended].end != kNoStatement && p.blocks[ended].end < s.statement &&
+          std::ranges::none_of(p.blocks, reopens);
       if (over) {
         const Statement& end = p.at(p.blocks[ended].end);
         f.message = "`" + head + "`, but `" + p.head(p.blocks[ended].end) + "` on line " + std::to_string(end.line) +

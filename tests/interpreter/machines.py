@@ -55,7 +55,6 @@ OPEN = {
     "user-m-": "what user M codes do is not known, and rs274 has none",
     # Remapped codes: what is said in the INI only.
     "remap-builtin-": "what a remapped built-in code does to a program is said in the INI only (OW417)",
-    "remap-user-m-code-m101-group-5-does-nothing": "said in the INI only (OW417)",
     "remap-epilog-missing-stops-behind-the-sub": "said in the INI only (OW423)",
     "remap-prolog-missing-stops-at-the-code": "said in the INI only (OW423)",
     # What is decided outside of the files, or at another line of the same mistake.

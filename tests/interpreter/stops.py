@@ -120,6 +120,9 @@ def is_there(finding, claim, outcome, texts, mode):
     said = lines[line - 1].strip().split("\0")[0].strip() if line <= len(lines) else ""
     if re.match(r"O[\d.]+ CALL$", outcome.text):      # what G71 makes of its Q
         return same_words(outcome.message, claim.get("interpreter", ""))
+    # What a contour makes of the lines of its sub is shown at these.
+    if re.search(r"(?i)g\s*7\s*[012]", said) and outcome.message.startswith("G7X error"):
+        return same_words(outcome.message, claim.get("interpreter", ""))
     # A contour, and the rest of a line with a remapped code, run where the sub ends, and that line is shown.
     if re.search(r"(?i)g\s*7\s*[012]", said) or "REMAP" in texts.get("machine.ini", ""):
         if re.match(r"(?i)o(<[^>]*>|[\d.]+)\s*(endsub|return)", outcome.text):
