@@ -169,9 +169,9 @@ class Reading {
     return {};
   }
 
-  /// `o1 (why) endif`.
+  /// `o1 (why) endif`; not of a computed label.
   Meant behind_comment() {
-    if (tokens_.size() != 2) return {};
+    if (tokens_.size() != 2 || s_.label == kNoName) return {};
     Meant meant = found(exact_keyword(tokens_[1].text), "", 0, 1);
     meant.has_label = true;
     meant.label = s_.label;
