@@ -87,9 +87,10 @@ namespace {
 
 /// What a code that a REMAP line has taken away has to do with a stop.
 void relate_lost_code(const Input& in, const FlowStop& stop, Finding& finding) {
-  const std::vector<LostRemap> all = lost_codes(in.profile);
   const std::string_view rule = finding.code;
-  if (all.empty() || (rule != "OW705" && rule != "OW706" && rule != "OW707" && rule != "OW802")) return;
+  if (rule != "OW705" && rule != "OW706" && rule != "OW707" && rule != "OW802") return;
+  const std::vector<LostRemap> all = lost_codes(in.profile);
+  if (all.empty()) return;
   constexpr int kTenths = 10, kM3 = 3, kM4 = 4;
   const std::vector<WrittenWord> words = words_of(*in.program.source, in.program.at(stop.statement).whole());
   for (const LostRemap& lost : all) {
