@@ -69,6 +69,7 @@ std::optional<size_t> behind_value(std::string_view text, size_t at);
 using Idiom = bool (*)(const RefusedLine& line, Finding& finding);
 
 // On a line as a whole (idioms_lines.cc).
+bool has_braces(const RefusedLine& line, Finding& f);
 bool has_two_brackets(const RefusedLine& line, Finding& f);
 bool has_comment_inside(const RefusedLine& line, Finding& f);
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f);
@@ -139,6 +140,7 @@ bool names_in_other_brackets(const RefusedLine& line, Finding& f);
 /// Empty if that is not clear.
 std::string arguments_in_brackets(std::string_view written);
 bool passes_without_brackets(const RefusedLine& line, Finding& f);
+bool passes_words(const RefusedLine& line, Finding& f);
 bool divides_arguments(const RefusedLine& line, Finding& f);
 
 // In a label (idioms_labels.cc).

@@ -4,6 +4,7 @@
 #include "analyzer/syntax/known_line.h"
 #include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
+#include "rules/driver/words.h"
 
 namespace owlint::rules {
 namespace {
@@ -144,6 +145,29 @@ bool passes_without_brackets(const RefusedLine& line, Finding& f) {
       line.statement.value_count == 0 ? std::string() : line.written(line.at - before.size(), line.at) + " ";
   f.help = "write `" + (whole ? line.keyword_text() + " " + above : std::string()) + values + "`";
   line.propose(f, f.help, {line.put(line.at, line.end, values)}, false);
+  return true;
+}
+
+/// `call X1 Y2`: words, as `G65` of other controllers passes them.
+bool passes_words(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kTrailingText || !line.has_keyword(Keyword::kCall)) return false;
+  const Source& source = *line.program.source;
+  const Span rest = line.text.span(line.at, line.end);
+  std::string values;
+  uint64_t behind = rest.begin;
+  for (const WrittenWord& word : words_of(source, rest)) {
+    // These begin a line of its own.
+    if (std::string_view("gmno").find(word.letter) != std::string_view::npos) return false;
+    const std::string value(source.slice({word.span.begin + 1, word.span.end}));
+    const bool bracketed = value.find('[') != std::string::npos && value.find_first_not_of(kBlanks) == value.find('[');
+    values += (values.empty() ? "" : " ") + (bracketed ? value : "[" + value + "]");
+    behind = word.span.end;
+  }
+  if (values.empty() || source.slice({behind, rest.end}).find_first_not_of(kBlanks) != std::string_view::npos)
+    return false;
+  f.message = "the arguments of `call` are values in brackets, not words";
+  f.help = "write `call " + values + "`: the sub reads them in this order, as `#1`, `#2` and so on";
+  line.propose(f, "write the values in brackets", {line.put(line.at, line.end, values)}, false);
   return true;
 }
 

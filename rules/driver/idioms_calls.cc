@@ -132,14 +132,23 @@ bool names_arguments(const RefusedLine& line, Finding& f) {
   return true;
 }
 
-/// `#1 = o<f> call`, `X[o<f> call [1]]`.
+/// `#1 = o<f> call`, `#1 = call o<f>`, `X[o<f> call [1]]`.
 bool calls_in_value(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression && line.kind() != StopKind::kWordUnreadable) return false;
   size_t from = line.at;
   if (line.kind() == StopKind::kWordUnreadable) ++from;
   const std::string_view text = line.text.text();
-  if (from >= line.end || text[from] != 'o' || (text[from + 1] != '<' && !is_digit(text[from + 1]))) return false;
-  const std::string call = line.written(from, bracket_end(line, from));
+  constexpr std::string_view kCall = "call";
+  const size_t label = text.substr(from).starts_with(kCall) ? from + kCall.size() : from;
+  if (label + 1 >= line.end || text[label] != 'o' || (text[label + 1] != '<' && !is_digit(text[label + 1])))
+    return false;
+  std::string call = line.written(label, bracket_end(line, label));
+  if (label != from) {
+    const size_t behind = label_end(line, label);
+    if (behind == 0) return false;
+    const std::string values = line.written(behind, bracket_end(line, label));
+    call = line.written(label, behind) + " call" + (values.empty() ? "" : " ") + values;
+  }
   f.message = "a call cannot be used as a value";
   f.help = "call the sub on a line of its own: `" + call + "`; its result is then in `#<_value>`";
   const bool assigns = from > 0 && text[from - 1] == '=' && text[0] == '#' && line.end == text.size();

@@ -16,6 +16,26 @@ std::string_view joint_of(std::string_view text) {
 
 }  // namespace
 
+/// `if {#1 EQ 3}`, `X{#1+1}`.
+bool has_braces(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const size_t open = text.find_first_of("{}");
+  if (open == std::string_view::npos || open < line.at) return false;
+  std::vector<Edit> edits;
+  std::string right(text);
+  for (size_t i = open; i < text.size(); ++i) {
+    if (text[i] != '{' && text[i] != '}') continue;
+    right[i] = text[i] == '{' ? '[' : ']';
+    edits.push_back(line.put(i, i + 1, std::string(1, right[i])));
+  }
+  // Otherwise something else stops the line, too.
+  if (line.rest()[0] != '{' && surely_refused(right)) return false;
+  f.message = "`{ }` are not brackets in LinuxCNC";
+  f.help = "write square brackets: `[ ]`";
+  line.propose(f, f.help, std::move(edits), false);
+  return true;
+}
+
 /// `o100 if [#1 EQ 2] AND [#3 LT 4]`: one bracket must be around it all.
 bool has_two_brackets(const RefusedLine& line, Finding& f) {
   constexpr std::string_view kOperators[] = {"and", "or", "xor", "eq", "ne", "gt", "ge",

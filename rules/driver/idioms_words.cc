@@ -21,7 +21,7 @@ struct OtherWord {
   std::string_view instead;
 };
 
-constexpr std::array<OtherWord, 40> kOtherWords = {{
+constexpr std::array<OtherWord, 42> kOtherWords = {{
     {"gosub", "call a sub with `o100 call`"},
     {"until", "close `do` with `while` and the opposite condition"},
     {"wend", "write `o100 endwhile`, with the label of the `while`"},
@@ -46,6 +46,8 @@ constexpr std::array<OtherWord, 40> kOtherWords = {{
     {"elif", "write `elseif`"},
     {"exit", "leave a loop with `break`, a sub with `return`, the program with `M2`"},
     {"quit", "leave a loop with `break`, a sub with `return`, the program with `M2`"},
+    {"ret", "leave a sub with `return`, with the label of its `sub`: `o100 return`"},
+    {"rts", "leave a sub with `return`, with the label of its `sub`: `o100 return`"},
     {"stop", "`M0` waits for the operator, `M2` ends the program"},
     {"pause", "`M0` waits for the operator, `G4 P1` waits for a second"},
     {"print", "write a comment: `(PRINT,text)`"},

@@ -142,17 +142,24 @@ bool stops_on_line(const Input& in, StatementId id) {
   return stops;
 }
 
-/// Words on an M98 line that LinuxCNC reads but does not execute.
+/// What becomes of the words on an M98 line. Measured: LinuxCNC keeps an assignment to a name until the next line without an
+/// O-word, which is usually one of the sub.
+std::string_view fate_of(std::string_view words, bool may_stop) {
+  if (words.starts_with("#<_")) return "carries it out only at the next line without an O-word, in the sub";
+  if (words.starts_with("#<"))
+    return "carries it out only at the next line without an O-word, and stops there if the sub has no such name";
+  return may_stop ? "checks it and may stop here, but never executes it" : "reads it but does not execute it";
+}
+
+/// Words on an M98 line that LinuxCNC does not execute there.
 void report_dropped(const Input& in, Reporter& out, StatementId id) {
   const Program& p = in.program;
   const Statement& s = p.at(id);
   if (s.kind != LineKind::kM98 || s.has_error() || s.rest_to == s.rest_from || stops_on_line(in, id)) return;
   const std::string text = text_of(p, s.rest_span());
   const bool runs = surely_runs(p.source->slice(s.rest_span()));
-  Finding& f = out.add(s.rest_span(),
-                       "`" + text + "` on an `M98` line: LinuxCNC " +
-                           (!may_stop(p, id) ? "reads it but does not execute it"
-                                             : "checks it and may stop here, but never executes it"));
+  Finding& f = out.add(s.rest_span(), "`" + text + "` on an `M98` line: LinuxCNC ");
+  f.message += fate_of(text, may_stop(p, id));
   // What ends a sub or the program, and would end it before the call.
   const bool ends = find_word(words_of(*p.source, s.rest_span()), "M99 M2 M30") != nullptr;
   f.help = std::string("write it on a line of its own, ") + (ends ? "after" : "before") + " `M98`";
@@ -205,7 +212,9 @@ There is no `M99 P…`.
 
 LinuxCNC reads the other words of an `M98` line, even on a skipped line, and checks them where it
 calls, but **it does not execute them**: after `M98 P7001 G0 X5` the machine has not moved to X5, and
-`M98 P7001 M2` does not end the program. An assignment there is lost. A word that needs a code, as in
+`M98 P7001 M2` does not end the program. An assignment of `#1` there is lost; one of a name is carried
+out at the next line without an O-word. That line is in the sub, and if the sub has no such name, the
+program stops there (`Internal error: Could not assign #<depth>`). A word that needs a code, as in
 `M98 P7001 H5`, stops the program, and so does an axis word where no motion mode is on: see OW707 and
 OW709.)",
             .bad = R"(G21 G90

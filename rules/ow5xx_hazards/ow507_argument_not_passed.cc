@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "rules/driver/idioms.h"
 #include "rules/driver/parameter_helpers.h"
 #include "rules/driver/stops.h"
 
@@ -35,6 +36,11 @@ void report(const Input& in, Reporter& out, StatementId id, const Reads& reads) 
   f.help = one
       ? "pass a " + ordinal(number) + " argument, or set `#" + std::to_string(number) + "` in the sub before it is read"
       : "pass " + std::to_string(reads.rbegin()->first) + " arguments, or set these in the sub before they are read";
+  // `[-1 -2]` is one value, -3.
+  const std::string written(in.program.source->slice({call.keyword_span().end, call.end()}));
+  const std::string values = arguments_in_brackets(written.substr(0, written.find_first_of("(;\r")));
+  if (std::ranges::count(values, '[') - std::ranges::count(written, '[') > 0)
+    f.help = "each pair of brackets is one value: for several, write `" + values + "`";
   // Calls all over a shop that lack the same arguments of a sub in a file of its own are one question to its author.
   if (place_of(in, first->other, first->other_elsewhere).program != &in.program) {
     f.group = in.program.label_at(id) + " " + argument_words(bits);

@@ -84,6 +84,14 @@ class LocalNames {
     const Elsewhere other = owner(name, reader, caller);
     if (other.statement == kNoStatement) return suggest(in_, name, reader, f);
     f.message = "`#<" + name + ">` has no value in " + region_words(p, reader) + ": " + belongs(other, f);
+    // A sub for M98 has no `endsub` that returns a value.
+    const RegionId owner_region = other.program->region_of[other.statement];
+    const StatementId owner_opener = other.program->regions[owner_region].opener;
+    const bool of_m98 = owner_opener != kNoStatement && !other.program->at(owner_opener).is(Keyword::kSub);
+    if (reader == kMainRegion && of_m98) {
+      f.help = "write `#<_" + name + ">` in both places, which is global";
+      return;
+    }
     f.help = (reader == kMainRegion
                   ? "return the value with `endsub [#<" + name + ">]`, and read `#<_value>`"
                   : "a name without `_` starts without a value in every call: pass the value as an argument") +
