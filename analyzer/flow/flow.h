@@ -81,6 +81,7 @@ enum class HazardKind : uint8_t {
   kRepeatCount,
   kEndsInSub,
   kOtherHelper,  ///< a call runs `other`, a sub of another file, and not the one of its own file
+  kOwnHelper,    ///< no finding: a call runs the sub of its own file, where other files have been followed, too
   kSubInCall,    ///< a `sub` line met in a call: its body runs in place, and its `endsub` ends the call
   /// The main program runs on into a Fanuc sub at `statement`, to the M99 at `other`; without `other`, such a sub does.
   kRunsIntoSub,

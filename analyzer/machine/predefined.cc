@@ -135,6 +135,12 @@ std::optional<double> ini_number(std::string_view name, const Profile& profile) 
   return entry == nullptr ? std::nullopt : number(entry->value);
 }
 
+bool is_ini_text(std::string_view name, const Profile& profile) {
+  if (!name.starts_with(kIni) || profile.setup == nullptr) return false;
+  const Ini::Entry* entry = ini_entry(name, *profile.setup);
+  return entry != nullptr && !number(entry->value);
+}
+
 std::optional<Version> predefined_since(std::string_view name) {
   const Predefined* known = find(name);
   return known == nullptr ? std::nullopt : std::optional(known->some);

@@ -29,6 +29,10 @@ NameKind name_kind(std::string_view name, const Profile& profile);
 /// The number of `#<_ini[section]entry>`, if the INI is known and has it.
 std::optional<double> ini_number(std::string_view name, const Profile& profile);
 
+/// Whether `#<_ini[section]entry>` names an entry of the INI that is no number, so that the name does not exist. An entry that is
+/// not there may be in the INI of the machine that runs the program.
+bool is_ini_text(std::string_view name, const Profile& profile);
+
 /// The version that introduced the predefined name `name`, if it is one.
 std::optional<Version> predefined_since(std::string_view name);
 

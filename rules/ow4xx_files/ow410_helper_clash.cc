@@ -29,21 +29,23 @@ void check(const Input& in, Reporter& out) {
     const auto [known, added] = by_label.emplace(runs.program->head(runs.statement), findings.size());
     if (!added) {
       Finding& f = findings[known->second];
-      f.unproven = f.unproven && h.unproven;
+      f.unproven = f.unproven && (h.unproven || h.not_always);
       if (first_place) relate(f, p, h.statement, "so does this call");
       continue;
     }
     const Statement& s = p.at(h.statement);
     Finding& f = findings.emplace_back();
     f.span = s.head_span();
-    f.message = "`" + p.head(h.statement) + "` runs `" + runs.program->head(runs.statement) + "` of " +
-        file_name(*runs.program->source) + ", not the sub in this file";
-    relate(in, f, runs, "this sub runs: LinuxCNC read it first");
-    if (s.label != kNoName) relate(f, p, own_sub(p, s.label), "this sub does not run");
+    f.message = "`" + p.head(h.statement) + (h.not_always ? "` may run `" : "` runs `") +
+        runs.program->head(runs.statement) + "` of " + file_name(*runs.program->source) + ", not the sub in this file";
+    relate(in, f, runs,
+           h.not_always ? "this sub runs if LinuxCNC has read it first" : "this sub runs: LinuxCNC read it first");
+    if (s.label != kNoName)
+      relate(f, p, own_sub(p, s.label), h.not_always ? "this sub runs otherwise" : "this sub does not run");
     f.help = "give the sub in this file a name that no other file uses, or move it to a file of its own";
     f.reach = h.reach;
     f.runs_other = true;
-    f.unproven = h.unproven;
+    f.unproven = h.unproven || h.not_always;
   }
   for (Finding& f : findings) {
     Finding& added = out.add(f.span, std::move(f.message));
@@ -115,8 +117,8 @@ o<go_right> endsub
 )",
             .fix = R"(Move each helper to a file of its own, with the helper's name, or at least give it a label that no
 other file uses, such as `o<probe_right_500>`.)",
-            .level_reason = "Error if some run certainly calls the other sub: other lines run than intended. Warning "
-                            "if owlint is not sure.",
+            .level_reason = "Error if every run that makes the call gets to the other sub: other lines run than "
+                            "intended. Warning if some runs get to the right one, or owlint is not sure.",
             .interpreter = "",
             .options = "",
             .moves = "X1",

@@ -8,10 +8,12 @@
 namespace owlint::rules::ow510 {
 namespace {
 
-/// Whether the flow has found that some run never leaves the loop that begins here.
-bool is_endless(const Input& in, StatementId loop) {
-  return std::ranges::any_of(
-      in.flow.hazards, [loop](const Hazard& h) { return h.kind == HazardKind::kEndlessLoop && h.statement == loop; });
+/// What the flow has found of runs that never leave one of two loops; null if it has found none.
+const Hazard* endless(const Input& in, StatementId outer, StatementId inner) {
+  const auto found = std::ranges::find_if(in.flow.hazards, [&](const Hazard& h) {
+    return h.kind == HazardKind::kEndlessLoop && (h.statement == outer || h.statement == inner);
+  });
+  return found == in.flow.hazards.end() ? nullptr : &*found;
 }
 
 void check(const Input& in, Reporter& out) {
@@ -26,15 +28,19 @@ void check(const Input& in, Reporter& out) {
     if (outer == kNoBlock || p.blocks[outer].kind != Keyword::kDo || p.blocks[outer].label != block.label) continue;
     if (block.end == kNoStatement) continue;  // nothing goes back from it: OW205
     const StatementId opener = p.blocks[outer].opener;
-    const bool endless = is_endless(in, opener) || is_endless(in, block.opener);
+    const Hazard* const never_left = endless(in, opener, block.opener);
+    const std::string_view ends = never_left == nullptr ? ""
+        : never_left->not_always                        ? ", and some runs may never end"
+                                                        : ", and the program never ends";
     Finding& f = out.add(p.at(block.opener).head_span(),
                          "`" + p.head_of(block) + "` is inside a `do` with the same label: `" + p.head(block.end) +
-                             "` on line " + std::to_string(p.at(block.end).line) + " goes back to the outer one" +
-                             (endless ? ", and the program never ends" : ""));
+                             "` on line " + std::to_string(p.at(block.end).line) + " goes back to the outer one");
+    f.message += ends;
     relate(f, p, opener, "the outer `do` begins here");
     f.help = "give the inner loop a label of its own";
     f.reach = in.flow.reach(block.opener);
-    f.never_ends = endless;
+    f.never_ends = never_left != nullptr;
+    f.unproven = never_left != nullptr && never_left->not_always;
     add_relabel_fix(in, block.opener, f);
   }
 }

@@ -124,7 +124,9 @@ Evaluation Evaluator::read_name(NameId name, const Parameters& in, const Reading
       out.value = known;
       return out;
     }
-    if (in.outside || always_there(name)) return out;  // a sub from elsewhere may have assigned any
+    // A sub from elsewhere may have assigned any, but not what LinuxCNC looks for in the INI.
+    const bool from_elsewhere = in.outside && !is_ini_text(syntax_.names.text(name), profile_);
+    if (from_elsewhere || always_there(name)) return out;
     out.value = distrusts_globals_ && known >= kFirstConstant ? kUnknown : known;
   } else {
     out.value = in.locals.get(kLocalNames + name);

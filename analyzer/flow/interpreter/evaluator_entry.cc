@@ -17,6 +17,7 @@ void Evaluator::expect_from_outside(std::string_view sub, Parameters& p) {
   for (ExprId id = 0; id < syntax_.exprs.size(); ++id) {
     const Expr& expr = syntax_.exprs[id];
     if (expr.op != Operator::kNamed || expr.target || id >= assigned[expr.name()]) continue;
+    if (is_ini_text(syntax_.names.text(expr.name()), profile_)) continue;  // nobody can assign it
     // Without an INI, a name that some line assigns may be one that Python gives the sub.
     const bool may_be_python = profile_.setup == nullptr && tracked_.is_assigned(expr.name());
     if (tracked_.is_global(expr.name()) || may_be_python ||

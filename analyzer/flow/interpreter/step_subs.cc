@@ -197,8 +197,10 @@ void AbstractMachine::Step::find_sub(State enter, Context callee, int repeats) {
   take_apart(set);
   enter.mixed = state.mixed;
   for (const StatementId line : set.lines) {
-    if (m.linked_.file_of(line) != m.linked_.file_of(here) && own_file_has(plain))
-      hazard(HazardKind::kOtherHelper, line);
+    if (m.linked_.files().size() > 1 && own_file_has(plain)) {
+      const bool own = m.linked_.file_of(line) == m.linked_.file_of(here);
+      hazard(own ? HazardKind::kOwnHelper : HazardKind::kOtherHelper, line);
+    }
     State known = enter;
     known.table.set(m.pool_, defined, Definers::one(line));
     known.position = line;  // the definition's line is read again (measured: text after it stops there)
@@ -208,6 +210,7 @@ void AbstractMachine::Step::find_sub(State enter, Context callee, int repeats) {
     if (set.lines.empty()) call_elsewhere(defined);
     return;
   }
+  if (m.linked_.files().size() > 1 && own_file_has(plain)) hazard(HazardKind::kOwnHelper);
   enter.table.set(m.pool_, defined, 0);
   enter.skip = defined;
   enter.seek = true;

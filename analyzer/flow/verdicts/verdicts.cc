@@ -145,6 +145,7 @@ void Verdicts::hazard(const State& at, HazardReport report) {
         hazard.statement = report.other;
       }
       break;
+    case HazardKind::kOwnHelper: run_own_helper_.insert(at.position); return;
     case HazardKind::kKeepsValues: keep_values_.insert(at.record); return;
     case HazardKind::kWarned: warned_.insert(at.record); break;
     case HazardKind::kLookupCrash:
@@ -235,7 +236,9 @@ FlowResult Verdicts::finish() {
     const bool doubtful = hazard.kind == HazardKind::kHang
         ? trace_.ends()
         : hazard.kind == HazardKind::kCrash && may_go_round_ && hazard.reach == Reach::kAlways;
-    if (doubtful) hazard.reach = Reach::kMaybe;
+    hazard.not_always =
+        hazard.not_always || (hazard.kind == HazardKind::kOtherHelper && run_own_helper_.contains(hazard.statement));
+    if (doubtful || hazard.not_always) hazard.reach = Reach::kMaybe;
     result.hazards.push_back(std::move(hazard));
   }
   result.executed = trace_.executed();

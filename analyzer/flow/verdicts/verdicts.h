@@ -60,8 +60,9 @@ class Verdicts final : public Events {
   ModeHazards mode_hazards_;
   LimitHazards limit_hazards_;
   std::vector<NotPassed> not_passed_;
-  std::unordered_set<RecordId> warned_;       // records with an error that FEATURE 0x20 turned into a message
-  std::unordered_set<RecordId> keep_values_;  // records of assignments that change nothing
+  std::unordered_set<RecordId> warned_;             // records with an error that FEATURE 0x20 turned into a message
+  std::unordered_set<StatementId> run_own_helper_;  // calls that some run leads to the sub of their own file
+  std::unordered_set<RecordId> keep_values_;        // records of assignments that change nothing
   std::vector<std::pair<ContextId, StatementId>> deepest_;  // calls beyond LinuxCNC's depth
   std::map<std::pair<HazardKind, StatementId>, size_t> origins_;
   bool ends_ = false;          // some run comes to a program end without an error
