@@ -38,8 +38,13 @@ void check(const Input& in, Reporter& out) {
     f.span = s.head_span();
     f.message = "`" + p.head(h.statement) + (h.not_always ? "` may run `" : "` runs `") +
         runs.program->head(runs.statement) + "` of " + file_name(*runs.program->source) + ", not the sub in this file";
+    // A file is looked for if the call comes before the sub of its own file.
+    const bool by_name = s.label != kNoName && own_sub(p, s.label) > h.statement && runs.program->sub_file &&
+        runs.program->name(runs.program->entry) == p.name(s.label);
     relate(in, f, runs,
-           h.not_always ? "this sub runs if LinuxCNC has read it first" : "this sub runs: LinuxCNC read it first");
+           by_name            ? "this sub runs: LinuxCNC has not read the one of this file yet"
+               : h.not_always ? "this sub runs if LinuxCNC has read it first"
+                              : "this sub runs: LinuxCNC read it first");
     if (s.label != kNoName)
       relate(f, p, own_sub(p, s.label), h.not_always ? "this sub runs otherwise" : "this sub does not run");
     f.help = "give the sub in this file a name that no other file uses, or move it to a file of its own";

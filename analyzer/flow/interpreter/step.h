@@ -279,6 +279,7 @@ struct AbstractMachine::Step {
   bool enter_sub();
   bool is_called_sub() const;
   bool own_file_has(NameId sub) const;
+  void tell_file_before_own(NameId sub, CallTarget target);
   void sub();
   void bare();
   void leave_sub();

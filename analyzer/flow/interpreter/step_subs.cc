@@ -188,6 +188,17 @@ void AbstractMachine::Step::call(int repeats, bool fanuc) {
   find_sub(std::move(enter), callee, repeats);
 }
 
+/// A sub that the file of the call has, but that LinuxCNC has not read yet: if there is a file of that name, it runs instead.
+void AbstractMachine::Step::tell_file_before_own(NameId sub, CallTarget target) {
+  const uint32_t file = m.linked_.file_of(here);
+  if (target.file == CallTarget::kNotFound || target.file == file) return hazard(HazardKind::kOwnHelper);
+  if (file == 0 && !m.program_.sub_file) return;  // told without the flow: the order of the lines says it
+  for (const StatementId id : m.program_.by_label[sub]) {
+    if (m.program_.at(id).opens_sub() && m.linked_.file_of(id) == target.file)
+      return hazard(HazardKind::kOtherHelper, id);
+  }
+}
+
 /// A call whose parameters are in place goes where its sub is.
 void AbstractMachine::Step::find_sub(State enter, Context callee, int repeats) {
   // A name with a path means its last part in the label table, but is the called sub's name for its own labels.
@@ -210,11 +221,11 @@ void AbstractMachine::Step::find_sub(State enter, Context callee, int repeats) {
     if (set.lines.empty()) call_elsewhere(defined);
     return;
   }
-  if (m.linked_.files().size() > 1 && own_file_has(plain)) hazard(HazardKind::kOwnHelper);
+  const CallTarget target = m.target(callee.sub);
+  if (m.linked_.files().size() > 1 && own_file_has(plain)) tell_file_before_own(plain, target);
   enter.table.set(m.pool_, defined, 0);
   enter.skip = defined;
   enter.seek = true;
-  const CallTarget target = m.target(callee.sub);
   if (target.file != CallTarget::kNotFound) {
     enter.position = m.linked_.files()[target.file].first;
     return out.call(state, std::move(enter), callee, repeats);
