@@ -95,10 +95,10 @@ void Naming::require_free(const std::string& name) const {
   const std::string file = workspace_.called_file(*sub_.document, name);
   if (!file.empty()) refuse("the file " + file + " exists already");
   if (!sub_.own_file) return;
-  // Calls that find nothing now would find the file.
+  // Calls that find nothing now would find the file, and so would calls above a sub of this name.
   for (const Document* in : workspace_.documents_around(*sub_.document)) {
     const std::vector<Occurrence> labels = sub_labels(*in, name);
-    if (!labels.empty() && definition_in(*in, name) == kNoStatement)
+    if (!labels.empty())
       refuse("`" + text(name) + "` is used on " + place(*in, labels.front().span.begin) + " already");
   }
 }

@@ -261,6 +261,12 @@ session('a sub does not get the name of a file, of another sub, or of one that i
   assert.match(await attempt(client, 'helper.ngc', 'o<helper> sub', 'fresh'), /`o<\.\/helper>` on line 1 of path\.ngc calls it by a path/);
 });
 
+session('a file does not get the name of a sub that a program calls before it defines it', { files: machine }, async (client) => {
+  client.open(main, 'o<fresh> call\nM2\no<fresh> sub\nG0 X3\no<fresh> endsub\n');
+  client.open('helper.ngc');
+  assert.match(await attempt(client, 'helper.ngc', 'o<helper> sub', 'fresh'), /`o<fresh>` is used on line 1 of main\.ngc already/);
+});
+
 session('a line does not get longer than LinuxCNC reads', { files }, async (client) => {
   client.open(main, `#<a> = 1\n(${'x'.repeat(230)}) G0 X#<a>\nM2\n`);
   assert.match(await attempt(client, main, ['#<a>', 0], `#<${'b'.repeat(30)}>`), /line 2 would be longer than the 252 characters/);
