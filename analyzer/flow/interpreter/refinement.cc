@@ -48,26 +48,56 @@ ParameterKey Refinement::counted_key_of(ExprId side, std::vector<double>& number
   }
 }
 
+/// The numbers that calls pass, by argument: what a sub compares with `#3`.
+std::vector<std::vector<double>> Refinement::numbers_passed() const {
+  constexpr size_t kMost = 8;  // of one argument: loops are called with few
+  std::vector<std::vector<double>> out(kFirstGlobalNumber);
+  for (const Statement& s : syntax_.statements) {
+    if (!s.is(Keyword::kCall)) continue;
+    const auto values = syntax_.values_of(s);
+    for (size_t i = 0; i < values.size() && i + 1 < out.size(); ++i) {
+      double number = 0;
+      if (out[i + 1].size() < kMost && literal_value(syntax_.exprs, values[i], &number)) out[i + 1].push_back(number);
+    }
+  }
+  return out;
+}
+
+/// What a condition compares with: a number, or those that calls pass for an argument, if `of_while`.
+std::vector<double> Refinement::compared_numbers(ExprId other, bool of_while) {
+  double number = 0;
+  if (literal_value(syntax_.exprs, other, &number)) return {number};
+  const Expr& expr = syntax_.exprs[other];
+  if (!of_while || expr.op != Operator::kParameter || !literal_value(syntax_.exprs, expr.left(), &number) ||
+      number < 1 || number >= kFirstGlobalNumber)
+    return {};
+  if (passed_.empty()) passed_ = numbers_passed();
+  return passed_[static_cast<size_t>(number)];
+}
+
 // Depth is bounded by the length of a line.
 void Refinement::count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds) {
   const Expr& expr = syntax_.exprs[id];
+  const auto is_comparison_at = [&](ExprId side) { return is_comparison(syntax_.exprs[side].op); };
   const auto count = [&](ExprId side, ExprId other) {
-    double number = 0;
-    std::vector<double> numbers;
-    if (other != kNoExpr && literal_value(syntax_.exprs, other, &number)) numbers.push_back(number);
+    const std::vector<double> written = other == kNoExpr ? std::vector<double>() : compared_numbers(other, of_while);
+    std::vector<double> numbers = written;
     const ParameterKey key = counted_key_of(side, numbers);
     if (key == kComputedKey) return;
     compared_.emplace_back(key, of_while ? kOnce | kByLoop : kOnce);
     for (const double compared_with : numbers) add_thresholds(expr.op, compared_with, thresholds);
-    if (numbers == std::vector{number}) return;
+    if (numbers == written) return;
     // What the parameter is compared in is a range of its own, which begins a little beyond where that of the parameter does.
-    add_thresholds(expr.op, number, thresholds);
+    for (const double compared_with : written) add_thresholds(expr.op, compared_with, thresholds);
     for (const double compared_with : numbers) {
       thresholds.push_back(compared_with - 3 * kEqualTolerance);
       thresholds.push_back(compared_with + 3 * kEqualTolerance);
     }
   };
   if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
+    for_each_operand(expr, [&](ExprId operand) { count_comparisons(operand, of_while, thresholds); });
+  } else if (is_comparison(expr.op) && (is_comparison_at(expr.left()) || is_comparison_at(expr.right()))) {
+    // `[[#1 EQ 3] EQ 0]`
     for_each_operand(expr, [&](ExprId operand) { count_comparisons(operand, of_while, thresholds); });
   } else if (is_comparison(expr.op)) {
     count(expr.left(), expr.right());
@@ -81,10 +111,11 @@ void Refinement::find_compared(const Limits& limits) {
   std::vector<double> thresholds;
   const std::span all(syntax_.statements);
   const auto first = all.first(std::min(all.size(), limits.remembered_statements));
-  for (const Statement& s : first) {
+  for (size_t i = 0; i < first.size(); ++i) {
+    const Statement& s = first[i];
     const bool is_test = s.is(Keyword::kIf) || s.is(Keyword::kElseif) || s.is(Keyword::kWhile);
-    if (is_test && s.value_count > 0)
-      count_comparisons(syntax_.values_of(s).front(), s.is(Keyword::kWhile), thresholds);
+    const bool ends_loop = s.is(Keyword::kWhile) || (i + 1 < first.size() && first[i + 1].is(Keyword::kBreak));
+    if (is_test && s.value_count > 0) count_comparisons(syntax_.values_of(s).front(), ends_loop, thresholds);
   }
   if (compared_.empty()) return;
   std::ranges::sort(compared_);

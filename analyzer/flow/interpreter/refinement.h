@@ -35,6 +35,8 @@ class Refinement {
 
   void find_compared(const Limits& limits);
   ParameterKey counted_key_of(ExprId side, std::vector<double>& numbers) const;
+  std::vector<std::vector<double>> numbers_passed() const;
+  std::vector<double> compared_numbers(ExprId other, bool of_while);
   void count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds);
   uint8_t* compared(ParameterKey key);
   /// The key of a parameter that keeps its value in spite of code that owlint does not follow.
@@ -48,6 +50,7 @@ class Refinement {
   Evaluator& evaluator_;
   PersistentMap::Pool& pool_;
   std::vector<std::pair<ParameterKey, uint8_t>> compared_;  // sorted, each parameter once
+  std::vector<std::vector<double>> passed_;                 // by argument; empty until asked for
   bool coarse_ = false;
 };
 
