@@ -236,9 +236,9 @@ FlowResult Verdicts::finish() {
     const bool doubtful = hazard.kind == HazardKind::kHang
         ? trace_.ends()
         : hazard.kind == HazardKind::kCrash && may_go_round_ && hazard.reach == Reach::kAlways;
-    hazard.not_always =
-        hazard.not_always || (hazard.kind == HazardKind::kOtherHelper && run_own_helper_.contains(hazard.statement));
-    if (doubtful || hazard.not_always) hazard.reach = Reach::kMaybe;
+    const bool elsewhere_too = hazard.kind == HazardKind::kOtherHelper && run_own_helper_.contains(hazard.statement);
+    hazard.not_always = hazard.not_always || elsewhere_too;
+    if (doubtful || elsewhere_too) hazard.reach = Reach::kMaybe;
     result.hazards.push_back(std::move(hazard));
   }
   result.executed = trace_.executed();
