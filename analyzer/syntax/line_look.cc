@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analyzer/syntax/comment_command.h"
 #include "analyzer/syntax/line_text.h"
 #include "analyzer/text/characters.h"
 
@@ -52,11 +53,10 @@ bool same_letter(char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<ch
 
 /// Where `owlint:` is on a line, in capitals or not. Few comments have a colon.
 size_t find_directive(std::string_view line) {
-  constexpr std::string_view kWord = "owlint";
   for (size_t colon = line.find(':'); colon != std::string_view::npos; colon = line.find(':', colon + 1)) {
-    if (colon >= kWord.size() &&
-        std::ranges::equal(line.substr(colon - kWord.size(), kWord.size()), kWord, same_letter))
-      return colon - kWord.size();
+    if (colon >= kOwlint.size() &&
+        std::ranges::equal(line.substr(colon - kOwlint.size(), kOwlint.size()), kOwlint, same_letter))
+      return colon - kOwlint.size();
   }
   return std::string_view::npos;
 }

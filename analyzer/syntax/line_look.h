@@ -15,6 +15,7 @@ struct LineView {
   bool code = false;     // something other than blanks and comments
   bool speaks = false;   // a comment that may hold a directive; not looked for in lines that matter
   bool whole_p = false;  // see Syntax::whole_p_lines
+  bool owlint = false;   // the word is there, in small letters
 };
 
 /// Looks at a line that is not plain. One with code goes to the parser, and of comments those that LinuxCNC refuses.

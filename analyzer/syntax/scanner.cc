@@ -103,6 +103,7 @@ void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refus
     } else {
       found.view.too_long = true;
     }
+    found.view.owlint = text.find(kOwlint) != std::string_view::npos;
     take(found);
     at = std::min(found.end + 1, size_t{stretch.end});
   }
@@ -170,6 +171,7 @@ class Reader {
     std::string_view line = bytes_.substr(begin, end - begin);
     if (!seen_first_) note_first_line(line);
     if (view.whole_p) out_.whole_p_lines.push_back(begin);
+    if (view.owlint) out_.owlint_lines.push_back(begin);
     Statement statement;
     statement.line = number;
     const bool too_long = view.too_long && !ends_in_nuls(line);
