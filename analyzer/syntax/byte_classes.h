@@ -32,6 +32,8 @@ struct ByteClassifier {
   const char* name;
   /// Sorts so many whole blocks; the first one becomes `classes`' block `first`.
   void (*classify)(const char* bytes, size_t blocks, size_t first, ByteClasses* classes);
+  /// Finds letters, line feeds, and where comments begin, in so many whole blocks.
+  void (*find_looks)(const char* bytes, size_t blocks, uint64_t* bits);
 };
 
 /// Those that this processor can run, the fastest first. The last one uses no vectors.
