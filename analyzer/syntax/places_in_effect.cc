@@ -265,7 +265,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
       return to;
     }
     const PlainMoves moves =
-        needs_sums(before) ? plain_moves(bytes, from, to) : last_plain_moves(bytes, effect.axes, last);
+        needs_sums(before) ? plain_moves(bytes, from, to, &reader_) : last_plain_moves(bytes, effect.axes, last);
     for_letters(moves.letters, [&](size_t letter) { go(letter, moves.last[letter], moves.sum[letter]); });
     if (left_) note(moves, nullptr, before, alone);
     return to;
@@ -288,7 +288,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     waiting &= ~letters;
   };
   for (; from < to; ++line) {
-    const size_t next = read_plain_words(bytes, from, &words);
+    const size_t next = reader_.read(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if (compensates && words.letters != 0) break;
     const uint32_t axes = words.letters & PlainLine::kAxes;
