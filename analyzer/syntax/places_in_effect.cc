@@ -66,9 +66,9 @@ Place PlacesInEffect::started_on(const MachineWords& machine) {
 void PlacesInEffect::assume(const ModeSets& before) {
   ModeSets& now = assumed_.now;
   for (size_t i = 0; i < kModes; ++i) {
-    const auto mode = static_cast<Mode>(i);
-    if (is_known(before, mode)) now[mode] = before[mode];
-    if (!is_single(now[mode])) now[mode] = now[mode] & (~now[mode] + 1);
+    const bool known = is_single(before.may[i]) && (before.open >> i & 1) == 0;
+    const ValueSet values = known ? before.may[i] : now.may[i];
+    now.may[i] = values & (~values + 1);
   }
   now.open = 0;
   // What refuses a move is not for its numbers.
