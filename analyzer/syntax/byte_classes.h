@@ -1,5 +1,5 @@
 // Which bytes of a text are digits, letters, line feeds and so on, a bit for each byte: the first step of reading plain lines
-// (bulk.h). The processor's vectors find them, 16 or 32 bytes at a time; without vectors a table does, one by one.
+// (bulk.h). The processor's vectors find them, 16 to 64 bytes at a time; without vectors they are looked at one by one.
 #pragma once
 
 #include <array>
