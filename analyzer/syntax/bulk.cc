@@ -93,33 +93,6 @@ void find_bad(const ByteClasses& in, size_t blocks, ByteClasses::Bits& bad) {
   }
 }
 
-/// Whether a line that ends in a line feed is `G4 P1.5`, perhaps with a line number: that changes no mode.
-bool only_waits(const char* at) {
-  const auto skip_blanks = [&at] {
-    while (is_space_or_tab(*at)) ++at;
-  };
-  const auto skip_digits = [&at] {
-    while (is_digit(*at)) ++at;
-  };
-  const auto skip_letter = [&](char small) {
-    skip_blanks();
-    if ((*at | 0x20) != small) return false;
-    ++at;
-    skip_blanks();
-    return true;
-  };
-  if (skip_letter('n')) skip_digits();
-  if (!skip_letter('g')) return false;
-  if (*at == '0') ++at;
-  if (*at++ != '4' || !skip_letter('p') || !is_digit(*at)) return false;
-  skip_digits();
-  if (*at == '.') ++at;
-  skip_digits();
-  skip_blanks();
-  if (*at == '\r') ++at;
-  return *at == '\n';
-}
-
 }  // namespace
 
 void LastLines::add(uint32_t axes, size_t line) {
@@ -332,8 +305,7 @@ Proven proven_after(std::string_view line, const Proven& before, const Proven& a
   }
   code[length] = '\n';
   PlainLine plain;
-  if (read_plain_line(code.data(), &plain) == nullptr) return only_waits(code.data()) ? before : always;
-  if ((plain.words() & refused) != 0) return always;
+  if (read_plain_line(code.data(), &plain) == nullptr || (plain.words() & refused) != 0) return always;
   Proven out = before;
   plain.learn(&out);
   return out;
