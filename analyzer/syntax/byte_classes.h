@@ -1,5 +1,5 @@
 // Which bytes of a text are digits, letters, line feeds and so on, a bit for each byte: the first step of reading plain lines
-// (bulk.h). The processor's vectors find them, 16 or 32 bytes at a time; without vectors a table does, one by one.
+// (bulk.h). The processor's vectors find them, 16 to 64 bytes at a time; without vectors they are looked at one by one.
 #pragma once
 
 #include <array>
@@ -32,6 +32,8 @@ struct ByteClassifier {
   const char* name;
   /// Sorts so many whole blocks; the first one becomes `classes`' block `first`.
   void (*classify)(const char* bytes, size_t blocks, size_t first, ByteClasses* classes);
+  /// Finds letters, line feeds, and where comments begin, in so many whole blocks.
+  void (*find_looks)(const char* bytes, size_t blocks, uint64_t* bits);
 };
 
 /// Those that this processor can run, the fastest first. The last one uses no vectors.

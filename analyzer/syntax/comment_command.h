@@ -9,6 +9,9 @@
 
 namespace owlint {
 
+/// Comments for owlint begin with it, in small letters or capitals.
+inline constexpr std::string_view kOwlint = "owlint";
+
 /// A word that a comment begins with. Source: measured, see OW710.
 struct CommentCommand {
   enum Form : uint8_t {
@@ -46,6 +49,8 @@ constexpr const CommentCommand* comment_command(std::string_view text) {
   size_t to = from;
   while (to < text.size() && is_letter(text[to])) ++to;
   const std::string_view word = text.substr(from, to - from);
+  constexpr std::string_view kFirstLetters = "mdlap";  // most comments have another
+  if (word.empty() || kFirstLetters.find(static_cast<char>(word[0] | 0x20)) == std::string_view::npos) return nullptr;
   const auto* command = std::ranges::find_if(kCommentCommands, [word](const CommentCommand& one) {
     return std::ranges::equal(word, one.word, [](char a, char b) { return (a | 0x20) == b; });
   });

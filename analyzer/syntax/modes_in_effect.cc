@@ -95,6 +95,9 @@ void ModesInEffect::note(Mode mode, uint8_t value, uint32_t line) {
 
 /// Remembers what a mode is set to, until a line depends on it: if it is set again before, the first time was for nothing.
 void ModesInEffect::note_set(Mode mode, uint8_t value, uint32_t line) {
+  // Of other modes nobody asks (OW855), and they are set often: the motion on each line.
+  constexpr ModeMask kAsked = mask_of(Mode::kUnits) | mask_of(Mode::kDistance) | mask_of(Mode::kPlane);
+  if ((kAsked & mask_of(mode)) == 0) return;
   ModeChange& before = last_set_[static_cast<size_t>(mode)];
   const bool known = before.value != ModeChange::kAny && value != ModeChange::kAny;
   if ((unused_ & mask_of(mode)) != 0 && known && before.value != value && before.line != line)

@@ -66,9 +66,9 @@ Place PlacesInEffect::started_on(const MachineWords& machine) {
 void PlacesInEffect::assume(const ModeSets& before) {
   ModeSets& now = assumed_.now;
   for (size_t i = 0; i < kModes; ++i) {
-    const auto mode = static_cast<Mode>(i);
-    if (is_known(before, mode)) now[mode] = before[mode];
-    if (!is_single(now[mode])) now[mode] = now[mode] & (~now[mode] + 1);
+    const bool known = is_single(before.may[i]) && (before.open >> i & 1) == 0;
+    const ValueSet values = known ? before.may[i] : now.may[i];
+    now.may[i] = values & (~values + 1);
   }
   now.open = 0;
   // What refuses a move is not for its numbers.
@@ -265,7 +265,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
       return to;
     }
     const PlainMoves moves =
-        needs_sums(before) ? plain_moves(bytes, from, to) : last_plain_moves(bytes, effect.axes, last);
+        needs_sums(before) ? plain_moves(bytes, from, to, &reader_) : last_plain_moves(bytes, effect.axes, last);
     for_letters(moves.letters, [&](size_t letter) { go(letter, moves.last[letter], moves.sum[letter]); });
     if (left_) note(moves, nullptr, before, alone);
     return to;
@@ -288,7 +288,7 @@ size_t PlacesInEffect::pass(std::string_view bytes, size_t from, size_t to, uint
     waiting &= ~letters;
   };
   for (; from < to; ++line) {
-    const size_t next = read_plain_words(bytes, from, &words);
+    const size_t next = reader_.read(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if (compensates && words.letters != 0) break;
     const uint32_t axes = words.letters & PlainLine::kAxes;

@@ -87,6 +87,7 @@ class PlacesInEffect {
   Place place_;
   bool left_ = false;
   uint32_t questions_ = 0;
+  PlainWordReader reader_;
   std::vector<PlaceChange> pending_;  // since the last statement
   std::vector<ModeFault> faults_;
 };

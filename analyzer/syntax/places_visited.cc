@@ -92,7 +92,7 @@ void PlacesInEffect::tell_each(std::string_view bytes, size_t from, size_t to, u
   Motion motion = motion_of(assumed_.now);
   PlainWords words;
   for (; from < to; ++line) {
-    from = read_plain_words(bytes, from, &words);
+    from = reader_.read(bytes, from, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     words.convert(kAxisLetters);
     tell_line(words, motion, line);
@@ -110,7 +110,7 @@ void PlacesInEffect::walk(std::string_view bytes, size_t from, size_t to, uint32
   PlainWords words;
   uint32_t number = line;
   for (size_t at = from; at < to; ++number) {
-    at = read_plain_words(bytes, at, &words);
+    at = reader_.read(bytes, at, &words);
     if (words.code >= 0) motion = static_cast<Motion>(words.code);
     if ((words.letters & kAxisLetters) == 0) continue;
     words.convert(kAxisLetters);

@@ -1,5 +1,7 @@
 #include "analyzer/syntax/plain_line.h"
 
+#include <algorithm>
+
 #include "analyzer/syntax/comment_command.h"
 #include "analyzer/text/characters.h"
 
@@ -27,7 +29,14 @@ constexpr std::array<uint32_t, 256> make_letters() {
 constexpr auto kLetterBits = make_letters();
 
 /// Bytes of a comment that says something to people alone. A colon may belong to a directive of owlint.
-constexpr bool is_prose(char c) { return (c >= ' ' && c <= '~' && c != '(' && c != ')' && c != ':') || c == '\t'; }
+constexpr std::array<bool, 256> make_prose() {
+  std::array<bool, 256> prose{};
+  for (char c = ' '; c <= '~'; ++c) prose[static_cast<unsigned char>(c)] = c != '(' && c != ')' && c != ':' && c != ';';
+  prose['\t'] = true;
+  return prose;
+}
+constexpr auto kProse = make_prose();
+bool is_prose(char c) { return kProse[static_cast<unsigned char>(c)]; }
 
 /// Three letters that follow each other, as a number.
 uint32_t three(uint32_t words, uint32_t letters) { return (words & letters) / (letters & ~(letters - 1)); }
@@ -124,11 +133,21 @@ class PlainReader {
     return !is_digit(*at_) && *at_ != '.';
   }
 
-  /// The text of a comment; false if it is a command.
+  bool begins_with_owlint() const {
+    const char* at = at_;
+    return std::ranges::all_of(kOwlint, [&](char c) { return *at++ == c; });
+  }
+
+  /// The text of a comment; false if it is a command, or may be meant for owlint.
   bool prose() {
     commented_ = true;
-    const char* const from = ++at_;
-    while (is_prose(*at_)) ++at_;
+    const char* const from = at_ + 1;
+    do {
+      ++at_;
+      skip_blanks();
+      if (begins_with_owlint()) return false;
+      while (is_prose(*at_)) ++at_;
+    } while (*at_ == ';');
     return comment_command({from, at_}) == nullptr;
   }
 

@@ -1,5 +1,6 @@
 #include "analyzer/syntax/plain_words.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cstring>
@@ -51,25 +52,22 @@ double any_number(const char* at) {
   return value;
 }
 
-/// Up to eight digits, which lie in one number of the processor, a byte each.
-class Eight {
+/// Up to seven digits, which lie in one number of the processor, a byte each.
+class Digits {
  public:
-  explicit Eight(const char* at) {
+  explicit Digits(const char* at) {
     std::memcpy(&digits_, at, sizeof(digits_));
     digits_ ^= kEach * '0';
     // The bytes that are no digits have their highest bit set.
     const uint64_t others = (digits_ | (digits_ + kEach * 0x76)) & kEach * 0x80;
     count_ = static_cast<unsigned>(std::countr_zero(others)) / 8;
   }
+  /// 8 if there may be more.
   unsigned count() const { return count_; }
-  /// Pairs of digits become numbers below 100, these numbers below 10,000, and these the whole.
-  uint64_t value() const {
-    if (count_ == 0) return 0;
-    constexpr uint64_t kPairs = 0x000000FF000000FF;
-    uint64_t pairs = digits_ << (64 - 8 * count_);
-    pairs = pairs * 10 + (pairs >> 8);
-    return ((pairs & kPairs) * 0x000F424000000064 + (pairs >> 16 & kPairs) * 0x0000271000000001) >> 32;
-  }
+  /// The digits stand last, behind zeros.
+  uint64_t last() const { return digits_ << 1 << (63 - 8 * count_); }
+  /// The same, with others behind them: at most eight together.
+  uint64_t last_before(const Digits& behind) const { return behind.last() | last() >> 8 * behind.count_; }
 
  private:
   static constexpr uint64_t kEach = 0x0101010101010101;
@@ -77,20 +75,35 @@ class Eight {
   unsigned count_ = 0;
 };
 
+/// Pairs of digits become numbers below 100, these numbers below 10,000, and these the whole.
+uint64_t value_of_digits(uint64_t digits) {
+  constexpr uint64_t kPairs = 0x000000FF000000FF;
+  const uint64_t pairs = digits * 10 + (digits >> 8);
+  return ((pairs & kPairs) * 0x000F424000000064 + (pairs >> 16 & kPairs) * 0x0000271000000001) >> 32;
+}
+
 /// So many bytes are read at most.
 constexpr std::ptrdiff_t kShortNumber = 20;
 
-/// A number with at most seven digits before the point, and behind it; -1 for others.
-double short_number(const char* at) {
-  constexpr unsigned kMost = 7;
-  const Eight whole(at);
-  if (whole.count() > kMost) return -1;
+/// Reads a number with at most seven digits before the point, and behind it; false for others.
+bool short_number(const char* at, double* number) {
+  constexpr unsigned kMost = 7, kTogether = 8;
+  const Digits whole(at);
+  if (whole.count() > kMost) return false;
   at += whole.count();
-  if (*at != '.') return static_cast<double>(whole.value());
-  const Eight part(at + 1);
-  if (part.count() > kMost) return -1;
+  if (*at != '.') {
+    *number = static_cast<double>(value_of_digits(whole.last()));
+    return true;
+  }
+  const Digits part(at + 1);
+  if (part.count() > kMost) return false;
   const double power = kPowers[part.count()];
-  return (static_cast<double>(whole.value()) * power + static_cast<double>(part.value())) / power;
+  *number = whole.count() + part.count() <= kTogether
+      ? static_cast<double>(value_of_digits(whole.last_before(part))) / power
+      : (static_cast<double>(value_of_digits(whole.last())) * power +
+         static_cast<double>(value_of_digits(part.last()))) /
+          power;
+  return true;
 }
 
 /// The next byte from `at` on that is looked at: none of those of a word.
@@ -111,14 +124,33 @@ const char* next_look(const char* at, const char* end) {
   return at;
 }
 
+/// Takes in the word of a letter, which stands there. Returns its bit; none for G and N.
+inline uint32_t take_word(size_t letter, const char* at, PlainWords* words) {
+  constexpr size_t kG = letter_index('g'), kN = letter_index('n');
+  do ++at;
+  while (is_space_or_tab(*at));
+  if (letter == kN) return 0;
+  if (letter == kG) {  // of a plain line, 0 to 3, also as 00 to 03
+    words->code = static_cast<int8_t>(at[is_digit(at[1]) ? 1 : 0] - '0');
+    return 0;
+  }
+  words->texts[letter] = at;
+  return 1U << letter;
+}
+
 }  // namespace
 
 double plain_number(const char* at, const char* end) {
-  const bool negative = *at == '-';
-  if (negative || *at == '+') ++at;
-  const double value = end - at > kShortNumber ? short_number(at) : -1;
-  const double number = value >= 0 ? value : any_number(at);
-  return negative ? -number : number;
+  // Both signs lie below the point and the digits, and a bit tells which it is: signs follow each other without an order, and a
+  // branch would often be the wrong one.
+  constexpr unsigned kMinusBit = 2;
+  static_assert('+' < '.' && '-' < '.' && '.' < '0' && ('-' >> kMinusBit & 1) == 1 && ('+' >> kMinusBit & 1) == 0);
+  const uint32_t sign = static_cast<uint32_t>(*at - '.') >> 31;
+  const uint64_t minus = sign & static_cast<uint32_t>(*at) >> kMinusBit;
+  at += sign;
+  double number = 0;
+  if (end - at <= kShortNumber || !short_number(at, &number)) number = any_number(at);
+  return std::bit_cast<double>(std::bit_cast<uint64_t>(number) ^ minus << 63);
 }
 
 void PlainWords::convert(uint32_t which) {
@@ -126,7 +158,6 @@ void PlainWords::convert(uint32_t which) {
 }
 
 size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words) {
-  constexpr size_t kG = letter_index('g'), kN = letter_index('n');
   words->letters = 0;
   words->code = -1;
   words->end = bytes.data() + bytes.size();
@@ -138,22 +169,71 @@ size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words) 
       if (*at == '\n') return static_cast<size_t>(at - bytes.data()) + 1;
       at = behind_comment(at);
     } else {
-      const size_t letter = look - 1U;
-      do ++at;
-      while (is_space_or_tab(*at));
-      if (letter == kG) words->code = static_cast<int8_t>(plain_number(at, words->end));
-      if (letter == kG || letter == kN) continue;
-      words->letters |= 1U << letter;
-      words->texts[letter] = at;
+      words->letters |= take_word(look - 1U, at++, words);
     }
   }
 }
 
-PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to) {
+/// Finds what is looked at in the bytes from there on.
+void PlainWordReader::look(std::string_view bytes, size_t from) {
+  constexpr size_t kBlock = ByteClasses::kBlock;
+  begin_ = from;
+  block_ = 0;
+  const size_t whole = std::min((bytes.size() - from) / kBlock, kBlocks);
+  blocks_ = whole;
+  by_->find_looks(bytes.data() + from, whole, looks_.data());
+  if (whole < kBlocks) {
+    std::array<char, kBlock> last{};
+    std::copy(bytes.begin() + static_cast<std::ptrdiff_t>(from + whole * kBlock), bytes.end(), last.begin());
+    by_->find_looks(last.data(), 1, looks_.data() + blocks_++);
+  }
+  left_ = looks_[0];
+}
+
+/// Goes on from there.
+void PlainWordReader::seek(std::string_view bytes, size_t from) {
+  constexpr size_t kBlock = ByteClasses::kBlock;
+  if (from < begin_ || from >= begin_ + blocks_ * kBlock) return look(bytes, from);
+  block_ = (from - begin_) / kBlock;
+  left_ = looks_[block_] & ~uint64_t{0} << (from - begin_) % kBlock;
+}
+
+size_t PlainWordReader::read(std::string_view bytes, size_t from, PlainWords* words) {
+  constexpr size_t kBlock = ByteClasses::kBlock;
+  const char* const text = bytes.data();
+  if (from != next_) seek(bytes, from);
+  uint32_t letters = 0;
+  words->code = -1;
+  words->end = text + bytes.size();
+  uint64_t left = left_;
+  for (;;) {
+    if (left == 0) {
+      if (++block_ == blocks_) look(bytes, begin_ + blocks_ * kBlock);
+      left = looks_[block_];
+      continue;
+    }
+    const size_t at = begin_ + block_ * kBlock + static_cast<size_t>(std::countr_zero(left));
+    left &= left - 1;
+    const uint8_t look = kLooks[static_cast<unsigned char>(text[at])];
+    if (look == kOther) {
+      if (text[at] == '\n') {
+        left_ = left;
+        words->letters = letters;
+        return next_ = at + 1;
+      }
+      seek(bytes, static_cast<size_t>(behind_comment(text + at) - text));
+      left = left_;
+      continue;
+    }
+    letters |= take_word(look - 1U, text + at, words);
+  }
+}
+
+PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to, PlainWordReader* reader) {
   PlainMoves moves;
   PlainWords words;
   while (from < to) {
-    from = read_plain_words(bytes, from, &words);
+    from = reader->read(bytes, from, &words);
     for_letters(words.letters & PlainLine::kAxes,
                 [&](size_t letter) { moves.add(letter, plain_number(words.texts[letter], words.end)); });
   }

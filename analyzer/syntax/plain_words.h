@@ -30,6 +30,28 @@ struct PlainWords {
 /// Finds the words of the plain line at `from`. Returns the offset of the next line.
 size_t read_plain_words(std::string_view bytes, size_t from, PlainWords* words);
 
+/// The same for lines that follow each other: vectors find the letters of many lines at once.
+class PlainWordReader {
+ public:
+  explicit PlainWordReader(const ByteClassifier* by = &byte_classifiers().front()) : by_(by) {}
+  /// `bytes`: the same each time.
+  size_t read(std::string_view bytes, size_t from, PlainWords* words);
+
+ private:
+  void look(std::string_view bytes, size_t from);
+  void seek(std::string_view bytes, size_t from);
+
+  static constexpr size_t kBlocks = 16;
+
+  const ByteClassifier* by_;
+  size_t begin_ = 0;  // what is known begins there
+  size_t block_ = 0;
+  size_t blocks_ = 0;       // that are known
+  size_t next_ = SIZE_MAX;  // the line behind the last one
+  uint64_t left_ = 0;       // of the block, from there on
+  std::array<uint64_t, kBlocks> looks_{};
+};
+
 /// Of an axis, by Axis, from its letter's index.
 constexpr size_t axis_of_letter(size_t letter) {
   constexpr size_t kU = 'u' - 'a', kX = 'x' - 'a';
@@ -94,7 +116,7 @@ struct PlainReaches {
 };
 
 /// Of the plain lines in [from, to).
-PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to);
+PlainMoves plain_moves(std::string_view bytes, size_t from, size_t to, PlainWordReader* reader);
 /// The last words of these axes alone; `last`: the lines that have them.
 PlainMoves last_plain_moves(std::string_view bytes, uint32_t axes, const LastLines& last);
 

@@ -5,10 +5,10 @@
 
 #include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/comment_command.h"
+#include "analyzer/syntax/line_look.h"
 #include "analyzer/syntax/line_parser.h"
 #include "analyzer/syntax/modes_in_effect.h"
 #include "analyzer/syntax/statement.h"
-#include "analyzer/text/characters.h"
 #include "analyzer/text/parallel.h"
 
 namespace owlint {
@@ -17,99 +17,6 @@ namespace {
 // Lines are skipped in stretches, and each stretch is let go when it is over: a file of gigabytes is never in
 // memory as a whole.
 constexpr size_t kStretch = 4 << 20;  // bytes
-
-/// Whether nothing but NUL bytes comes after the first of them, as at the end of a file on a disk that was pulled out: the
-/// interpreter does not see them.
-bool ends_in_nuls(std::string_view line) {
-  const size_t first = line.find('\0');
-  return first <= kLineLimit && line.find_first_not_of('\0', first) == std::string_view::npos;
-}
-
-struct LineView {
-  bool too_long = false;  // longer than LinuxCNC reads; then nothing else is known
-  bool matters = false;
-  bool code = false;    // something other than blanks and comments
-  bool speaks = false;  // a comment that may hold a directive; not looked for in lines that matter
-};
-
-/// Looks at a line that is not plain. One with code goes to the parser, and of comments those that LinuxCNC refuses.
-LineView look(std::string_view line) {
-  LineView view;
-  for (size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '(') {
-      const size_t close = line.find_first_of(std::string_view("()\0", 3), i + 1);
-      view.speaks = true;
-      if (close == std::string_view::npos || line[close] != ')') {
-        view.matters = view.code = true;
-        return view;
-      }
-      i = close;
-    } else if (c == ';') {
-      view.speaks = true;
-      if (line.find('\0', i) != std::string_view::npos) view.matters = true;
-      return view;
-    } else if (!is_blank(c)) {
-      view.matters = view.code = true;
-      return view;
-    } else if (c == '\r' && line.find_first_not_of(" \t\r\v\f", i) != std::string_view::npos) {
-      view.matters = true;
-    }
-  }
-  return view;
-}
-
-/// Whether a character, made small, is `b`.
-bool same_letter(char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + ('a' - 'A')) : a) == b; }
-
-/// Where `owlint:` is on a line, in capitals or not. Few comments have a colon.
-size_t find_directive(std::string_view line) {
-  constexpr std::string_view kWord = "owlint";
-  for (size_t colon = line.find(':'); colon != std::string_view::npos; colon = line.find(':', colon + 1)) {
-    if (colon >= kWord.size() &&
-        std::ranges::equal(line.substr(colon - kWord.size(), kWord.size()), kWord, same_letter))
-      return colon - kWord.size();
-  }
-  return std::string_view::npos;
-}
-
-/// Finds `owlint:` in the comments of a line. It is a fixed word: the parser of directives looks closer.
-void note_directive(std::string_view line, uint64_t offset, uint32_t number, bool code, bool on_oword, Syntax& out) {
-  const size_t at = find_directive(line);
-  if (at == std::string_view::npos) return;
-  const size_t opened = line.find_last_of("(;", at);
-  if (opened == std::string_view::npos) return;
-  size_t end = line.size();
-  if (line[opened] == '(') {
-    end = line.find(')', at);
-    if (end == std::string_view::npos) return;
-  }
-  while (end > at && is_blank(line[end - 1])) --end;
-  out.directives.push_back({number, {offset + at + 7, offset + end}, !code, on_oword});
-}
-
-/// Whether a comment begins with a word, in small letters or not. Measured: without a blank before its comma.
-bool begins(std::string_view comment, std::string_view word) {
-  return std::ranges::equal(comment.substr(0, word.size()), word, same_letter);
-}
-
-/// The comment that acts: of several in parentheses the last one, and none behind a semicolon (measured).
-std::string_view acting_comment(std::string_view line) {
-  std::string_view comment;
-  for (size_t at = 0; (at = line.find_first_of("(;", at)) != std::string_view::npos && line[at] == '(';) {
-    const size_t close = line.find(')', at);
-    if (close == std::string_view::npos) break;
-    comment = line.substr(at + 1, close - at - 1);
-    at = close + 1;
-  }
-  comment.remove_prefix(std::min(comment.find_first_not_of(" \t"), comment.size()));
-  return comment;
-}
-
-/// Whether the line runs Python. Behind a semicolon only where the line begins with exactly that (measured).
-bool runs_python(std::string_view line, std::string_view comment) {
-  return line.starts_with(";py,") || begins(comment, "py,") || begins(comment, "pyrun,");
-}
 
 /// The bytes up to the last line feed: what comes after it is not plain.
 std::string_view whole_lines(std::string_view bytes) { return bytes.substr(0, bytes.rfind('\n') + 1); }
@@ -196,6 +103,7 @@ void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refus
     } else {
       found.view.too_long = true;
     }
+    found.view.owlint = text.find(kOwlint) != std::string_view::npos;
     take(found);
     at = std::min(found.end + 1, size_t{stretch.end});
   }
@@ -262,6 +170,8 @@ class Reader {
   void take_line(size_t begin, size_t end, uint32_t number, const LineView& view) {
     std::string_view line = bytes_.substr(begin, end - begin);
     if (!seen_first_) note_first_line(line);
+    if (view.whole_p) out_.whole_p_lines.push_back(begin);
+    if (view.owlint) out_.owlint_lines.push_back(begin);
     Statement statement;
     statement.line = number;
     const bool too_long = view.too_long && !ends_in_nuls(line);

@@ -236,7 +236,11 @@ struct Syntax {
   std::vector<uint32_t> input_lines;       ///< lines that ask the machine's inputs: G38.2 to G38.5, M66
   std::vector<Directive> directives;
   std::vector<uint64_t>
-      command_lines;                ///< offsets of lines with a comment that begins like a command (comment_command.h)
+      command_lines;  ///< offsets of lines with a comment that begins like a command (comment_command.h)
+  /// Offsets of lines with a `P` and a whole number of three digits or more, without a point: a time of minutes, perhaps.
+  std::vector<uint64_t> whole_p_lines;
+  std::vector<uint64_t>
+      owlint_lines;                 ///< offsets of lines with the word `owlint`, in small letters, first in a comment
   std::vector<Span> split_numbers;  ///< `1 2` in a value, which is read as 12
   ExprPool exprs;
   Names names;

@@ -1,19 +1,19 @@
 // OW001 suppression-unknown: a suppression comment with a code that no rule has.
 // Depends on no fact about the interpreter: to LinuxCNC every suppression is an ordinary comment.
+#include "analyzer/syntax/comment_command.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow001 {
 namespace {
 
 /// `(owlint ignore OW104)` and `( owlint : ignore OW104 )`: comments that owlint does not take for its own.
-void check_marks(const Source& source, Reporter& out) {
-  constexpr std::string_view kMark = "owlint";
+void check_marks(std::string_view bytes, uint64_t line, Reporter& out) {
   constexpr std::string_view kBlanks = " \t";
-  const std::string_view bytes = source.bytes();
-  for (size_t at = bytes.find(kMark); at != std::string_view::npos; at = bytes.find(kMark, at + 1)) {
+  const size_t line_end = bytes.find('\n', line);
+  for (size_t at = bytes.find(kOwlint, line); at < line_end; at = bytes.find(kOwlint, at + 1)) {
     const size_t before = at == 0 ? std::string_view::npos : bytes.find_last_not_of(kBlanks, at - 1);
     if (before == std::string_view::npos || (bytes[before] != '(' && bytes[before] != ';')) continue;
-    const size_t end = at + kMark.size();
+    const size_t end = at + kOwlint.size();
     size_t behind = std::min(bytes.find_first_not_of(kBlanks, end), bytes.size());
     if (behind == end) continue;
     const bool colon = behind < bytes.size() && bytes[behind] == ':';
@@ -32,7 +32,7 @@ void check_marks(const Source& source, Reporter& out) {
 
 void check(const Input& in, Reporter& out) {
   if (in.suppressions_applied) return;
-  check_marks(*in.program.source, out);
+  for (const uint64_t line : in.program.syntax.owlint_lines) check_marks(in.program.source->bytes(), line, out);
   for (const Suppression& s : in.suppressions) {
     if (s.malformed) {
       Finding& f = out.add(s.span, "a comment for owlint has neither `ignore` nor `ignore-file`");

@@ -47,21 +47,8 @@ void report(const Input& in, Reporter& out, Span line) {
 
 void check(const Input& in, Reporter& out) {
   const std::string_view bytes = in.program.source->bytes();
-  const uint64_t end = in.program.source->line(in.program.syntax.last_code).end;
-  // P is rare where lines are many: moves have none.
-  size_t capital = bytes.find('P');
-  size_t small = bytes.find('p');
-  for (size_t at = std::min(capital, small); at < end; at = std::min(capital, small)) {
-    (at == capital ? capital : small) = bytes.find(bytes[at], at + 1);
-    if (!may_be_long(bytes.substr(at + 1, kLineLimit))) continue;
-    const size_t before = bytes.rfind('\n', at);
-    const size_t begin = before == std::string_view::npos ? 0 : before + 1;
-    const size_t behind = std::min(bytes.find('\n', at), bytes.size());
-    if (behind - begin > kLineLimit) continue;
-    report(in, out, {begin, behind});
-    capital = bytes.find('P', behind);
-    small = bytes.find('p', behind);
-  }
+  for (const uint64_t begin : in.program.syntax.whole_p_lines)
+    report(in, out, {begin, std::min<uint64_t>(bytes.find('\n', begin), bytes.size())});
 }
 
 }  // namespace

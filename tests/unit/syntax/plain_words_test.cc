@@ -32,6 +32,33 @@ TEST_CASE("numbers of plain words are what strtod reads", "[bulk]") {
   }
 }
 
+TEST_CASE("words of many lines are found by vectors as they are one by one", "[bulk]") {
+  std::mt19937 random(7);
+  std::string bytes;
+  for (int i = 0; i < 5'000; ++i) {
+    for (const char* word : {"N12", "G01", "X-1.5", "y 2.25", "Z.5", "(X9 of y8)", "I-3", "j4.", "F300", "         "}) {
+      if (random() % 2 == 0) bytes += word;
+    }
+    if (random() % 5 == 0) bytes += "; X5 (y)";
+    bytes += random() % 3 == 0 ? "\r\n" : "\n";
+  }
+  for (const ByteClassifier& by : byte_classifiers()) {
+    PlainWordReader reader(&by);
+    PlainWords expected, found;
+    for (size_t at = 0; at < bytes.size();) {
+      if (random() % 10 == 0) at = bytes.rfind('\n', random() % bytes.size()) + 1;  // also from elsewhere
+      if (at == bytes.size()) break;
+      const size_t next = read_plain_words(bytes, at, &expected);
+      REQUIRE(reader.read(bytes, at, &found) == next);
+      REQUIRE(found.letters == expected.letters);
+      REQUIRE(found.code == expected.code);
+      for_letters(found.letters, [&](size_t letter) { REQUIRE(found.texts[letter] == expected.texts[letter]); });
+      if (random() % 1000 == 0) break;
+      at = next;
+    }
+  }
+}
+
 TEST_CASE("words are found wherever they stand", "[bulk]") {
   std::mt19937 random(6);
   for (int i = 0; i < 20'000; ++i) {
