@@ -258,6 +258,29 @@ bool ends_as_shell(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+namespace {
+
+/// `sub x y` of a program that has an `endsub` without a label, too: text would have none.
+bool names_sub_with_words(const RefusedLine& line, Finding& f) {
+  constexpr StatementId kMost = 2000;  // lines that are looked through
+  const std::string_view rest = line.rest();
+  if (line.kind() != StopKind::kWordUnreadable || line.at != 0 || !rest.starts_with("sub") || !line.apart(3))
+    return false;
+  const auto& statements = line.program.syntax.statements;
+  const auto last = std::min<size_t>(statements.size(), line.id + size_t{kMost});
+  const bool ends = std::any_of(
+      statements.begin() + line.id, statements.begin() + static_cast<std::ptrdiff_t>(last), [&](const Statement& s) {
+        const LineError* const error = line.program.syntax.error(s);
+        return error != nullptr && error->kind == StopKind::kLabelForgotten && s.keyword == Keyword::kEndsub;
+      });
+  if (!ends) return false;
+  f.message = "the `o…` label is missing before `sub`, and its arguments have no names here";
+  f.help = "write `o<name> sub`: the arguments of the call are `#1`, `#2` and so on in the sub";
+  return true;
+}
+
+}  // namespace
+
 /// A keyword of another language, after a label or alone.
 bool is_other_word(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown &&
@@ -291,6 +314,7 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
     }
     return true;
   }
+  if (names_sub_with_words(line, f)) return true;
   // A LinuxCNC keyword that is not followed by brackets.
   const Keyword keyword = keyword_of(line.rest());
   if ((line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kNumberMissing) ||

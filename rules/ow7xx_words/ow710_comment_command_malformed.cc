@@ -146,7 +146,8 @@ class Checker {
     }
     if (word.size() > kShort) {
       std::string near = nearest(word, commands, 1);
-      if (!near.empty()) return near;
+      // `(xDEBUG,` is switched off by hand.
+      if (!near.empty()) return word.size() > near.size() && word.ends_with(near) ? std::string() : near;
     }
     // Of a short word, only swapped, doubled and first letters: `lot`, `leg` and `mug` are words.
     constexpr std::string_view kMessage[] = {"sg", "mgs", "smg", "msgg", "mssg", "mmsg", "mesg"};
