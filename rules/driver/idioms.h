@@ -70,7 +70,6 @@ using Idiom = bool (*)(const RefusedLine& line, Finding& finding);
 
 // On a line as a whole (idioms_lines.cc).
 bool has_braces(const RefusedLine& line, Finding& f);
-bool has_two_brackets(const RefusedLine& line, Finding& f);
 bool has_comment_inside(const RefusedLine& line, Finding& f);
 bool brackets_behind_keyword(const RefusedLine& line, Finding& f);
 bool tests_behind_do(const RefusedLine& line, Finding& f);
@@ -80,6 +79,19 @@ bool has_odd_sign(const RefusedLine& line, Finding& f);
 bool has_other_comment(const RefusedLine& line, Finding& f);
 bool comes_before_percent(const RefusedLine& line, Finding& f);
 bool jumps_behind_keyword(const RefusedLine& line, Finding& f);
+bool continues_with_if(const RefusedLine& line, Finding& f);
+
+// In a condition (idioms_conditions.cc).
+bool has_two_brackets(const RefusedLine& line, Finding& f);
+bool compares_nothing(const RefusedLine& line, Finding& f);
+
+// Of one sign that is too many, or missing (idioms_signs.cc).
+bool numbers_block_delete(const RefusedLine& line, Finding& f);
+bool has_percent(const RefusedLine& line, Finding& f);
+bool assigns_to_number(const RefusedLine& line, Finding& f);
+bool has_dollar(const RefusedLine& line, Finding& f);
+bool quotes_text(const RefusedLine& line, Finding& f);
+bool names_axis(const RefusedLine& line, Finding& f);
 
 // In a word of another language (idioms_words.cc).
 bool jumps(const RefusedLine& line, Finding& f);
@@ -104,10 +116,14 @@ bool lacks_letter_of_value(const RefusedLine& line, Finding& f);
 bool lacks_closing_bracket(const RefusedLine& line, Finding& f);
 bool assigns_twice(const RefusedLine& line, Finding& f);
 
-// In a value (idioms_values.cc).
+// In the name of a parameter (idioms_names.cc).
+/// Where the name that begins at `from` ends, at the latest at the end of the line.
+size_t name_end(const RefusedLine& line, size_t from);
 bool names_without_brackets(const RefusedLine& line, Finding& f);
 bool names_half_bracketed(const RefusedLine& line, Finding& f);
 bool names_without_number_sign(const RefusedLine& line, Finding& f);
+
+// In a value (idioms_values.cc).
 bool lacks_value(const RefusedLine& line, Finding& f);
 bool brackets_whole_word(const RefusedLine& line, Finding& f);
 bool has_comment_in_value(const RefusedLine& line, Finding& f);
@@ -126,6 +142,7 @@ bool calls_function_in_round(const RefusedLine& line, Finding& f);
 // In a comma or a semicolon (idioms_commas.cc).
 /// Whether `1,000` may be a thousand: then no point is put in the place of the comma at `comma`. `*text` says so.
 bool may_be_thousands(const RefusedLine& line, size_t comma, size_t behind, std::string* text);
+bool has_thousands_mark(const RefusedLine& line, Finding& f);
 bool has_comma(const RefusedLine& line, Finding& f);
 
 // In an assignment (idioms_assignments.cc).
@@ -142,6 +159,7 @@ std::string arguments_in_brackets(std::string_view written);
 bool passes_without_brackets(const RefusedLine& line, Finding& f);
 bool passes_words(const RefusedLine& line, Finding& f);
 bool divides_arguments(const RefusedLine& line, Finding& f);
+bool names_sub_arguments(const RefusedLine& line, Finding& f);
 
 // In a label (idioms_labels.cc).
 /// The number of other lines that the label of a line was surely meant to be, `100` of `o1o0 endif` and of `N10 100 endif`;
@@ -169,6 +187,7 @@ bool calls_without_keyword(const RefusedLine& line, Finding& f);
 bool calls_by_name(const RefusedLine& line, Finding& f);
 bool names_contour(const RefusedLine& line, Finding& f);
 bool calls_in_value(const RefusedLine& line, Finding& f);
+bool calls_m98_in_value(const RefusedLine& line, Finding& f);
 bool names_arguments(const RefusedLine& line, Finding& f);
 bool has_label_behind(const RefusedLine& line, Finding& f);
 bool labels_with_word(const RefusedLine& line, Finding& f);

@@ -171,6 +171,43 @@ bool passes_words(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+/// `o<f> sub #<x> #<y>`, `o<f> sub x, y`.
+bool names_sub_arguments(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kTrailingText || !line.has_keyword(Keyword::kSub)) return false;
+  const std::string_view text = line.text.text();
+  std::vector<std::string> names;
+  for (size_t at = line.at; at < line.end;) {
+    if (text[at] == ',') {
+      ++at;
+      continue;
+    }
+    const bool sign = text[at] == '#';
+    const bool closed = text.substr(at + (sign ? 1 : 0)).starts_with('<');
+    const size_t from = at + (sign ? 1 : 0) + (closed ? 1 : 0);
+    size_t to = from;
+    while (to < line.end && (is_small_letter(text[to]) || is_digit(text[to]) || text[to] == '_') &&
+           (to == from || closed || !line.apart(to)))
+      ++to;
+    // `sub why` is more likely a comment, and `#1` of the call is set already.
+    if (to == from || (closed && text[to] != '>') || is_digit(text[from])) return false;
+    if (!sign && !line.is_parameter(text.substr(from, to - from))) return false;
+    names.push_back(line.written(from, to));
+    at = to + (closed ? 1 : 0);
+  }
+  if (names.empty()) return false;
+  std::string all;
+  for (size_t i = 0; i < names.size(); ++i) all += (i == 0 ? "#<" : " #<") + names[i] + "> = #" + std::to_string(i + 1);
+  f.message = "`sub` takes no names: the arguments of the call are `#1`, `#2` and so on in the sub";
+  f.help = "write `" + all + "` on the next line";
+  const Span rest{line.text.span(line.at - 1, line.at).end, line.text.span(line.at, line.end).end};
+  line.propose(
+      f, f.help,
+      {{rest,
+        line_end(*line.program.source, line.statement) + indent_of(*line.program.source, line.statement) + "  " + all}},
+      false);
+  return true;
+}
+
 /// `call [#5 #6]`, `call [1.5 2.5]`, `call [5 [6]]`: one pair of brackets around several values.
 bool divides_arguments(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression || !line.has_keyword(Keyword::kCall)) return false;

@@ -142,6 +142,10 @@ bool lacks_equal(const RefusedLine& line, Finding& f) {
   if (std::string_view("0123456789.-+[#").find(line.text[to]) == std::string_view::npos) return false;
   const std::string value = line.written(to, line.end);
   f.message = "the `=` after `" + target + "` is missing";
+  if (value.find('=') != std::string::npos) {
+    f.help = "write a value for each, such as `" + target + " = 0 " + value + "`";
+    return true;
+  }
   f.help = "write `" + target + " = " + value + "`";
   line.propose(f, f.help, {line.put(line.at, line.end, target + " = " + value)}, false);
   return true;

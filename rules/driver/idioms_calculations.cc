@@ -93,6 +93,21 @@ std::string as_sum(std::string_view written) {
   return (negative ? "-" + whole + "-" : whole + "+").append(upper).append("/").append(lower);
 }
 
+/// `1-1/2`, which drawings in inches have for 1 1/2: the sum. Empty for other calculations.
+std::string mixed_fraction(std::string_view written) {
+  const size_t sign = written.find('-');
+  const size_t slash = written.find('/');
+  if (sign == 0 || sign == std::string_view::npos || slash == std::string_view::npos || slash < sign) return {};
+  const std::string_view lower = written.substr(slash + 1);
+  constexpr std::string_view kLower[] = {"2", "4", "8", "16", "32", "64"};
+  const std::string_view upper = written.substr(sign + 1, slash - sign - 1);
+  const bool digits = written.substr(0, sign).find_first_not_of("0123456789") == std::string_view::npos &&
+      !upper.empty() && upper.find_first_not_of("0123456789") == std::string_view::npos;
+  const bool proper = upper.size() < lower.size() || (upper.size() == lower.size() && upper < lower);
+  if (!digits || !proper || std::ranges::find(kLower, lower) == std::end(kLower)) return {};
+  return std::string(written.substr(0, sign)).append("+").append(written.substr(sign + 1));
+}
+
 /// The exclusive or of a line's bytes before `end`, as the firmware of printers checks them.
 int checksum_of(std::string_view bytes) {
   int sum = 0;
@@ -238,6 +253,10 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
     f.message = "`" + all + "` is a calculation, and must be in brackets";
     f.help = "write `[" + sum + "]`";
     line.propose(f, f.help, {{span, "[" + sum + "]"}}, false);
+    return true;
+  }
+  if (const std::string other = mixed_fraction(all); !other.empty()) {
+    f.help = "write `[" + other + "]` for a whole number and a fraction, `[" + all + "]` for a calculation";
     return true;
   }
   if (divides_number(line, start, *end) || !surely_runs("#1=[" + all + "]")) {

@@ -114,7 +114,9 @@ bool names_contour(const RefusedLine& line, Finding& f) {
   const std::string_view label = line.text.text().substr(line.at + 2, close - line.at - 2);
   if (!line.is_sub(label) && line.is_parameter(label)) return false;
   f.message = "`Q` takes the number of a sub, not its name";
-  f.help = "give the sub a number, such as `o100 sub` … `o100 endsub`, and write `Q100`";
+  const std::string number = with_free_label(line.in, "o100 ");
+  f.help = "give the sub a number, such as `" + number + "sub` … `" + number + "endsub`, and write `Q" +
+      number.substr(1, number.size() - 2) + "`";
   return true;
 }
 
@@ -142,23 +144,36 @@ bool calls_in_value(const RefusedLine& line, Finding& f) {
   const size_t label = text.substr(from).starts_with(kCall) ? from + kCall.size() : from;
   if (label + 1 >= line.end || text[label] != 'o' || (text[label + 1] != '<' && !is_digit(text[label + 1])))
     return false;
-  std::string call = line.written(label, bracket_end(line, label));
-  if (label != from) {
-    const size_t behind = label_end(line, label);
-    if (behind == 0) return false;
-    const std::string values = line.written(behind, bracket_end(line, label));
-    call = line.written(label, behind) + " call" + (values.empty() ? "" : " ") + values;
+  size_t behind = label_end(line, label);
+  if (behind == 0) return false;
+  std::string call = line.written(label, behind) + " call";
+  if (label == from && text.substr(behind).starts_with(kCall)) behind += kCall.size();
+  while (behind < line.end && text[behind] == '[') {
+    const size_t close = bracket_end(line, behind + 1);
+    if (close == line.end) break;
+    call += " " + line.written(behind, close + 1);
+    behind = close + 1;
   }
   f.message = "a call cannot be used as a value";
   f.help = "call the sub on a line of its own: `" + call + "`; its result is then in `#<_value>`";
-  const bool assigns = from > 0 && text[from - 1] == '=' && text[0] == '#' && line.end == text.size();
-  if (!assigns || text.substr(from, line.end - from).find("call") == std::string_view::npos) return true;
+  const bool alone = text.substr(behind, line.end - behind).find(kCall) == std::string_view::npos;
+  if (!alone || line.statement.block_delete || line.statement.kind == LineKind::kOWord || text[0] == 'n') return true;
   const std::string begin = indent_of(*line.program.source, line.statement);
-  const std::string target = line.written(0, from);
-  line.propose(
-      f, "call first, then read `#<_value>`",
-      {line.put(0, line.end, call + line_end(*line.program.source, line.statement) + begin + target + " #<_value>")},
-      false);
+  line.propose(f, "call first, then read `#<_value>`",
+               {line.put(0, 0, call + line_end(*line.program.source, line.statement) + begin),
+                line.put(from, behind, "#<_value>")},
+               false);
+  return true;
+}
+
+/// `#1 = M98 P100`.
+bool calls_m98_in_value(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kExpression || !line.rest().starts_with("m98p") || line.at == 0) return false;
+  const size_t digits = std::min(line.rest().find_first_not_of("0123456789", 4), line.rest().size());
+  const std::string number = line.written(line.at + 4, line.at + digits);
+  f.message = "a call cannot be used as a value, and `M98` returns none";
+  f.help = "call the sub on a line of its own, `o" + (number.empty() ? "100" : number) +
+      " call`, and end it with `endsub [...]`: its result is then in `#<_value>`";
   return true;
 }
 

@@ -42,6 +42,14 @@ bool begins_dash_comment(const RefusedLine& line, size_t at, std::string_view pl
   return !text.empty() && is_small_letter(text[0]) && std::ranges::none_of(kFunctionNames, calls);
 }
 
+/// A text to put between two places, without the blanks at its ends that are there already.
+std::string without_second_blanks(const Source& source, std::string text, uint64_t from, uint64_t to) {
+  if (text.size() < 2) return text;
+  if (text.ends_with(' ') && source.slice({to, to + 1}) == " ") text.pop_back();
+  if (text.starts_with(' ') && from > 0 && source.slice({from - 1, from}) == " ") text.erase(0, 1);
+  return text;
+}
+
 /// The digit that a letter of a number looks like; 0 if it looks like none.
 char digit_of(char c) { return c == 'l' || c == 'I' ? '1' : c == 'o' || c == 'O' ? '0' : '\0'; }
 
@@ -64,7 +72,10 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
     ++first;
   const std::string instead = readable(line, first, same->plain);
   f.message = look_alike_text(from);
-  f.help = instead.empty() ? "remove it" : instead == " " ? "type an ordinary space" : "type `" + instead + "`";
+  const std::string typed = instead.substr(std::min(instead.find_first_not_of(' '), instead.size()));
+  f.help = instead.empty() ? "remove it"
+      : typed.empty()      ? "type an ordinary space"
+                           : "type `" + typed.substr(0, typed.find_last_not_of(' ') + 1) + "`";
   if (instead == "0") f.help += ", a zero";
   if (begins_dash_comment(line, first, same->plain)) {
     f.message = "`" + std::string(from.substr(0, character_at(from).length)) + "` does not begin a comment";
@@ -96,8 +107,9 @@ bool has_look_alike(const RefusedLine& line, Finding& f) {
     const auto plain = is_foreign(c) ? look_alike(character.code) : std::nullopt;
     if (plain) {
       if (plain->plain == "," && may_be_of_thousands(i)) return true;
-      edits.push_back({{at, at + character.length}, readable(line, i, plain->plain)});
-      surely_meant = surely_meant && (edits.back().text == plain->plain || edits.back().text == "0");
+      const std::string right = readable(line, i, plain->plain);
+      surely_meant = surely_meant && (right == plain->plain || right == "0");
+      edits.push_back({{at, at + character.length}, without_second_blanks(source, right, at, at + character.length)});
     }
     i += character.length;
   }

@@ -99,7 +99,9 @@ bool prints_text(const RefusedLine& line, Finding& f) {
 
 /// `#1 = 5mm`, `F100mm/min`.
 bool has_unit(const RefusedLine& line, Finding& f) {
-  if ((line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kNumberMissing) || line.at == 0)
+  const bool inside =
+      line.kind() == StopKind::kExpression && line.error.message.starts_with("Unknown operation");  // `SIN[30deg]`
+  if ((!inside && line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kNumberMissing) || line.at == 0)
     return false;
   const char before = line.text[line.at - 1];
   if (!is_digit(before) && before != '.' && before != '>' && before != ']') return false;

@@ -1,6 +1,7 @@
 // Idioms in labels: a zero and the letter O in each other's place, and a sign behind the label or in the keyword.
 #include <algorithm>
 
+#include "analyzer/syntax/known_line.h"
 #include "analyzer/text/characters.h"
 #include "rules/driver/idioms.h"
 
@@ -214,6 +215,21 @@ bool label_block(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+/// `IF [#1 EQ 2] G0 X1`: a block on one line, without its label.
+bool tests_and_acts(const RefusedLine& line, Finding& f) {
+  const std::string_view text = line.text.text().substr(0, line.end);
+  const size_t open = line.at + line.keyword_text().size();
+  if (!line.has_keyword(Keyword::kIf) || open >= text.size() || text[open] != '[') return false;
+  const std::optional<size_t> behind = behind_bracket(text, open);
+  if (!behind || *behind >= line.end) return false;
+  const std::string act = line.written(*behind, line.end);
+  if (surely_refused(act)) return false;
+  const std::string label = with_free_label(line.in, "o100 ");
+  f.help = "write `" + label + "if " + line.written(open, *behind) + "`, `" + act + "` and `" + label +
+      "endif` on three lines";
+  return true;
+}
+
 }  // namespace
 
 /// `endif`, `N100 sub`: a keyword without its label.
@@ -242,7 +258,8 @@ bool lacks_label(const RefusedLine& line, Finding& f) {
   }
   f.message = "the `o…` label is missing before `" + word + "`";
   const std::string below = label_meant(line, line.statement.keyword);
-  f.help = "write the label first: `" + (below.empty() ? "o100" : below) + " " + word + "`";
+  f.help = "write the label first: `" + (below.empty() ? with_free_label(line.in, "o100 ") : below + " ") + word + "`";
+  if (below.empty() && tests_and_acts(line, f)) return true;
   const BlockId block = p.block_of[line.id];
   const Region& region = p.regions[p.region_of[line.id]];
   const bool of_sub = line.has_keyword(Keyword::kEndsub) || line.has_keyword(Keyword::kReturn);

@@ -7,15 +7,6 @@
 #include "analyzer/text/characters.h"
 
 namespace owlint::rules {
-namespace {
-
-/// What an operator of another language is in LinuxCNC, if a condition can go on with it.
-std::string_view joint_of(std::string_view text) {
-  return text.starts_with('&') ? "AND" : text.starts_with('|') ? "OR" : "";
-}
-
-}  // namespace
-
 /// `if {#1 EQ 3}`, `X{#1+1}`.
 bool has_braces(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text().substr(0, line.end);
@@ -33,91 +24,6 @@ bool has_braces(const RefusedLine& line, Finding& f) {
   f.message = "`{ }` are not brackets in LinuxCNC";
   f.help = "write square brackets: `[ ]`";
   line.propose(f, f.help, std::move(edits), false);
-  return true;
-}
-
-/// `o100 if [#1 EQ 2] AND [#3 LT 4]`: one bracket must be around it all.
-bool has_two_brackets(const RefusedLine& line, Finding& f) {
-  constexpr std::string_view kOperators[] = {"and", "or", "xor", "eq", "ne", "gt", "ge",
-                                             "lt",  "le", "mod", "+",  "-",  "*",  "/"};
-  const std::string_view rest = line.rest();
-  const bool takes_one = line.has_keyword(Keyword::kIf) || line.has_keyword(Keyword::kElseif) ||
-      line.has_keyword(Keyword::kWhile) || line.has_keyword(Keyword::kRepeat) || line.has_keyword(Keyword::kReturn) ||
-      line.has_keyword(Keyword::kEndsub);
-  if (line.kind() != StopKind::kTrailingText || !line.statement.has_bracket || !takes_one) return false;
-  const bool counts = line.has_keyword(Keyword::kRepeat);
-  const bool tests = !counts && !line.has_keyword(Keyword::kReturn) && !line.has_keyword(Keyword::kEndsub);
-  if (rest.starts_with("[") || (tests && rest.starts_with(",["))) {
-    f.message = "`" + line.keyword_text() + "` takes one pair of brackets, but here is a second one";
-    f.help = tests ? "write one pair around everything, and join the parts: `[[...] AND [...]]`"
-        : counts   ? "write one count, in one pair of brackets"
-                   : "return one value";
-    return true;
-  }
-  const std::string_view joint = joint_of(rest);
-  if (joint.empty() && std::ranges::none_of(kOperators, [&](std::string_view word) { return rest.starts_with(word); }))
-    return false;
-  const bool computes = joint.empty() && (line.first_word().empty() || rest.starts_with("mod"));
-  if (counts && !computes) {
-    f.message = "`repeat` takes a number of passes, but no condition";
-    f.help = "write the loop as a `while` with a counter: it can test a condition, too";
-    return true;
-  }
-  const size_t open = line.text.text().find('[', line.text.text().find(line.keyword_text()));
-  if (line.before().ends_with(')')) {
-    const size_t comment = line.before().rfind('(');
-    const std::string word = joint.empty() ? std::string() : std::string(joint) + " ";
-    const size_t from = line.at + (joint.empty() ? 0 : std::min(rest.find_first_not_of("&|"), rest.size()));
-    const std::string all = line.written(open, comment) + " " + word + line.written(from, line.end);
-    f.message = "the condition ends before the comment: put brackets around the whole condition";
-    f.help = "write `" + line.keyword_text() + " [" + all + "]`, and the comment behind it";
-    return true;
-  }
-  const size_t behind_joint = line.at + std::min(rest.find_first_not_of("&|"), rest.size());
-  if (!joint.empty()) {
-    const std::string all =
-        line.written(open, line.at) + " " + std::string(joint) + " " + line.written(behind_joint, line.end);
-    f.message = "`" + line.written(line.at, behind_joint) + "` is not a LinuxCNC operator";
-    f.help = "write `" + line.keyword_text() + " [" + all + "]`";
-    line.propose(f, f.help, {line.put(open, line.end, "[" + all + "]")}, false);
-    return true;
-  }
-  // Up to where the condition goes on.
-  const std::string_view whole = line.text.text().substr(0, line.end);
-  const auto* const first =
-      std::ranges::find_if(kOperators, [&](std::string_view word) { return rest.starts_with(word); });
-  std::optional<size_t> behind_all = line.at;
-  for (const auto* word = first; behind_all && word != std::end(kOperators);) {
-    behind_all = behind_value(whole, *behind_all + word->size());
-    word = std::ranges::find_if(
-        kOperators, [&](std::string_view w) { return behind_all && whole.substr(*behind_all).starts_with(w); });
-  }
-  const std::string what = tests ? "condition" : counts ? "count" : "value";
-  f.message = "the " + what + " ends before `" + line.written(line.at, line.at + first->size()) +
-      "`: put brackets around the whole " + what;
-  const size_t all_end = behind_all.value_or(line.end);
-  const std::string all = line.written(open, all_end);
-  f.help = "write `" + line.keyword_text() + " [" + all + "]`";
-  if (!behind_all) {
-    f.help = "write `" + line.keyword_text() + " [" + line.written(open, line.at) + " " +
-        line.written(line.at, line.at + first->size()) + " [...]]`";
-    return true;
-  }
-  const std::string behind_text = line.written(all_end, line.end);
-  if (whole.substr(all_end) == "]") {  // the outer bracket is only closed
-    line.propose(f, "write `[` before the " + what, {line.put(open, open, "[")}, true);
-    return true;
-  }
-  if (!behind_text.empty()) {
-    f.help += ", and `" + behind_text + "` on a line of its own";
-    return true;
-  }
-  // What computes is perhaps no part of the condition.
-  line.propose(f, "write brackets around everything", {line.put(open, open, "["), line.put(line.end, line.end, "]")},
-               !computes);
-  // At the end of the text, not of the spaces after it.
-  const uint64_t behind = line.text.span(line.at, line.end).end;
-  f.fixes[0].edits[1].span = {behind, behind};
   return true;
 }
 
@@ -191,6 +97,21 @@ bool jumps_behind_keyword(const RefusedLine& line, Finding& f) {
                  line_end(*line.program.source, line.statement) + indent_of(*line.program.source, line.statement) +
                      "  " + written}},
                false);
+  return true;
+}
+
+/// `o1 else o1 if [#2]`: an `elseif`.
+bool continues_with_if(const RefusedLine& line, Finding& f) {
+  const std::string label = line.program.label_at(line.id);
+  const std::string begin = small_letters(label) + "if[";
+  std::string_view rest = line.rest();
+  if (line.kind() != StopKind::kTrailingText || !line.has_keyword(Keyword::kElse) || !rest.starts_with(begin))
+    return false;
+  const std::string condition = line.written(line.at + begin.size() - 1, line.end);
+  f.message = "a second O-word after `" + line.program.head(line.id) + "`: both are one keyword, `elseif`";
+  f.help = "write `" + label + " elseif " + condition + "`";
+  const Span words{line.statement.keyword_span().begin, line.text.span(line.at, line.end).end};
+  line.propose(f, f.help, {{words, "elseif " + condition}}, false);
   return true;
 }
 
@@ -348,7 +269,7 @@ bool has_odd_sign(const RefusedLine& line, Finding& f) {
     f.help = "write text in a comment; a value is a number or a parameter";
   } else if (c == '{' || c == '}') {
     f.message = "`" + sign + "` has no meaning: blocks are between O-words, values in `[ ]`";
-    f.help = "remove it; a block ends with its own keyword, such as `o100 endif`";
+    f.help = with_free_label(line.in, "remove it; a block ends with its own keyword, such as `o100 endif`");
   } else {
     return false;
   }

@@ -10,33 +10,6 @@
 namespace owlint::rules {
 namespace {
 
-bool continues_name(char c) { return is_small_letter(c) || is_digit(c) || c == '_' || is_foreign(c); }
-
-/// Where the name that begins at `from` ends.
-size_t name_end(const RefusedLine& line, size_t from) {
-  while (from < line.end && continues_name(line.text[from])) ++from;
-  return from;
-}
-
-/// Where a name without its `>` ends: at the latest before an operator between blanks.
-size_t open_name_end(const RefusedLine& line, size_t from) {
-  const auto apart = [&](size_t at) { return line.text.offset(at) > line.text.offset(at - 1) + 1; };
-  const size_t to = name_end(line, from);
-  for (size_t i = from + 1; i < to; ++i) {
-    const auto begins = [&](std::string_view word) {
-      const size_t behind = i + word.size();
-      return line.rest().substr(i - line.at).starts_with(word) && (behind >= to || apart(behind));
-    };
-    if (apart(i) && std::ranges::any_of(kWordOperators, begins)) return i;
-    // `X#<rot Y5`: words behind a name of the program.
-    if (apart(i) && line.is_parameter(line.text.text().substr(from, i - from))) return i;
-  }
-  return to;
-}
-
-/// The name that begins at `from`, in the program's own letters.
-std::string name_at(const RefusedLine& line, size_t from) { return line.written(from, name_end(line, from)); }
-
 bool has_name(const RefusedLine& line, std::string_view name) {
   return line.program.syntax.names.find(name) != kNoName;
 }
@@ -92,72 +65,6 @@ constexpr std::array<Other, 21> kFunctions = {{
 }};
 
 }  // namespace
-
-/// `#depth = 5`, and `#depth> = 5`.
-bool names_without_brackets(const RefusedLine& line, Finding& f) {
-  // `Z-#depth` is refused at its letter.
-  const bool signed_value = line.kind() == StopKind::kNumberMalformed &&
-      (line.rest().substr(1).starts_with("-#") || line.rest().substr(1).starts_with("+#"));
-  const size_t from = line.at + (signed_value ? 3 : 0);
-  if ((line.kind() != StopKind::kExpression && !signed_value) || from == 0 || line.text[from - 1] != '#' ||
-      (!is_small_letter(line.text[from]) && line.text[from] != '_'))
-    return false;
-  const size_t to = name_end(line, from);
-  const std::string name = line.written(from, to);
-  if (signed_value) {
-    f.message = "the parameter name `" + name + "` is not in `< >`";
-    f.help = "write `" + line.written(line.at, from - 1) + "#<" + name + ">`";
-    line.propose(f, f.help, {line.put(from, to, "<" + name + ">")}, false);
-    return true;
-  }
-  const bool closed = line.text[to] == '>';
-  const bool assigns = line.text[closed ? to + 1 : to] == '=';
-  const bool apart = line.text.offset(line.at) > line.text.offset(line.at - 1) + 1;  // `# text`
-  if (line.statement.kind == LineKind::kWords && (line.at == 1 || apart) && !assigns && !closed) {
-    f.message = "`#` does not begin a comment";
-    f.help = "begin a comment with `;`; a parameter is `#1` or `#<name>`";
-    return true;
-  }
-  f.message = closed ? "the name `" + name + ">` has no `<`" : "the parameter name `" + name + "` is not in `< >`";
-  f.help = "write `#<" + name + ">`";
-  line.propose(f, f.help, {line.put(line.at, closed ? to + 1 : to, "<" + name + ">")}, assigns || closed);
-  return true;
-}
-
-/// `#<depth = 5`.
-bool names_half_bracketed(const RefusedLine& line, Finding& f) {
-  if (line.kind() != StopKind::kExpression || !line.error.message.starts_with("Named parameter not terminated"))
-    return false;
-  const size_t to = open_name_end(line, line.at + 1);
-  const std::string name = line.written(line.at + 1, to);
-  f.message = "the name `<" + name + "` has no `>`";
-  f.help = name.empty() ? "write `#<name>`" : "write `#<" + name + ">`";
-  if (name.empty()) return true;
-  line.propose(f, f.help, {line.put(line.at, to, "<" + name + ">")}, line.text[to] == '=');
-  return true;
-}
-
-/// `<depth> = 5`, `[<depth> + 1]`, `X<depth>`.
-bool names_without_number_sign(const RefusedLine& line, Finding& f) {
-  const bool word = (line.kind() == StopKind::kWordUnreadable || line.kind() == StopKind::kNumberMissing ||
-                     line.kind() == StopKind::kNumberMalformed) &&
-      line.text[line.at + 1] == '<';
-  const size_t open = word ? line.at + 1 : line.at;
-  if (line.kind() != StopKind::kBadCharacter && line.kind() != StopKind::kExpression && !word) return false;
-  if (open >= line.text.size() || line.text[open] != '<' || (open > 0 && line.text[open - 1] == '#')) return false;
-  if (line.kind() == StopKind::kExpression && line.error.message.starts_with("Unknown operation")) return false;
-  const std::string name = name_at(line, open + 1);
-  if (name.empty() || line.text[name_end(line, open + 1)] != '>') return false;
-  f.message = "the `#` is missing before `<" + name + ">`";
-  f.help = "write `#<" + name + ">`";
-  if (open == 0 && line.end == name_end(line, open + 1) + 1) {  // alone on its line
-    f.message = "`<" + name + ">` is neither a call nor a parameter";
-    f.help = "write `o<" + name + "> call` to call a sub, or `#<" + name + "> = 5` to set a parameter";
-    return true;
-  }
-  line.propose(f, f.help, {line.put(open, open, "#")}, true);
-  return true;
-}
 
 /// `#1 =`.
 bool lacks_value(const RefusedLine& line, Finding& f) {

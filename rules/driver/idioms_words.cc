@@ -22,7 +22,7 @@ struct OtherWord {
 };
 
 constexpr std::array<OtherWord, 42> kOtherWords = {{
-    {"gosub", "call a sub with `o100 call`"},
+    {"gosub", "call a sub with `o<name> call`"},
     {"until", "close `do` with `while` and the opposite condition"},
     {"wend", "write `o100 endwhile`, with the label of the `while`"},
     {"endw", "write `o100 endwhile`, with the label of the `while`"},
@@ -46,8 +46,8 @@ constexpr std::array<OtherWord, 42> kOtherWords = {{
     {"elif", "write `elseif`"},
     {"exit", "leave a loop with `break`, a sub with `return`, the program with `M2`"},
     {"quit", "leave a loop with `break`, a sub with `return`, the program with `M2`"},
-    {"ret", "leave a sub with `return`, with the label of its `sub`: `o100 return`"},
-    {"rts", "leave a sub with `return`, with the label of its `sub`: `o100 return`"},
+    {"ret", "leave a sub with `return`, with the label of its `sub`: `o<name> return`"},
+    {"rts", "leave a sub with `return`, with the label of its `sub`: `o<name> return`"},
     {"stop", "`M0` waits for the operator, `M2` ends the program"},
     {"pause", "`M0` waits for the operator, `G4 P1` waits for a second"},
     {"print", "write a comment: `(PRINT,text)`"},
@@ -137,7 +137,7 @@ bool jumps(const RefusedLine& line, Finding& f) {
       text.substr(line.at).starts_with("if");
   if (!right_there && !of_keyword) return false;
   f.message = "LinuxCNC has no `GOTO`: a program cannot jump to a line";
-  f.help = kInsteadOfJumps;
+  f.help = with_free_label(line.in, std::string(kInsteadOfJumps));
   return true;
 }
 
@@ -160,8 +160,9 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
     return true;
   }
   f.message = "other controllers write loops with `WHILE … DO1` and `END1`; LinuxCNC does not";
-  f.help = ends ? "write `o100 endwhile`, with the label of the `while`"
-                : "write `o100 while [...]`, without `DO1`, and `o100 endwhile` in place of `END1`";
+  f.help = with_free_label(line.in,
+                           ends ? "write `o100 endwhile`, with the label of the `while`"
+                                : "write `o100 while [...]`, without `DO1`, and `o100 endwhile` in place of `END1`");
   return true;
 }
 
@@ -200,7 +201,8 @@ bool says_then(const RefusedLine& line, Finding& f) {
   const std::string_view behind = text.substr(std::min(then + 4, text.size()));
   f.message = "LinuxCNC has no `THEN`";
   if (forgotten || line.kind() == StopKind::kWordUnreadable) {
-    f.help = "write `o100 if [...]` on a line, the lines for a true condition below it, and then `o100 endif`";
+    f.help = with_free_label(
+        line.in, "write `o100 if [...]` on a line, the lines for a true condition below it, and then `o100 endif`");
   } else if (behind.empty()) {
     f.help = "remove it";
     line.propose(f, "remove `then`", {line.put(line.at, line.end, "")}, true);
@@ -256,6 +258,29 @@ bool ends_as_shell(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+namespace {
+
+/// `sub x y` of a program that has an `endsub` without a label, too: text would have none.
+bool names_sub_with_words(const RefusedLine& line, Finding& f) {
+  constexpr StatementId kMost = 2000;  // lines that are looked through
+  const std::string_view rest = line.rest();
+  if (line.kind() != StopKind::kWordUnreadable || line.at != 0 || !rest.starts_with("sub") || !line.apart(3))
+    return false;
+  const auto& statements = line.program.syntax.statements;
+  const auto last = std::min<size_t>(statements.size(), line.id + size_t{kMost});
+  const bool ends = std::any_of(
+      statements.begin() + line.id, statements.begin() + static_cast<std::ptrdiff_t>(last), [&](const Statement& s) {
+        const LineError* const error = line.program.syntax.error(s);
+        return error != nullptr && error->kind == StopKind::kLabelForgotten && s.keyword == Keyword::kEndsub;
+      });
+  if (!ends) return false;
+  f.message = "the `o…` label is missing before `sub`, and its arguments have no names here";
+  f.help = "write `o<name> sub`: the arguments of the call are `#1`, `#2` and so on in the sub";
+  return true;
+}
+
+}  // namespace
+
 /// A keyword of another language, after a label or alone.
 bool is_other_word(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kKeywordUnknown &&
@@ -263,11 +288,17 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
       (line.kind() != StopKind::kLineNumber || line.first_word() != "next"))
     return false;
   const bool loop = line.rest().starts_with("loopuntil[");
-  const std::string_view word = line.first_word().substr(loop ? 4 : 0);
+  std::string_view word = line.first_word().substr(loop ? 4 : 0);
   const auto* other = std::ranges::find(kOtherWords, word, &OtherWord::word);
+  if (other == kOtherWords.end() && line.rest().find('=') != std::string_view::npos) {  // `FOR I=1 TO 5`, `LET X=5`
+    size_t to = 0;
+    while (to < word.size() && (to == 0 || !line.apart(line.at + to))) ++to;
+    word = word.substr(0, to);
+    other = std::ranges::find(kOtherWords, word, &OtherWord::word);
+  }
   if (other != kOtherWords.end()) {
     f.message = "LinuxCNC has no `" + upper(word) + "`";
-    f.help = other->instead;
+    f.help = with_free_label(line.in, std::string(other->instead));
     if (word == "until") closes_do(line, f);
     if (word == "loop" && line.statement.label != kNoName && line.ends_do())
       f.help = "close the `do` with `" + line.program.label_at(line.id) + " while [...]`";
@@ -283,6 +314,7 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
     }
     return true;
   }
+  if (names_sub_with_words(line, f)) return true;
   // A LinuxCNC keyword that is not followed by brackets.
   const Keyword keyword = keyword_of(line.rest());
   if ((line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kNumberMissing) ||
@@ -292,10 +324,11 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   const bool takes_value = keyword == Keyword::kIf || keyword == Keyword::kElseif || keyword == Keyword::kWhile ||
       keyword == Keyword::kRepeat;
   f.message = "the `o…` label is missing before `" + text + "`";
-  f.help = "write the label first: `o100 " + text + "`";
+  f.help = with_free_label(line.in, "write the label first: `o100 " + text + "`");
   if (keyword == Keyword::kCall || keyword == Keyword::kSub) f.help = "write the label first: `o<name> " + text + "`";
   if (takes_value)
-    f.help = "write the label first, and the condition or values in square brackets: `o100 " + text + " [...]`";
+    f.help = with_free_label(
+        line.in, "write the label first, and the condition or values in square brackets: `o100 " + text + " [...]`");
   return true;
 }
 

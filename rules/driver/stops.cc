@@ -329,9 +329,11 @@ std::string look_alike_text(std::string_view text) {
   const LookAlike same = look_alike(code).value();
   const std::string who = fmt::format("the character U+{:04X} {}", static_cast<uint32_t>(code), same.name);
   if (same.plain.empty()) return who + " is here; most editors do not show it";
+  std::string plain(same.plain);  // ` GE ` without its blanks
+  if (plain.size() > 2 && plain.starts_with(' ')) plain = plain.substr(1, plain.size() - 2);
   return who +
       (same.plain == " " ? " looks like a space, but is not one"
-                         : " looks like `" + same.plain + "`, but is another character");
+                         : " looks like `" + plain + "`, but is another character");
 }
 
 std::string look_alike_name(const Input& in, std::string_view name) {
@@ -382,19 +384,6 @@ std::string ordinal(size_t n) {
   const bool teens = n % 100 / 10 == 1;
   const char* const ending = teens ? "th" : n % 10 == 1 ? "st" : n % 10 == 2 ? "nd" : n % 10 == 3 ? "rd" : "th";
   return std::to_string(n) + ending;
-}
-
-std::string free_label(const Input& in, NameId label) {
-  const Program& program = in.program;
-  const std::string& text = program.name(label);
-  if (text.empty() || text.size() > 8 || text.find_first_not_of("0123456789") != std::string::npos) return {};
-  constexpr long kTries = 200;
-  for (long number = std::stol(text) + 1, last = number + kTries; number < last; ++number) {
-    const NameId id = program.syntax.names.find(std::to_string(number));
-    const bool used = id != kNoName && id < program.by_label.size() && !program.by_label[id].empty();
-    if (!used && in.given_numbers.insert(number).second) return "o" + std::to_string(number);
-  }
-  return {};
 }
 
 }  // namespace owlint::rules

@@ -118,5 +118,7 @@ void name_misread(const Program& program, StatementId line, const std::string& r
 /// A number that no O-word of the program uses, near `label`, as `o110`; each time another one, so that fixes can be made
 /// together.
 std::string free_label(const Input& in, NameId label);
+/// Advice that shows an O-word with `o100`, with a number in its place that the program does not use.
+std::string with_free_label(const Input& in, std::string advice);
 
 }  // namespace owlint::rules

@@ -77,17 +77,20 @@ std::optional<Habit> pair(const Source& source, const std::vector<WrittenWord>& 
 constexpr std::string_view kContourAsSub =
     "write the contour as a sub, and name it as `Q`: `G71 Q100 X50 Z2 D1 I0.2 R0.5`";
 
-/// `G71 U2 R1`, `G73 U5 W5 R3`: the first line of two.
+/// `G71 U2`, `G71 U2 R1`, `G73 U5 W5 R3`: the first line of two.
 std::optional<Habit> first_of_cycle(const Source& source, const std::vector<WrittenWord>& line) {
   const WrittenWord* const code = find_word(line, "G71 G72 G73");
   const WrittenWord* const depth = find_word(line, "U W");
   const WrittenWord* const retract = find_word(line, "R");
-  if (code == nullptr || depth == nullptr || retract == nullptr || find_word(line, "P") != nullptr ||
+  const bool alone =
+      std::ranges::all_of(line, [&](const WrittenWord& w) { return &w == code || &w == depth || w.letter == 'n'; });
+  if (code == nullptr || depth == nullptr || (retract == nullptr && !alone) || find_word(line, "P") != nullptr ||
       find_word(line, "Q") != nullptr || find_word(line, "X") != nullptr || find_word(line, "Z") != nullptr)
     return std::nullopt;
-  return Habit{fmt::format("{} with {} and {} is the first of two lines on Fanuc, and not LinuxCNC's",
-                           of_word(source, *code), of_word(source, *depth), of_word(source, *retract)),
-               std::string(kContourAsSub)};
+  return Habit{
+      fmt::format("{} with {}{} is the first of two lines on Fanuc, and not LinuxCNC's", of_word(source, *code),
+                  of_word(source, *depth), retract == nullptr ? "" : " and " + of_word(source, *retract)),
+      std::string(kContourAsSub)};
 }
 
 /// `G71 P10 Q20 U0.5`: the contour is between two line numbers. `G76 P010060 Q100 R50`: the first line of two.
@@ -111,6 +114,20 @@ std::optional<Habit> turning_cycle(const Source& source, const std::vector<Writt
                std::string(kContourAsSub)};
 }
 
+/// `G76 X10 Y10 Z-5 R2 Q0.2`: a cycle of mills.
+std::optional<Habit> fine_boring(const Source& source, const std::vector<WrittenWord>& line) {
+  const WrittenWord* const code = find_word(line, "G76");
+  const WrittenWord* const depth = find_word(line, "Z");
+  const WrittenWord* const retract = find_word(line, "R");
+  if (code == nullptr || depth == nullptr || retract == nullptr || find_word(line, "P J K") != nullptr)
+    return std::nullopt;
+  // A thread of a lathe has X, and no Y.
+  if (find_word(line, "X") != nullptr && find_word(line, "Y") == nullptr) return std::nullopt;
+  return Habit{fmt::format("{} with {} and {} bores on Fanuc; in LinuxCNC it cuts a thread", of_word(source, *code),
+                           of_word(source, *depth), of_word(source, *retract)),
+               "bore with `G85`, `G86` or `G89`: LinuxCNC has no cycle that draws the tool away from the wall"};
+}
+
 /// The nearest line above with words of places: the code on it that counts for its own line only, if it has one.
 std::optional<Habit> behind_spline(const Input& in, StatementId statement) {
   constexpr uint32_t kMostLines = 50;
@@ -130,11 +147,21 @@ std::optional<Habit> behind_spline(const Input& in, StatementId statement) {
 
 }  // namespace
 
+bool is_angle_for_power(const Source& source, Span word, const std::vector<WrittenWord>& line) {
+  if (word.begin == 0 || word.end <= word.begin || source.slice({word.begin, word.begin + 1}) != "^") return false;
+  const char before = source.slice({word.begin - 1, word.begin})[0];
+  const bool value = (before >= '0' && before <= '9') || before == ']' || before == '>' || before == '.';
+  // `G1@10^45` is a polar position, and so is `G1^45`.
+  return value && std::ranges::none_of(line, [&](const WrittenWord& w) {
+           return w.letter == '@' || ((w.letter == 'g' || w.letter == 'n') && w.span.end == word.begin);
+         });
+}
+
 std::optional<Habit> habit_of(const Input& in, StatementId statement) {
   const Source& source = *in.program.source;
   const std::vector<WrittenWord> line = words_of(source, in.program.at(statement).whole());
   if (std::optional<Habit> found = look_ahead(source, line)) return found;
-  for (const auto& habit : {dwell, pair, first_of_cycle, turning_cycle}) {
+  for (const auto& habit : {dwell, pair, first_of_cycle, turning_cycle, fine_boring}) {
     if (std::optional<Habit> found = habit(source, line)) return found;
   }
   if (find_word(line, "G") != nullptr) return std::nullopt;

@@ -75,6 +75,10 @@ struct Habit {
 };
 std::optional<Habit> habit_of(const Input& in, StatementId statement);
 
+/// Whether `^2` stands right behind a value, as a power of other languages does: `#1=#2^2`, `X[#1]^2`. LinuxCNC reads the angle
+/// of a polar position. `line`: the line's words.
+bool is_angle_for_power(const Source& source, Span word, const std::vector<WrittenWord>& line);
+
 /// Whether the letter O stands for a zero where a line is refused: `X1O`, `GO X1`. Then `*at` is its byte.
 bool writes_o_for_zero(const Program& program, const Statement& statement, const LineError& error, uint64_t* at);
 /// Whether a small letter stands for a 1 there: `Gl X5`, `Mi`.

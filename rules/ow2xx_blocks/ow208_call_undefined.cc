@@ -50,6 +50,19 @@ bool repeats_in_number(const Program& p, const Statement& s, const std::string& 
   return true;
 }
 
+/// `M98 P-7001`: no sub has such a number where that comes from.
+bool has_sign(const Program& p, const Statement& s, const std::string& name, Finding& f) {
+  if (s.kind != LineKind::kM98 || !name.starts_with('-') || number_only(name).empty()) return false;
+  f.help = "write `M98 P" + name.substr(1) + "`";
+  const NameId id = p.syntax.names.find(name.substr(1));
+  const size_t sign = p.source->slice({s.offset, s.end()}).find('-');
+  const bool known =
+      id != kNoName && std::ranges::any_of(p.by_label[id], [&](StatementId at) { return p.at(at).opens_sub(); });
+  if (known && sign != std::string_view::npos)
+    f.fixes.push_back({f.help, false, {{{s.offset + sign, s.offset + sign + 1}, ""}}});
+  return true;
+}
+
 /// The line that begins with `N1000` or `:1000`; empty if there is none.
 Span numbered_line(const Source& source, std::string_view number) {
   const std::string_view bytes = source.bytes();
@@ -187,6 +200,7 @@ void check(const Input& in, Reporter& out) {
       f.help = other;
       return &f;
     }
+    if (has_sign(p, s, stop.detail, f)) return &f;
     if (without_ending(in, s, stop.detail, f) || repeats_in_number(p, s, stop.detail, f)) return &f;
     if (searches < kMaxListings && ++searches > 0 && means_line(in, s, stop.statement, stop.detail, f)) return &f;
     if (searches < kMaxListings && names_file(in, s, stop.detail, f)) return &f;

@@ -115,7 +115,9 @@ Finding& report(const Input& in, Reporter& out, StatementId id, StopKind kind, c
       f.message = jump ? "`" + text + "` after `M99`: LinuxCNC cannot return to a line number"
                        : "`" + text + "` after `M99`: in a sub nothing may come after `M99`";
       f.help = jump
-          ? "use `M99` alone: it returns to the line after the call; choose there with `o100 if [...]` what to do"
+          ? with_free_label(in,
+                            "use `M99` alone: it returns to the line after the call; choose there with `o100 if "
+                            "[...]` what to do")
           : "write it on the line before `M99`";
       break;
     }

@@ -6,7 +6,7 @@
 namespace owlint::rules::ow306 {
 namespace {
 
-void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
+void word(const Input& in, const Statement& s, StopKind kind, Finding& f) {
   switch (kind) {
     case StopKind::kLabelMissing:
       f.message = "the O-word has no label";
@@ -14,11 +14,11 @@ void word(const Program& p, const Statement& s, StopKind kind, Finding& f) {
       break;
     case StopKind::kLabelWord:
       f.message = "the O-word has no label before its keyword";
-      f.help = "write a number or `<name>` after the `o`: `o100 " + std::string("if` or `o<name> call`");
+      f.help = with_free_label(in, "write a number or `<name>` after the `o`: `o100 if` or `o<name> call`");
       break;
     case StopKind::kLabelNotInteger:
     case StopKind::kM98Number:
-      f.message = "`" + std::string(p.source->slice(s.label_span())) + "` is not a whole number";
+      f.message = "`" + std::string(in.program.source->slice(s.label_span())) + "` is not a whole number";
       f.help = "use a whole number or a name in `<>`";
       break;
     default:
@@ -34,13 +34,13 @@ void check(const Input& in, Reporter& out) {
     const Statement& s = p.at(stop.statement);
     const LineError* error = p.syntax.error(s);
     Finding& f = out.add(error != nullptr ? error->span : s.label_span(), "");
-    word(p, s, stop.kind, f);
+    word(in, s, stop.kind, f);
     if (error != nullptr && error->kind == stop.kind) explain_idiom(in, stop.statement, f);
     return &f;
   });
   for_unmet_errors(in, out, [&](StatementId id, const LineError& error) {
     Finding& f = out.add(error.span, "");
-    word(p, p.at(id), error.kind, f);
+    word(in, p.at(id), error.kind, f);
     explain_idiom(in, id, f);
     f.interpreter = error.message;
     f.reach = in.flow.reach(id);

@@ -64,7 +64,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   }
   const Span span = error == nullptr ? s.whole() : error->span;
   const std::string_view bytes = p.source->slice(span);
-  Finding& f = out.add(span, "");
+  const uint64_t length = character_at(p.source->slice({span.begin, s.end()})).length;
+  Finding& f = out.add({span.begin, std::max(span.end, span.begin + length)}, "");
   if (bytes.starts_with("\xEF\xBB\xBF") && span.begin == 0) {
     f.message = "the file begins with a byte order mark";
     f.help = "save it as UTF-8 without a byte order mark (BOM), or as plain text";

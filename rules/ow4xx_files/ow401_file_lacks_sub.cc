@@ -1,11 +1,41 @@
 // OW401 file-lacks-sub: a called file that does not define the sub with its name.
 // Depends on: LinuxCNC opens `name.ngc` and looks for `o<name> sub`; the end of that file is an error.
+#include <algorithm>
+
 #include "rules/driver/ini_places.h"
 #include "rules/driver/remap_rules.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow401 {
 namespace {
+
+/// A byte order mark before the first line of the sub, and a file in UTF-16, of which LinuxCNC reads no word.
+bool hides_sub(const Input& in, const Program& file, const FlowStop& stop, Finding& f) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  const std::string_view bytes = file.source->bytes();
+  const std::string reads = "`" + in.program.head(stop.statement) + "` reads " + file.source->path() + ", ";
+  f.help = "save " + file_name(*file.source) + " as UTF-8 without a byte order mark (BOM), or as plain text";
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    f.message = reads + "a UTF-16 file, which LinuxCNC cannot read";
+    return true;
+  }
+  if (!bytes.starts_with(kMark)) return false;
+  // `O100` of a file for M98 opens no sub as it stands.
+  constexpr size_t kHead = 100;
+  std::string first = small_letters(bytes.substr(kMark.size(), kHead));
+  first.erase(std::min(first.find_first_of("\r\n;("), first.size()));
+  std::erase_if(first, [](char c) { return c == ' ' || c == '\t'; });
+  const auto region = std::ranges::find_if(
+      file.regions, [&](const Region& r) { return r.opener != kNoStatement && file.name(r.name) == stop.detail; });
+  const std::string number = "o" + stop.detail;
+  const bool bare =
+      first == number || first == "o0" + stop.detail || first == "o<" + stop.detail + ">sub" || first == number + "sub";
+  if (!bare && region == file.regions.end()) return false;
+  f.message = reads + "but a byte order mark hides the sub's first line";
+  if (region != file.regions.end())
+    relate(in, f, {&file, region->opener}, "a byte order mark comes before this line; most editors do not show it");
+  return true;
+}
 
 void check(const Input& in, Reporter& out) {
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
@@ -36,16 +66,12 @@ void check(const Input& in, Reporter& out) {
       f.related.back().source = file.source;
       return &f;
     }
+    if (hides_sub(in, file, stop, f)) return &f;
     const Region* only = nullptr;
     for (const Region& region : file.regions) {
       if (region.opener != kNoStatement && only == nullptr) only = &region;
     }
-    if (only != nullptr && file.name(only->name) == stop.detail && marked) {
-      f.message =
-          "`" + p.head(stop.statement) + "` reads " + path + ", but a byte order mark hides the sub's first line";
-      relate(in, f, {&file, only->opener}, "a byte order mark comes before this line; most editors do not show it");
-      f.help = "save " + file_name(*file.source) + " as UTF-8 without a byte order mark (BOM), or as plain text";
-    } else if (only != nullptr) {
+    if (only != nullptr) {
       relate(in, f, {&file, only->opener}, "the file defines this sub");
       f.help = "give the sub the name of its file, and call it by that name";
     } else {

@@ -65,13 +65,14 @@ void missing_axis(const Input& in, const FlowStop& stop, char letter, const std:
   if (axes != nullptr && !axes->value.empty()) f.related.push_back({axes->span, "the machine's axes", axes->source});
 }
 
-/// `G71 P100 Q110 U1`: whether the line is a cycle of another controller, whose finding says all.
+/// `G71 U2 R1`, `G71 P100 Q110 U1`: whether the line is a cycle of another controller, whose finding says all.
 bool is_foreign_cycle(const Input& in, const FlowStop& stop) {
   if (stop.kind != StopKind::kWordUnknown || in.profile.setup != nullptr || stop.statement == kNoStatement)
     return false;
   const std::vector<WrittenWord> line = words_of(*in.program.source, in.program.at(stop.statement).whole());
-  return find_word(line, "G71 G72 G73") != nullptr && find_word(line, "P") != nullptr &&
-      find_word(line, "Q") != nullptr && habit_of(in, stop.statement).has_value();
+  const bool both = find_word(line, "P") != nullptr && find_word(line, "Q") != nullptr;
+  const bool neither = find_word(line, "P Q") == nullptr;
+  return find_word(line, "G71 G72 G73") != nullptr && (both || neither) && habit_of(in, stop.statement).has_value();
 }
 
 void check(const Input& in, Reporter& out) {

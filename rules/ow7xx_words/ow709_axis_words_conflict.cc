@@ -24,9 +24,14 @@ bool moves_to_stored_place(const Program& p, const FlowStop& stop, const WordSto
   return true;
 }
 
-void explain(const WordStop& at, Finding& f) {
+void explain(const Program& p, const WordStop& at, Finding& f) {
   const std::string& said = f.interpreter;
   const std::string word = "`" + at.word + "`";
+  if (is_angle_for_power(*p.source, at.span, at.line)) {
+    f.message = word + " is no power: LinuxCNC reads it as the angle of a polar position";
+    f.help = "write the power with `**`, in brackets: `[... ** " + at.word.substr(1) + "]`";
+    return;
+  }
   if (said.starts_with("Cannot use two g codes")) {
     f.message = fmt::format("{} and {} cannot be on one line: both take its axis words", word,
                             at.other_word.empty() ? "another code" : "`" + at.other_word + "`");
@@ -76,10 +81,10 @@ void check(const Input& in, Reporter& out) {
     Finding& f = out.add(at.span, "");
     f.interpreter = stop.interpreter;
     if (!stop.interpreter.starts_with("Cannot use two g codes") || !moves_to_stored_place(in.program, stop, at, f))
-      explain(at, f);
+      explain(in.program, at, f);
     const bool of_call = in.program.at(stop.statement).kind == LineKind::kM98;
     if (of_call && f.help.starts_with("write `G0`")) f.help = "write the move on a line of its own, before `M98`";
-    if (at.letter != 0 && stop.interpreter.starts_with("Cannot use axis values without")) {
+    if (at.letter != 0 && at.letter != '^' && stop.interpreter.starts_with("Cannot use axis values without")) {
       if (std::optional<Habit> habit = habit_of(in, stop.statement)) {
         f.message = "`" + at.word + "` moves nothing: " + habit->message;
         f.help = std::move(habit->help);

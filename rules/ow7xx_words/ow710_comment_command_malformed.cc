@@ -53,6 +53,8 @@ class Checker {
   void run() {
     for (const uint64_t begin : in_.program.syntax.command_lines)
       line(begin, std::min(text_.find('\n', begin), text_.size()));
+    const uint64_t end = source_.line(in_.program.syntax.last_code).end;
+    for (size_t at = text_.find('('); at < end; at = text_.find('(', at + 1)) misspelt(at);
   }
 
  private:
@@ -79,6 +81,79 @@ class Checker {
     for (const Comment& comment : found) report(comment, comment.span.begin == last);
     // A line that begins with `;` is one that somebody has taken out.
     if (at < end && code) behind_semicolon(at, end);
+  }
+
+  /// `(EBUG,`, `(MSG;`: the word of a command with a slip, which no English text has before a comma.
+  void misspelt(size_t open) {
+    constexpr size_t kLongest = 12;
+    size_t from = open + 1;
+    while (from < text_.size() && is_blank(text_[from])) ++from;
+    size_t to = from;
+    while (to < text_.size() && to - from <= kLongest && is_letter(text_[to])) ++to;
+    if (to >= text_.size() || (text_[to] != ',' && text_[to] != ';') || to - from < 2) return;
+    const std::string_view written = text_.substr(from, to - from);
+    const bool capitals = written.find_first_of("abcdefghijklmnopqrstuvwxyz") == std::string_view::npos;
+    const size_t close = std::min(text_.find_first_of(")\n", to), text_.size());
+    if (close == text_.size() || text_[close] != ')') return;
+    const bool shows = has_parameter(text_.substr(to, close - to));
+    const CommentCommand* const known = comment_command(written);
+    std::string meant;
+    if (known != nullptr && text_[to] == ';') {
+      // `(log; text)` may be English.
+      if (known->form == CommentCommand::kBare || (!capitals && !shows)) return;
+      meant = known->word;
+    } else if (known == nullptr) {
+      meant = command_meant(small_letters(written));
+      if (meant.empty()) return;
+    } else {
+      return;
+    }
+    const size_t line_feed = text_.rfind('\n', open);
+    const size_t begin = line_feed == std::string_view::npos ? 0 : line_feed + 1;
+    if (in_comment(begin, open)) return;
+    const StatementId above = last_statement(in_.program.syntax, open);
+    id_ = above != kNoStatement && in_.program.at(above).offset >= begin ? above : kNoStatement;
+    if (id_ != kNoStatement && in_.program.syntax.error(in_.program.at(id_)) != nullptr) return;
+    for (char& c : meant) c = capital(c)[0];
+    const std::string right = "(" + meant + ",";
+    Finding& f =
+        add({from, to + 1}, fmt::format("`({}{}` is an ordinary comment, which does nothing", written, text_[to]),
+            fmt::format("did you mean `{}`?", right));
+    f.fixes.push_back({fmt::format("write `{}`", right), false, {{{from, to + 1}, meant + ","}}});
+  }
+
+  /// Whether a place on a line is within a comment that began before it.
+  bool in_comment(size_t begin, size_t place) const {
+    for (size_t at = begin; at < place; ++at) {
+      if (text_[at] == ';') return true;
+      if (text_[at] != '(') continue;
+      at = text_.find(')', at);
+      if (at > place) return true;
+    }
+    return false;
+  }
+
+  /// The command that a word is one slip away from; empty if it is a word of its own, or of none.
+  static std::string command_meant(const std::string& word) {
+    constexpr size_t kShort = 3;
+    constexpr std::string_view kEnglish[] = {"point",  "pint",  "prints", "sprint", "about",  "aborts",
+                                             "debugs", "abbot", "lo",     "og",     "paint",  "debut",
+                                             "lg",     "mg",    "ms",     "printf", "printer"};
+    if (std::ranges::find(kEnglish, word) != std::end(kEnglish)) return {};
+    std::vector<std::string> commands;
+    for (const CommentCommand& command : kCommentCommands) {
+      if (command.word.size() > kShort) commands.emplace_back(command.word);
+    }
+    if (word.size() > kShort) {
+      std::string near = nearest(word, commands, 1);
+      // `(xDEBUG,` is switched off by hand.
+      if (!near.empty()) return word.size() > near.size() && word.ends_with(near) ? std::string() : near;
+    }
+    // Of a short word, only swapped, doubled and first letters: `lot`, `leg` and `mug` are words.
+    constexpr std::string_view kMessage[] = {"sg", "mgs", "smg", "msgg", "mssg", "mmsg", "mesg"};
+    constexpr std::string_view kLog[] = {"lgo", "olg", "logg", "llog", "loog"};
+    if (std::ranges::find(kMessage, word) != std::end(kMessage)) return "msg";
+    return std::ranges::find(kLog, word) != std::end(kLog) ? "log" : "";
   }
 
   Comment comment_at(size_t open, size_t close) const {
@@ -257,7 +332,8 @@ extern const Rule kRule{
 blank before it, `(probeopen file)` in small letters. A command in a place where comments do not act: not
 the last comment of its line, on the line of an O-word or of `M98`, after `;`. A format that LinuxCNC
 does not know (`%5.2f`), a parameter above #5601, `#[...]` in a `(DEBUG,...)` or `(PRINT,...)`, or
-`#<name>` in a `(MSG,...)`.
+`#<name>` in a `(MSG,...)`. A word that is one slip away from a command, before a comma, and a semicolon in
+place of the comma: `(EBUG,text)`, `(MSG;text)`.
 
 `DEBUG`, `PRINT`, `LOG` and `ABORT` are English words, too: without a comma they are reported only if a
 parameter follows.)",

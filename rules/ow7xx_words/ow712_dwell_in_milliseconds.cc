@@ -34,6 +34,9 @@ void report(const Input& in, Reporter& out, Span line) {
   const WrittenWord* const code = find_word(words, "G4 G82 G86 G88 G89");
   const WrittenWord* const time = find_word(words, "P");
   if (code == nullptr || time == nullptr || !time->value || *time->value < kLong || is_meant(*time->value)) return;
+  const StatementId id = last_statement(p.syntax, line.begin);
+  const bool of_line = id != kNoStatement && p.at(id).offset == line.begin;
+  if (of_line && p.at(id).kind == LineKind::kM98) return;  // it is the number of a sub
   if (!may_be_long(p.source->slice({time->span.begin + 1, time->span.end}))) return;
   const std::string written = shown(*p.source, time->span);
   Finding& f =
@@ -41,8 +44,7 @@ void report(const Input& in, Reporter& out, Span line) {
               fmt::format("`{}` with `{}` waits {} seconds", shown(*p.source, code->span), written, written.substr(1)));
   f.help = fmt::format("write `P{}` if these are milliseconds, or `{}.` if so long is meant", *time->value / kThousand,
                        written);
-  const StatementId id = last_statement(p.syntax, line.begin);
-  if (id != kNoStatement && p.at(id).offset == line.begin) f.reach = in.flow.reach(id);
+  if (of_line) f.reach = in.flow.reach(id);
 }
 
 void check(const Input& in, Reporter& out) {
