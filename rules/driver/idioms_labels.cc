@@ -216,6 +216,16 @@ bool label_block(const RefusedLine& line, Finding& f) {
 
 }  // namespace
 
+std::string free_label_for(const Input& in) {
+  constexpr long kFirst = 100, kTries = 200;
+  for (long number = kFirst; number < kFirst + kTries; ++number) {
+    const NameId id = in.program.syntax.names.find(std::to_string(number));
+    const bool used = id != kNoName && id < in.program.by_label.size() && !in.program.by_label[id].empty();
+    if (!used && in.given_numbers.insert(number).second) return "o" + std::to_string(number);
+  }
+  return "o" + std::to_string(kFirst);
+}
+
 /// `endif`, `N100 sub`: a keyword without its label.
 bool lacks_label(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kLabelForgotten) return false;
@@ -242,7 +252,12 @@ bool lacks_label(const RefusedLine& line, Finding& f) {
   }
   f.message = "the `o…` label is missing before `" + word + "`";
   const std::string below = label_meant(line, line.statement.keyword);
-  f.help = "write the label first: `" + (below.empty() ? "o100" : below) + " " + word + "`";
+  const bool begins = opens_block(line.statement.keyword) && p.block_of[line.id] == kNoBlock;
+  f.help = "write the label first: `" +
+      (!below.empty() ? below
+           : begins   ? free_label_for(line.in)
+                      : "o100") +
+      " " + word + "`" + (begins && below.empty() ? ", and the same label on all lines of the block" : "");
   const BlockId block = p.block_of[line.id];
   const Region& region = p.regions[p.region_of[line.id]];
   const bool of_sub = line.has_keyword(Keyword::kEndsub) || line.has_keyword(Keyword::kReturn);
