@@ -194,12 +194,17 @@ class CommonFaults {
     std::map<std::tuple<std::string, std::string, std::string>, std::vector<std::pair<std::string, Group*>>>
         missing;  // by folder of the run, code, folder
     for (auto& [key, group] : groups_) {
-      if (!group.found_in.empty())
-        missing[{std::get<0>(key), std::get<1>(key), group.found_in}].emplace_back(std::get<2>(key), &group);
+      const Finding& f = reports_[group.report].findings[group.finding];
+      std::string where = group.found_in;
+      // Nobody knows where the files of one program are: the search path is the cause.
+      if (where.empty() && f.code == "OW208" && f.habit_severity && group.files.size() == 1)
+        where = fmt::format("\n{}", group.report);
+      if (!where.empty()) missing[{std::get<0>(key), std::get<1>(key), where}].emplace_back(std::get<2>(key), &group);
     }
     std::map<size_t, std::set<size_t>> folded;  // findings, by report
     for (auto& [key, groups] : missing) {
-      if (groups.size() == 1) continue;
+      const bool known = !std::get<2>(key).starts_with('\n');
+      if (groups.size() == 1 || (!known && groups.size() < kHabit)) continue;
       std::ranges::sort(groups, {},
                         [](const auto& named) { return std::pair(named.second->report, named.second->finding); });
       const Group& first = *groups[0].second;
@@ -209,6 +214,7 @@ class CommonFaults {
       for (size_t i = 1; i < groups.size(); ++i) {
         const Group& other = *groups[i].second;
         const Finding& moved = reports_[other.report].findings[other.finding];
+        if (!known) f.severity = std::max(f.severity, moved.severity);
         if (names.size() < kNamed) names.push_back("`" + groups[i].first + "`");
         if (f.related.size() < kMaxPlaces)
           f.related.push_back({moved.span, "`" + groups[i].first + "` is called here",
@@ -216,8 +222,8 @@ class CommonFaults {
         folded[other.report].insert(other.finding);
       }
       const size_t more = groups.size() - 1 - names.size();
-      f.message += fmt::format("; nor {}{}: all are in `{}`", fmt::join(names, ", "),
-                               more > 0 ? fmt::format(" and {} more", more) : "", std::get<2>(key));
+      f.message += fmt::format("; nor {}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+      if (known) f.message += fmt::format(": all are in `{}`", std::get<2>(key));
     }
     for (const auto& of_report : folded) {
       size_t at = 0;

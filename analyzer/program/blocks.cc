@@ -77,10 +77,11 @@ class Matcher {
     switch (s.keyword) {
       case Keyword::kWhile:
         if (const BlockId loop = find(Keyword::kDo, s.label); loop != kNoBlock) return close(loop, id);
-        return means_to_close(Keyword::kDo) && !comes_later(Keyword::kWhile, s.label) ? mistake(id) : open(id);
+        if (means_to_close(Keyword::kDo) && !comes_later(Keyword::kWhile, s.label)) return mistake(id);
+        return begins_again(s) ? mistake(id) : open(id);
       case Keyword::kIf:
-      case Keyword::kDo:
-      case Keyword::kRepeat: return open(id);
+      case Keyword::kRepeat: return begins_again(s) ? mistake(id) : open(id);
+      case Keyword::kDo: return open(id);
       case Keyword::kElseif:
       case Keyword::kElse: program_.block_of[id] = find(Keyword::kIf, s.label); return;
       case Keyword::kBreak:
@@ -88,6 +89,7 @@ class Matcher {
       case Keyword::kEndif:
       case Keyword::kEndwhile:
       case Keyword::kEndrepeat: return end(id);
+      case Keyword::kEndsub: return end_of_sub(id);
       default: return;
     }
   }
@@ -126,6 +128,21 @@ class Matcher {
     const bool same_label = top.label == s.label;
     const bool same_kind = top.kind == opener_of(s.keyword);
     if ((same_label || same_kind) && !comes_later(top)) mistake(id);
+  }
+
+  /// Whether the keyword of the innermost block, with its label, was written once more in place of its end.
+  bool begins_again(const Statement& s) {
+    if (open_.empty()) return false;
+    const Block& top = block(open_.back());
+    return top.kind == s.keyword && top.label == s.label && !comes_later(top);
+  }
+
+  /// `o1 if` … `o1 endsub`, where `o1` is no sub.
+  void end_of_sub(StatementId id) {
+    const Region& region = program_.regions[region_];
+    const Statement& s = program_.at(id);
+    if (open_.empty() || s.refused || region.name == s.label || region.likely_end == id) return;
+    if (block(open_.back()).label == s.label && !comes_later(block(open_.back()))) mistake(id);
   }
 
   /// The line is probably meant to end the innermost block.

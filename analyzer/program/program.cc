@@ -107,11 +107,26 @@ bool does_nothing(const Program& program) {
   return true;
 }
 
+namespace {
+
+bool ends_as_program(const Program& program) {
+  for (StatementId id = 0; id < program.size(); ++id) {
+    const LineKind kind = program.at(id).kind;
+    const bool ends = kind == LineKind::kProgramEnd || kind == LineKind::kPercent || program.at(id).has_m99();
+    if (ends && program.region_of[id] == kMainRegion) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool runs_by_itself(const Program& program) {
   const NameId own = own_name(program);
   if (own == kNoName) return true;
-  // A call of anything, or `o<own>` alone, which may be a call that lacks its `call`.
-  if (std::ranges::any_of(program.calls, [](const Call& call) { return call.caller == kMainRegion; })) return true;
+  // A call of anything in what ends as a program does: without an end it only tries the sub. Or `o<own>` alone, which may be a
+  // call that lacks its `call`.
+  const bool calls = std::ranges::any_of(program.calls, [](const Call& call) { return call.caller == kMainRegion; });
+  if (calls && ends_as_program(program)) return true;
   if (std::ranges::any_of(program.by_label[own], [&](StatementId id) { return program.at(id).is(Keyword::kBare); }))
     return true;
   bool code = program.syntax.first_plain_line != 0;

@@ -50,6 +50,18 @@ bool is_within_block(const Program& program, StatementId opener, StatementId pla
   return open.size() < depth;
 }
 
+/// `o1 endif` at the end of `o1 sub`, where no `if` has the label.
+StatementId wrong_end(const Program& program, StatementId opener, StatementId limit) {
+  StatementId end = kNoStatement;
+  const auto lines = program.by_label[program.at(opener).label];
+  for (auto at = std::ranges::upper_bound(lines, opener); at != lines.end() && *at < limit; ++at) {
+    const Statement& s = program.at(*at);
+    if (opens_block(s.keyword)) return kNoStatement;
+    if (ends_block(s.keyword) && !s.refused) end = *at;
+  }
+  return end;
+}
+
 }  // namespace
 
 void find_regions(Program& program) {
@@ -104,6 +116,7 @@ void find_regions(Program& program) {
         const bool other_label = end.is(Keyword::kEndsub) && !end.refused;
         if (other_label || meant_by(program, at).keyword == Keyword::kEndsub) region.likely_end = at;
       }
+      if (sub && region.likely_end == kNoStatement) region.likely_end = wrong_end(program, id, region.last);
       if (region.likely_end != kNoStatement) region.last = region.likely_end + 1;
     }
     const auto number = static_cast<RegionId>(program.regions.size());

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "analyzer/machine/predefined.h"
+#include "rules/driver/wrong_ends.h"
 
 namespace owlint::rules {
 namespace {
@@ -105,11 +106,9 @@ bool loops_again(const Input& in, StatementId id) {
   if ((!s.is(Keyword::kEndwhile) && !s.is(Keyword::kEndrepeat)) || p.block_of[id] != kNoBlock || !in.flow.executed[id])
     return false;
   return std::ranges::any_of(in.flow.hazards, [&](const Hazard& h) {
-    if (h.kind != HazardKind::kEndlessLoop || p.at(h.statement).label != s.label ||
-        p.region_of[h.statement] != p.region_of[id])
-      return false;
+    if (h.kind != HazardKind::kEndlessLoop || p.region_of[h.statement] != p.region_of[id]) return false;
     const BlockId block = p.block_of[h.statement];
-    return block != kNoBlock && p.blocks[block].end < id;
+    return ended_again(p, block, id) != nullptr;
   });
 }
 
@@ -154,6 +153,7 @@ void check_label_reused(const Input& in, Reporter& out, Keyword keyword) {
     }
     Finding* f = report(s.statement, s.other);
     f->stops = true;
+    if (tell_wrong_end(p, s.statement, *f)) return f;
     add_relabel_fix(in, s.statement, *f);
     return f;
   };
@@ -336,6 +336,13 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
     }
     if (f.help.empty()) {
       f.help = "correct the label, or remove the line";
+      if (const uint32_t deleted = deleted_opener(p, line.label, opens_block); deleted != 0) {
+        f.message += ": the line that begins its block has a `/`";
+        f.related.push_back(
+            {p.source->line(deleted), "where block delete is on, LinuxCNC leaves this line out", nullptr});
+        f.help = "write the `/` on all lines of the block, or on none";
+        return &f;
+      }
       add_label_fix(p, s.statement, f);
       const auto misread = in.index.openers.find({p.region_of[s.statement], line.label});
       if (misread != in.index.openers.end() && misread->second < s.statement) {
@@ -357,7 +364,8 @@ void check_parts(const Input& in, Reporter& out, bool (*wanted)(Keyword), std::s
   for (const StatementId id : in.index.stray_parts) {
     const Statement& s = p.at(id);
     if (!wanted(s.keyword) || has_stop(in, id)) continue;
-    if (has_unreadable_line(in, s.label, p.region_of[id]) || loops_again(in, id) || has_misread_opener(in, id))
+    if (has_unreadable_line(in, s.label, p.region_of[id]) || loops_again(in, id) || has_misread_opener(in, id) ||
+        p.regions[p.region_of[id]].likely_end == id)
       continue;
     FlowStop unmet;
     unmet.statement = id;

@@ -264,6 +264,7 @@ bool stops_every_run(const Finding& f) { return f.stops && f.reach == Reach::kAl
 void fold_consequences(const Program& program, const FlowResult& flow, std::vector<Finding>& findings) {
   fold_into_other_controller(*program.source, findings);
   fold_repeated(findings);
+  fold_ends(program, findings);
   if (findings.size() > 1) Folding(program, flow, findings).run();
 }
 

@@ -15,4 +15,8 @@ bool stops_every_run(const Finding& f);
 /// again further down, is one as well.
 void fold_consequences(const Program& program, const FlowResult& flow, std::vector<Finding>& findings);
 
+/// Moves findings about the parts and the end of a block whose first line LinuxCNC does not read into the one about that line,
+/// where the same is wrong with them or they are right but for it.
+void fold_ends(const Program& program, std::vector<Finding>& findings);
+
 }  // namespace owlint::rules

@@ -1,4 +1,5 @@
 // Numbers for labels that no O-word of a program has.
+#include "rules/driver/idioms.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules {
@@ -20,6 +21,14 @@ std::string free_label(const Input& in, NameId label) {
     if (!is_used(program, number) && in.given_numbers.insert(number).second) return "o" + std::to_string(number);
   }
   return {};
+}
+
+std::string free_label_for(const Input& in) {
+  constexpr long kFirst = 100, kTries = 200;
+  for (long number = kFirst; number < kFirst + kTries; ++number) {
+    if (!is_used(in.program, number) && in.given_numbers.insert(number).second) return "o" + std::to_string(number);
+  }
+  return "o" + std::to_string(kFirst);
 }
 
 std::string with_free_label(const Input& in, std::string advice) {

@@ -168,6 +168,8 @@ NameId mistyped_label(const Program& program, StatementId id);
 /// The label that a line with this keyword is meant to have, as it is written, where its own is none of the program's: that of
 /// the block or sub that it ends, or of the lines below that belong to it. Empty if there are no such lines.
 std::string label_meant(const RefusedLine& line, Keyword keyword);
+/// `o100`, or the next number that no O-word of the program has; each time another one.
+std::string free_label_for(const Input& in);
 bool lacks_label(const RefusedLine& line, Finding& f);
 bool has_letter_in_label(const RefusedLine& line, Finding& f);
 bool has_sign_behind_label(const RefusedLine& line, Finding& f);

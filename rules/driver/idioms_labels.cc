@@ -258,7 +258,12 @@ bool lacks_label(const RefusedLine& line, Finding& f) {
   }
   f.message = "the `o…` label is missing before `" + word + "`";
   const std::string below = label_meant(line, line.statement.keyword);
-  f.help = "write the label first: `" + (below.empty() ? with_free_label(line.in, "o100 ") : below + " ") + word + "`";
+  const bool begins = opens_block(line.statement.keyword) && p.block_of[line.id] == kNoBlock;
+  f.help = "write the label first: `" +
+      (!below.empty() ? below
+           : begins   ? free_label_for(line.in)
+                      : "o100") +
+      " " + word + "`" + (begins && below.empty() ? ", and the same label on all lines of the block" : "");
   if (below.empty() && tests_and_acts(line, f)) return true;
   const BlockId block = p.block_of[line.id];
   const Region& region = p.regions[p.region_of[line.id]];

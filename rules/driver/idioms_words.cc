@@ -160,9 +160,12 @@ bool loops_as_fanuc(const RefusedLine& line, Finding& f) {
     return true;
   }
   f.message = "other controllers write loops with `WHILE … DO1` and `END1`; LinuxCNC does not";
-  f.help = with_free_label(line.in,
-                           ends ? "write `o100 endwhile`, with the label of the `while`"
-                                : "write `o100 while [...]`, without `DO1`, and `o100 endwhile` in place of `END1`");
+  f.help = "write `o100 endwhile`, with the label of the `while`";
+  if (!ends) {
+    const std::string label = free_label_for(line.in);
+    f.help = "write `" + label + " while [...]`, without `DO" + std::string(rest.substr(rest.size() - 1)) + "`, and `" +
+        label + " endwhile` in place of `END" + std::string(rest.substr(rest.size() - 1)) + "`";
+  }
   return true;
 }
 
@@ -201,8 +204,9 @@ bool says_then(const RefusedLine& line, Finding& f) {
   const std::string_view behind = text.substr(std::min(then + 4, text.size()));
   f.message = "LinuxCNC has no `THEN`";
   if (forgotten || line.kind() == StopKind::kWordUnreadable) {
-    f.help = with_free_label(
-        line.in, "write `o100 if [...]` on a line, the lines for a true condition below it, and then `o100 endif`");
+    const std::string label = free_label_for(line.in);
+    f.help = "write `" + label + " if [...]` on a line, the lines for a true condition below it, and then `" + label +
+        " endif`";
   } else if (behind.empty()) {
     f.help = "remove it";
     line.propose(f, "remove `then`", {line.put(line.at, line.end, "")}, true);
@@ -312,6 +316,8 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
       f.help = "write `" + line.program.label_at(line.id) + " " + end + "`";
       line.propose(f, "write `" + end + "`", {line.put(line.at, line.end, end)}, false);
     }
+    if (end.empty() && line.statement.label != kNoName && line.ends_do())
+      f.help = "write `" + line.program.label_at(line.id) + " while [...]`: a `do` ends with it";
     return true;
   }
   if (names_sub_with_words(line, f)) return true;
@@ -327,8 +333,8 @@ bool is_other_word(const RefusedLine& line, Finding& f) {
   f.help = with_free_label(line.in, "write the label first: `o100 " + text + "`");
   if (keyword == Keyword::kCall || keyword == Keyword::kSub) f.help = "write the label first: `o<name> " + text + "`";
   if (takes_value)
-    f.help = with_free_label(
-        line.in, "write the label first, and the condition or values in square brackets: `o100 " + text + " [...]`");
+    f.help = "write the label first, and the condition or values in square brackets: `" + free_label_for(line.in) +
+        " " + text + " [...]`";
   return true;
 }
 

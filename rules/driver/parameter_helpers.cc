@@ -201,4 +201,12 @@ bool computes_fraction(const Program& program, ExprId value) {
   return any_operand(expr, [&](ExprId operand) { return computes_fraction(program, operand); });
 }
 
+std::optional<flow::ParameterKey> passed_parameter(const Program& p, ExprId argument) {
+  const Expr& expr = p.syntax.exprs[argument];
+  if (expr.op == Operator::kNamed) return flow::key_of_name(p.syntax, expr.name());
+  if (expr.op != Operator::kParameter) return std::nullopt;
+  const flow::ParameterKey key = flow::key_of_number(p.syntax, expr.left());
+  return key == flow::kComputedKey ? std::nullopt : std::optional(key);
+}
+
 }  // namespace owlint::rules

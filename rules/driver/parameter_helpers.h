@@ -44,4 +44,7 @@ const Call* call_before_reading(const Input& in, RegionId region, NameId name);
 /// Whether a value is computed with fractions: a quotient, a root, an angle, a sum or multiple of something like 0.1.
 bool computes_fraction(const Program& program, ExprId value);
 
+/// The parameter that an argument is, if it is only that.
+std::optional<flow::ParameterKey> passed_parameter(const Program& program, ExprId argument);
+
 }  // namespace owlint::rules

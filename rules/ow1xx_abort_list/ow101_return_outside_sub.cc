@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rules/driver/stops.h"
+#include "rules/driver/wrong_ends.h"
 
 namespace owlint::rules::ow101 {
 namespace {
@@ -25,6 +26,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
     relate(f, p, end, "the sub ends here");
   }
   f.help = "remove the line, or end the program with `M2`";
+  if (tell_wrong_end(p, id, f)) return &f;
   const StatementId misread = misread_sub(in, id);
   if (misread != kNoStatement && end == kNoStatement) {
     f.message += ": " + misread_words(p, misread);

@@ -48,6 +48,13 @@ Finding* report(const Input& in, Reporter& out, StatementId id, RegionId outer) 
                            ? what + " begins before `" + p.head(region.opener) + "`" + began + " is closed"
                            : what + " is inside `" + p.head(region.opener) + "`, which begins" + began);
   relate(f, p, region.opener, "the outer sub begins here");
+  if (region.end == kNoStatement && s.is(Keyword::kSub) && s.label == region.name) {
+    f.message = "`" + p.head(id) + "` does not close `" + p.head(region.opener) + "`" + began +
+        ": LinuxCNC reads it as the beginning of another sub";
+    f.help = "write `" + p.label_text(region.name) + " endsub`";
+    f.fixes.push_back({f.help, false, {{s.head_span(), p.label_text(region.name) + " endsub"}}});
+    return &f;
+  }
   f.help = region.end == kNoStatement ? "close it with `" + p.label_text(region.name) + " endsub`"
                                       : "move this sub out of the other one";
   if (region.end != kNoStatement && s.is(Keyword::kSub) && s.label != kNoName) {

@@ -17,6 +17,14 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   f.help = "write `" + end + "` where the sub ends";
   if (region.opener == id && region.likely_end != kNoStatement) {
     const Statement& other = p.at(region.likely_end);
+    if (ends_block(other.keyword) && !other.refused) {
+      const std::string line = "line " + std::to_string(other.line);
+      f.message += ": `" + p.head(region.likely_end) + "` on " + line + " does not end it";
+      relate(f, p, region.likely_end, "this is probably meant to be `" + end + "`");
+      f.help = "write `" + end + "` on " + line;
+      f.fixes.push_back({"write `" + end + "`", false, {{other.head_span(), end}}});
+      return &f;
+    }
     if (!other.is(Keyword::kEndsub) || other.refused) {
       f.message += ": " + misread_words(p, region.likely_end);
       name_misread(p, region.likely_end, end, f);
@@ -64,6 +72,9 @@ void check(const Input& in, Reporter& out) {
     // A `sub` that begins before this one is closed stops the interpreter there and is reported there.
     if (done[region.opener] || last_nested > region.opener) continue;
     if (region.likely_end != kNoStatement && has_stop(in, region.likely_end)) continue;
+    // Its `sub` was meant as the end of the one above.
+    const Region& above = *std::prev(p.regions.begin() + (&region - p.regions.data()));
+    if (last_nested == region.opener && above.name == region.name && above.end == kNoStatement) continue;
     report(in, out, region.opener)->reach = in.flow.reach(region.opener);
   }
   for (const Hazard& h : in.flow.hazards) {

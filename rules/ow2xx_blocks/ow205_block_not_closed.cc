@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rules/driver/block_helpers.h"
+#include "rules/driver/wrong_ends.h"
 
 namespace owlint::rules::ow205 {
 namespace {
@@ -28,7 +29,9 @@ void name_mistaken_end(const Program& p, const Block& block, StatementId id, Fin
   const std::string right = label + " " + std::string(spelling(end_of(block.kind)));
   const std::string began = "`" + p.head_of(block) + "` on line " + std::to_string(p.at(block.opener).line);
   if (id == block.mistaken_end) {
-    f.message = "`" + p.head(id) + "` does not close " + began + ": it has another label, so it begins a new loop";
+    f.message = "`" + p.head(id) + "` does not close " + began +
+        (end.label == block.label ? ": LinuxCNC reads it as the beginning of another block"
+                                  : ": it has another label, so it begins a new loop");
     relate(f, p, block.opener, "`" + p.head_of(block) + "` begins here");
     f.help = "write `" + right + "`";
   } else if (end.is(Keyword::kBare) || end.keyword == Keyword::kUnknown ||
@@ -47,6 +50,8 @@ void name_mistaken_end(const Program& p, const Block& block, StatementId id, Fin
     f.fixes.push_back({"write the label `" + label + "`",
                        false,
                        {{{end.keyword_span().begin, end.keyword_span().begin}, label + " "}}});
+  } else if (end.label == block.label && end.is(block.kind)) {
+    f.fixes.push_back({"write `" + right + "`", false, {{all_of_oword(p, end), right}}});
   } else if (end.is(Keyword::kWhile)) {
     f.fixes.push_back({"write `" + label + "`", false, {{end.label_span(), label}}});
   }
@@ -102,7 +107,7 @@ void check(const Input& in, Reporter& out) {
       if (is_forgotten_end(p, block.mistaken_end) && !has_stop(in, block.mistaken_end))
         report(in, out, block.opener)->reach = in.flow.reach(block.opener);
       const Statement& end = p.at(block.mistaken_end);
-      const bool opens = end.is(Keyword::kWhile) && !end.refused;
+      const bool opens = (end.is(Keyword::kWhile) || end.is(block.kind)) && !end.refused;
       if (opens && !has_stop(in, block.mistaken_end) && !done[block.mistaken_end])
         report(in, out, block.mistaken_end)->reach = in.flow.reach(block.mistaken_end);
       continue;

@@ -10,6 +10,7 @@
 #include "rules/driver/machine_rules.h"
 #include "rules/driver/stops.h"
 #include "rules/driver/words.h"
+#include "rules/driver/wrong_ends.h"
 
 namespace owlint::rules::ow208 {
 namespace {
@@ -177,6 +178,7 @@ void check(const Input& in, Reporter& out) {
                              (machine                           ? "on the machine's search path"
                                   : in.profile.sub_path.empty() ? "in its folder"
                                                                 : "in its folder or those of `--sub-path`"));
+    if (tell_deleted_sub(p, stop.statement, f)) return &f;
     if (in.linked.target(stop.detail).opaque) {
       f.message = "no sub `" + label + "` in this program, and owlint does not look for a file with such a name";
       f.help = "define the sub, or correct the name";

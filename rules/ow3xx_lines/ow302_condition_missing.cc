@@ -5,6 +5,7 @@
 
 #include "analyzer/syntax/known_line.h"
 #include "rules/driver/idioms.h"
+#include "rules/driver/wrong_ends.h"
 
 namespace owlint::rules::ow302 {
 namespace {
@@ -28,7 +29,7 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
                        false,
                        {{{from, from}, "["}, {{from + rest.size(), from + rest.size()}, "]"}}});
   }
-  explain_idiom(in, id, f);
+  if (!tell_wrong_end(p, id, f)) explain_idiom(in, id, f);
   return &f;
 }
 

@@ -71,6 +71,34 @@ bool lost_end(const Input& in, Span last, Finding& f) {
   return false;
 }
 
+/// `O1000` … `M99` below the program, which nothing calls and the program runs into.
+void check_uncalled_subs(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const StatementId id : in.index.program_numbers) {
+    const Statement& s = p.at(id);
+    if (p.region_of[id] != kMainRegion || !in.flow.executed[id] || s.name_open || s.has_error()) continue;
+    if (p.block_of[id] != kNoBlock || p.open_above(kMainRegion, id) != kNoBlock) continue;
+    uint32_t code = p.syntax.first_plain_line;
+    for (StatementId above = 0; above < id && (code == 0 || code > s.line); ++above) {
+      if (p.region_of[above] == kMainRegion && p.at(above).has_items()) code = p.at(above).line;
+    }
+    if (code == 0 || code > s.line) continue;
+    const auto end = std::ranges::find_if(in.index.ends, [&](StatementId at) { return at > id; });
+    if (end == in.index.ends.end() || !p.at(*end).has_m99() || p.region_of[*end] != kMainRegion ||
+        !in.flow.executed[*end] || p.open_above(kMainRegion, *end) != kNoBlock)
+      continue;
+    Finding& f =
+        out.add(s.head_span(), "the program runs into `" + p.head(id) + "`, a sub for `M98` that nothing calls");
+    relate(f, p, *end, "LinuxCNC starts the program again here, for ever; `rs274` ends it here");
+    f.help = "end the program with `M30` before this line";
+    f.fixes.push_back({f.help, false, {{{s.offset, s.offset}, "M30" + line_end(*p.source, s)}}});
+    f.reach = in.flow.reach(id);
+    f.never_ends = true;
+    f.unproven = true;  // `rs274` ends it
+    return;
+  }
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for_stops(in, out, [&](const FlowStop& stop) -> Finding* {
@@ -112,6 +140,7 @@ void check(const Input& in, Reporter& out) {
     f.fixes.push_back({f.help, true, {{{bytes.size(), bytes.size()}, text}}});
     return &f;
   });
+  check_uncalled_subs(in, out);
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kRunsIntoSub || h.other == kNoStatement) continue;
     const Statement& s = p.at(h.statement);

@@ -51,8 +51,36 @@ void check_sub_file(const Input& in, Reporter& out) {
          "a call ends here", "move it above " + closed);
 }
 
+/// Lines below a program end in a sub, up to the end of the sub.
+void check_subs(const Input& in, Reporter& out) {
+  const Program& p = in.program;
+  for (const StatementId end : in.index.ends) {
+    const RegionId sub = p.region_of[end];
+    const Statement& s = p.at(end);
+    if (sub == kMainRegion || s.kind != LineKind::kProgramEnd || s.has_m99() || !in.flow.executed[end]) continue;
+    if (p.regions[sub].end == kNoStatement || end >= p.regions[sub].end || may_lose_rest(p.syntax, end)) continue;
+    if (p.open_above(sub, end) != kNoBlock) continue;
+    const StatementId next = end + 1;
+    const bool runs = p.region_of[next] != sub || next == p.regions[sub].end || in.flow.executed[next];
+    const uint32_t line = s.plain_code_follows ? s.first_plain_line : runs ? 0 : p.at(next).line;
+    if (line == 0) continue;
+    Finding& f =
+        out.add(p.source->line(line), "no run gets to this line: the program ends on line " + std::to_string(s.line));
+    relate(f, p, end, "the program ends here");
+    f.help = "remove the line, or move it before the end of the program";
+    f.reach = Reach::kNever;
+  }
+}
+
+/// Whether a call goes to a number that is computed: it may be that of any sub.
+bool calls_any_number(const Program& p) {
+  return std::ranges::any_of(
+      p.calls, [&](const Call& call) { return call.callee == kNoName && p.at(call.statement).kind == LineKind::kM98; });
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
+  check_subs(in, out);
   if (p.sub_file) return check_sub_file(in, out);
   // The first line after an executed program end that no run gets to.
   StatementId end = kNoStatement;
@@ -80,6 +108,7 @@ void check(const Input& in, Reporter& out) {
           within || (block.opener < end && block.end != kNoStatement && block.end > end && block.region == kMainRegion);
     if (within) return;
     if (p.at(end).kind == LineKind::kPercent && has_stop(in, end)) return;  // its own rule says so
+    if (s.is(Keyword::kBare) && line == s.line && calls_any_number(p)) return;
     // These lines are a sub: what is wrong with its first one is said there, or where it is called.
     if (std::ranges::any_of(in.index.subs, [&](const auto& sub) { return sub.second > end; })) return;
     const Span span = p.source->line(line);

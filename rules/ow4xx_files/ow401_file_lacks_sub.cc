@@ -5,6 +5,7 @@
 #include "rules/driver/ini_places.h"
 #include "rules/driver/remap_rules.h"
 #include "rules/driver/stops.h"
+#include "rules/driver/wrong_ends.h"
 
 namespace owlint::rules::ow401 {
 namespace {
@@ -48,6 +49,7 @@ void check(const Input& in, Reporter& out) {
       if (const Ini::Entry* const entry = remap_entry(in, stop.statement))
         relate_ini(f, *entry, "the file is named here");
     }
+    if (tell_deleted_sub(p, stop.statement, f)) return &f;
     if (path == p.source->path()) {
       f.message = "`" + p.head(stop.statement) + "` opens this program itself, because the file is named " +
           file_name(*file.source) + "; it does not define the sub";

@@ -16,6 +16,25 @@ StatementId own_sub(const Program& p, NameId sub) {
   return kNoStatement;
 }
 
+/// The lines of a sub, without blanks and empty lines.
+std::string body(const Program& p, StatementId opener) {
+  const Region& region = p.regions[p.region_of[opener]];
+  if (region.opener != opener || region.end == kNoStatement) return {};
+  std::string text = small_letters(p.source->slice({p.at(opener).offset, p.at(region.end).end()}));
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+  text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == '\n' && b == '\n'; }), text.end());
+  return text;
+}
+
+/// Whether the sub that runs does what the one in this file does.
+bool is_copy(const Program& p, StatementId call, const Elsewhere& runs) {
+  const NameId label = p.at(call).label;
+  const StatementId own = label == kNoName ? kNoStatement : own_sub(p, label);
+  if (own == kNoStatement) return false;
+  const std::string text = body(p, own);
+  return !text.empty() && text == body(*runs.program, runs.statement);
+}
+
 /// A call that may run one of several subs, all of other files, is one finding; so are all calls of one label.
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
@@ -25,6 +44,7 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     if (h.kind != HazardKind::kOtherHelper || h.other_elsewhere.program == nullptr) continue;
     const Elsewhere& runs = h.other_elsewhere;
+    if (is_copy(p, h.statement, runs)) continue;
     const bool first_place = calls.insert(h.statement).second;
     const auto [known, added] = by_label.emplace(runs.program->head(runs.statement), findings.size());
     if (!added) {

@@ -8,6 +8,7 @@
 
 #include "analyzer/syntax/line_parser.h"
 #include "rules/driver/block_helpers.h"
+#include "rules/driver/wrong_ends.h"
 
 namespace owlint::rules::ow508 {
 namespace {
@@ -17,9 +18,7 @@ StatementId second_end(const Input& in, BlockId block) {
   if (block == kNoBlock || in.program.blocks[block].end == kNoStatement) return kNoStatement;
   const Block& loop = in.program.blocks[block];
   for (const StatementId id : in.index.stray_parts) {
-    if (id > loop.end && in.program.at(id).label == loop.label && in.program.region_of[id] == loop.region &&
-        loops_again(in, id))
-      return id;
+    if (id > loop.end && ended_again(in.program, block, id) != nullptr && loops_again(in, id)) return id;
   }
   return kNoStatement;
 }
@@ -212,11 +211,12 @@ void check(const Input& in, Reporter& out) {
     const StatementId again = second_end(in, block);
     if (again != kNoStatement) {
       const std::string end = p.head(again);
+      const Block& ended = *ended_again(p, block, again);
       Finding& f = out.add(p.at(again).head_span(),
-                           "a second `" + end + "` goes back to `" + p.head(h.statement) + "` on line " +
-                               std::to_string(s.line) + ", again and again");
-      relate(f, p, h.statement, "it goes back here");
-      relate(f, p, p.blocks[block].end, "the loop has already ended here");
+                           "a second `" + end + "` goes back to `" + p.head(ended.opener) + "` on line " +
+                               std::to_string(p.at(ended.opener).line) + ", again and again");
+      relate(f, p, ended.opener, "it goes back here");
+      relate(f, p, ended.end, "the loop has already ended here");
       f.help = "remove the line, or give it the label of the loop that it ends";
       f.unproven = h.not_always;
       f.reach = h.reach;

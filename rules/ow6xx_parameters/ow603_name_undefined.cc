@@ -84,8 +84,15 @@ class LocalNames {
     const Elsewhere other = owner(name, reader, caller);
     if (other.statement == kNoStatement) return suggest(in_, name, reader, f);
     f.message = "`#<" + name + ">` has no value in " + region_words(p, reader) + ": " + belongs(other, f);
-    // A sub for M98 has no `endsub` that returns a value.
     const RegionId owner_region = other.program->region_of[other.statement];
+    if (other.program == &p && p.sub_file && owner_region == kMainRegion && reader != kMainRegion) {
+      const std::string line = line_words(in_, other);
+      f.message = "`#<" + name + ">` has no value here: a call of this file leaves out " + line + ", which assigns it";
+      f.related.back().message = "no call of the file runs this line";
+      f.help = "move " + line + " into the sub";
+      return;
+    }
+    // A sub for M98 has no `endsub` that returns a value.
     const StatementId owner_opener = other.program->regions[owner_region].opener;
     const bool of_m98 = owner_opener != kNoStatement && !other.program->at(owner_opener).is(Keyword::kSub);
     if (reader == kMainRegion && of_m98) {

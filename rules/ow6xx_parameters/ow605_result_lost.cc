@@ -57,8 +57,11 @@ bool changes(const Sub& sub, uint32_t n) {
   return !used || !sets_number(sub, n);
 }
 
+/// Which numbers of a sub a finding is about: one mistake, one finding.
+using Told = std::set<std::tuple<const Program*, RegionId, uint32_t>>;
+
 /// Numbers that a sub assigns without using them, and that the main program reads after the call.
-void check_numbers(const Input& in, const Call& call, const Sub& sub, Reporter& out) {
+void check_numbers(const Input& in, const Call& call, const Sub& sub, const Told& told, Reporter& out) {
   const Program& p = in.program;
   const bool here = sub.program == &p;
   const uint32_t left = sub.data->left_behind(sub.region);
@@ -67,7 +70,7 @@ void check_numbers(const Input& in, const Call& call, const Sub& sub, Reporter& 
     const bool expected = (left >> n & 1) != 0 &&
         (in.data.expects_from_call(call.statement, n) ||
          (!sets_number(sub, n) && in.data.reads_after(call.statement, n)));
-    if (!expected) continue;
+    if (!expected || told.contains({sub.program, sub.region, n})) continue;
     const StatementId assigned = sub.data->last_assignment(sub.region, n);
     const std::string number = "`#" + std::to_string(n) + "`";
     Finding& f = here ? out.add(p.at(assigned).whole(),
@@ -118,15 +121,6 @@ void check_names(const Input& in, const Call& call, const Sub& sub, Reporter& ou
   }
 }
 
-/// The parameter that an argument is, if it is only that.
-std::optional<flow::ParameterKey> passed(const Program& p, ExprId argument) {
-  const Expr& expr = p.syntax.exprs[argument];
-  if (expr.op == Operator::kNamed) return flow::key_of_name(p.syntax, expr.name());
-  if (expr.op != Operator::kParameter) return std::nullopt;
-  const flow::ParameterKey key = flow::key_of_number(p.syntax, expr.left());
-  return key == flow::kComputedKey ? std::nullopt : std::optional(key);
-}
-
 /// Parameters that are passed to a sub which changes its argument, and read after the call as if they were changed.
 class ByReference {
  public:
@@ -138,7 +132,7 @@ class ByReference {
     if (s.has_error()) return;
     const std::span<const ExprId> values = p.syntax.values_of(s);
     for (uint32_t i = 0; i < values.size() && i + 1 < flow::kFirstGlobalNumber; ++i) {
-      const auto key = passed(p, values[i]);
+      const auto key = passed_parameter(p, values[i]);
       const Sub sub = key ? subs_.called_by(call) : Sub{};
       if (sub.program == nullptr) continue;
       constexpr int kMostTries = 100;  // each may go through all lines
@@ -147,10 +141,13 @@ class ByReference {
       if (tries->second == 0) continue;
       --tries->second;
       if (assigns(sub, *key) || !in_.data.reads_after(call.statement, *key)) continue;
-      tries->second = 0;  // one mistake, one finding
+      tries->second = 0;
+      told_.insert({sub.program, sub.region, i + 1});
       report(call, sub, i + 1, *key);
     }
   }
+
+  const Told& told() const { return told_; }
 
  private:
   /// Whether the sub itself assigns what the caller has passed, as it may with a global.
@@ -186,6 +183,7 @@ class ByReference {
   const Input& in_;
   Reporter& out_;
   Subs subs_;
+  Told told_;
   std::map<std::tuple<const Program*, RegionId, uint32_t>, int>
       left_;  ///< by sub and argument: calls that may still be looked at
 };
@@ -198,11 +196,14 @@ void check(const Input& in, Reporter& out) {
   for (const Call& call : p.calls) {
     if (p.at(call.statement).kind == LineKind::kM98) continue;  // shares the numbers
     by_reference.check(call);
+  }
+  for (const Call& call : p.calls) {
+    if (p.at(call.statement).kind == LineKind::kM98) continue;
     // In a sub, what it reads may be its own argument. The first call has the most lines after it.
     if (call.caller != kMainRegion) continue;
     const Sub sub = subs.called_by(call);
     if (sub.program == nullptr || !seen.emplace(sub.program, sub.region).second) continue;
-    check_numbers(in, call, sub, out);
+    check_numbers(in, call, sub, by_reference.told(), out);
     check_names(in, call, sub, out);
   }
 }

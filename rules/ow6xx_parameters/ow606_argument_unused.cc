@@ -7,6 +7,20 @@
 namespace owlint::rules::ow606 {
 namespace {
 
+/// Whether the sub only assigns each argument behind the last that it reads, and the caller reads the parameter that it passes
+/// there after the call: they are meant as results, and OW605 says what becomes of them.
+bool are_results(const Input& in, const Call& call, uint32_t read) {
+  const Program& p = in.program;
+  const std::span<const ExprId> values = p.syntax.values_of(p.at(call.statement));
+  const uint32_t left = in.data.left_behind(call.target);
+  for (uint32_t i = read; i < values.size(); ++i) {
+    const auto key = passed_parameter(p, values[i]);
+    if (i + 1 >= flow::kFirstGlobalNumber || (left >> (i + 1) & 1) == 0 || !key) return false;
+    if (!in.data.reads_after(call.statement, *key)) return false;
+  }
+  return true;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   for (const Call& call : p.calls) {
@@ -17,7 +31,7 @@ void check(const Input& in, Reporter& out) {
     if (!sub.known || sub.any_number) continue;
     // An argument in the middle has to be passed because of those after it.
     const int read = sub.last_argument();
-    if (s.value_count <= read) continue;
+    if (s.value_count <= read || are_results(in, call, static_cast<uint32_t>(read))) continue;
     const std::string reads = read == 0 ? "reads none"
         : read == 1                     ? "reads only `#1`"
                                         : "reads only `#1` to `#" + std::to_string(read) + "`";

@@ -5,6 +5,44 @@
 namespace owlint::rules::ow608 {
 namespace {
 
+bool same_parameter(const Syntax& syntax, ExprId a, ExprId b) {
+  const Expr& left = syntax.exprs[a];
+  const Expr& right = syntax.exprs[b];
+  if (left.op != right.op) return false;
+  if (left.op == Operator::kNamed) return left.name() == right.name();
+  if (left.op != Operator::kParameter) return false;
+  const flow::ParameterKey key = flow::key_of_number(syntax, left.left());
+  return key != flow::kComputedKey && key == flow::key_of_number(syntax, right.left());
+}
+
+// Depth is bounded by the length of a line.
+bool divides_by(const Syntax& syntax, ExprId id, ExprId parameter) {
+  const Expr& expr = syntax.exprs[id];
+  bool found = expr.op == Operator::kDivide && same_parameter(syntax, expr.right(), parameter);
+  for_each_operand(expr, [&](ExprId operand) { found = found || divides_by(syntax, operand, parameter); });
+  return found;
+}
+
+/// `if [#<count> GT 0]` before a division by `#<count>`, with an `else`: it is there for the case that the number above is changed.
+bool guards_division(const Program& p, StatementId id) {
+  const Statement& s = p.at(id);
+  const BlockId block = p.block_of[id];
+  if (!s.is(Keyword::kIf) || s.value_count != 1 || block == kNoBlock || p.parts[block].empty()) return false;
+  const Expr& condition = p.syntax.exprs[p.syntax.values_of(s).front()];
+  if (condition.op != Operator::kGt && condition.op != Operator::kNe) return false;
+  const Expr& limit = p.syntax.exprs[condition.right()];
+  if (limit.op != Operator::kNumber || limit.value() < 0) return false;
+  for (StatementId line = id + 1; line < p.parts[block].front(); ++line) {
+    for (const Item& item : p.syntax.items_of(p.at(line))) {
+      if (item.value != kNoExpr && divides_by(p.syntax, item.value, condition.left())) return true;
+    }
+    for (const ExprId value : p.syntax.values_of(p.at(line))) {
+      if (divides_by(p.syntax, value, condition.left())) return true;
+    }
+  }
+  return false;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   if (p.syntax.runs_python) return;  // which may set what the conditions read
@@ -18,6 +56,7 @@ void check(const Input& in, Reporter& out) {
       f.reach = in.flow.reach(c.statement);
       continue;
     }
+    if (c.truth && guards_division(p, c.statement)) continue;
     const std::string says = s.is(Keyword::kWhile) && !c.truth ? "is always false: the loop makes no more passes"
         : c.truth                                              ? "is always true"
                                                                : "is always false: its lines never run";

@@ -2,6 +2,7 @@
 // Depends on: without contact G38.3 and G38.5 go on, and #5061 to #5069 are the end of the move, while G38.2 and G38.4 stop the
 // program; M66 goes on when its time is over.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -217,13 +218,32 @@ bool check_wait(const Input& in, Reporter& out, uint32_t line) {
   return true;
 }
 
+/// `G91 G38.3 Z.0001`: a move of nearly nothing, which only takes the position into #5061 to #5069.
+bool reads_position(const Source& source, uint32_t line, const std::vector<WrittenWord>& words) {
+  constexpr double kNothing = 0.005;
+  bool moves = false;
+  for (const std::string_view axis : {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"}) {
+    const WrittenWord* word = find_word(words, axis);
+    if (word == nullptr) continue;
+    if (std::abs(word->value.value_or(1)) > kNothing) return false;
+    moves = true;
+  }
+  constexpr uint32_t kMostLines = 20;
+  for (uint32_t above = line; moves && above > 0 && above + kMostLines > line; --above) {
+    const std::vector<WrittenWord> other = words_of(source, source.line(above));
+    if (find_word(other, "G91") != nullptr) return true;
+    if (find_word(other, "G90") != nullptr) return false;
+  }
+  return false;
+}
+
 void check(const Input& in, Reporter& out) {
   const Source& source = *in.program.source;
   std::vector<uint32_t> probes;
   std::vector<uint32_t> inputs;
   for (const uint32_t line : in.program.syntax.input_lines) {
     const std::vector<WrittenWord> words = words_of(source, source.line(line));
-    if (find_word(words, kGoesOn) != nullptr) probes.push_back(line);
+    if (find_word(words, kGoesOn) != nullptr && !reads_position(source, line, words)) probes.push_back(line);
     if (waits(words)) inputs.push_back(line);
   }
   // What nothing looks at, nothing looks at behind the other lines either: that is one mistake.

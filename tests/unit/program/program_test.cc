@@ -176,7 +176,10 @@ TEST_CASE("the lines outside of the sub with the file's name say whether it is a
   CHECK(called(sub + "G0 X9\nM2\nremarks\n"));
   CHECK(called("M2\n" + sub));
   CHECK_FALSE(called("o<q> sub\no<q> endsub\n"));
-  CHECK_FALSE(called(sub + "o<p> call\n"));
+  CHECK(called(sub + "o<p> call\n"));
+  CHECK(called("o<q> sub\no<q> endsub\no<q> call\n" + sub));
+  CHECK_FALSE(called(sub + "o<p> call\nM2\n"));
+  CHECK_FALSE(called("%\n" + sub + "o<p> call\n%\n"));
   CHECK_FALSE(called("o<p> call\nM2\n" + sub));
   CHECK_FALSE(called(sub + "o<r> call\nM2\n"));
   CHECK_FALSE(called(sub + "o#1 call\nM2\n"));
