@@ -1,5 +1,5 @@
-// What the bytes of a line tell before it is parsed: whether it matters at all, and what its comments say to LinuxCNC and to owlint.
-// For lines that are not plain (bulk.h); the scanner asks.
+// What the bytes of a line tell before it is parsed: whether it matters at all, and what its comments say to LinuxCNC and
+// to owlint. For lines that are not plain (bulk.h); the scanner asks.
 #pragma once
 
 #include <cstdint>

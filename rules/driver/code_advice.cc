@@ -113,7 +113,7 @@ bool goes_elsewhere(char letter, int number) {
   return number == kG28 || number == kG28_1 || number == kG30 || number == kG30_1;
 }
 
-/// Codes that end the program, or switch the spindle or the coolant: not to be named for one that is only a digit shorter or longer.
+/// Codes that end the program, or switch the spindle or the coolant: not to be named for one that has a digit more or less.
 bool has_consequences(char letter, std::string_view digits) {
   constexpr std::string_view kCodes[] = {"2", "3", "4", "7", "8", "19", "30", "60"};
   return letter == 'm' && std::ranges::find(kCodes, digits) != std::end(kCodes);

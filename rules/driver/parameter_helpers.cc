@@ -209,4 +209,21 @@ std::optional<flow::ParameterKey> passed_parameter(const Program& p, ExprId argu
   return key == flow::kComputedKey ? std::nullopt : std::optional(key);
 }
 
+std::string leading_comment(const Source& source) {
+  constexpr uint64_t kMost = 16'384;  // bytes
+  const std::string_view text = source.bytes().substr(0, kMost);
+  std::string out;
+  for (size_t at = 0; at < text.size();) {
+    const size_t end = std::min(text.find('\n', at), text.size());
+    std::string line;
+    for (const char c : text.substr(at, end - at)) {
+      if (c != ' ' && c != '\t' && c != '\r') line += c;
+    }
+    if (!line.empty() && line[0] != '(' && line[0] != ';' && line[0] != '%') break;
+    out += small_letters(line);
+    at = end + 1;
+  }
+  return out;
+}
+
 }  // namespace owlint::rules

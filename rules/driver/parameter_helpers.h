@@ -47,4 +47,7 @@ bool computes_fraction(const Program& program, ExprId value);
 /// The parameter that an argument is, if it is only that.
 std::optional<flow::ParameterKey> passed_parameter(const Program& program, ExprId argument);
 
+/// The comment lines that a program begins with, in small letters and without blanks.
+std::string leading_comment(const Source& source);
+
 }  // namespace owlint::rules

@@ -16,24 +16,6 @@
 namespace owlint::rules::ow603 {
 namespace {
 
-/// The comment lines that a program begins with, in small letters and without blanks.
-std::string leading_comment(const Source& source) {
-  constexpr uint64_t kMost = 16'384;  // bytes
-  const std::string_view text = source.bytes().substr(0, kMost);
-  std::string out;
-  for (size_t at = 0; at < text.size();) {
-    const size_t end = std::min(text.find('\n', at), text.size());
-    std::string line;
-    for (const char c : text.substr(at, end - at)) {
-      if (c != ' ' && c != '\t' && c != '\r') line += c;
-    }
-    if (!line.empty() && line[0] != '(' && line[0] != ';' && line[0] != '%') break;
-    out += small_letters(line);
-    at = end + 1;
-  }
-  return out;
-}
-
 /// What is said of `#<_ini[section]entry>`, which the machine's INI does not have.
 void tell_entry(const Profile& profile, const std::string& name, Finding& f) {
   f.message = name + " is read here, but " +

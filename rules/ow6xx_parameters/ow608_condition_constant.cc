@@ -23,7 +23,7 @@ bool divides_by(const Syntax& syntax, ExprId id, ExprId parameter) {
   return found;
 }
 
-/// `if [#<count> GT 0]` before a division by `#<count>`, with an `else`: it is there for the case that the number above is changed.
+/// `if [#<count> GT 0]` before a division by `#<count>`, with an `else`: it is there for other numbers.
 bool guards_division(const Program& p, StatementId id) {
   const Statement& s = p.at(id);
   const BlockId block = p.block_of[id];

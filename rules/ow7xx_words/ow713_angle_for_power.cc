@@ -1,6 +1,6 @@
 // OW713 angle-for-power: `^` behind a value, which is a power in other languages and the angle of a move in LinuxCNC.
-// Depends on (measured): `#1=2^3` is the assignment `#1=2` and the polar word `^3`. With a motion in effect the line moves; without
-// one, and beside X or Y, it stops (OW709). In brackets `^` is no operator (OW303).
+// Depends on (measured): `#1=2^3` is the assignment `#1=2` and the polar word `^3`. With a motion in effect the line moves;
+// without one, and beside X or Y, it stops (OW709). In brackets `^` is no operator (OW303).
 #include <algorithm>
 
 #include <fmt/format.h>
