@@ -11,7 +11,8 @@ namespace owlint::rules {
 bool has_braces(const RefusedLine& line, Finding& f) {
   const std::string_view text = line.text.text().substr(0, line.end);
   const size_t open = text.find_first_of("{}");
-  if (open == std::string_view::npos || open < line.at) return false;
+  // `#{depth}`: a name, not a calculation.
+  if (open == std::string_view::npos || open < line.at || (open > 0 && text[open - 1] == '#')) return false;
   std::vector<Edit> edits;
   std::string right(text);
   for (size_t i = open; i < text.size(); ++i) {

@@ -36,8 +36,9 @@ bool is_of_values(const FlowStop& stop) {
   constexpr std::array kKinds = {StopKind::kValueFails,      StopKind::kParameterRange,   StopKind::kParameterReadOnly,
                                  StopKind::kLabelNotInteger, StopKind::kM98Words,         StopKind::kNumberOutOfRange,
                                  StopKind::kArcRadiiDiffer,  StopKind::kArcRadiusTooSmall};
-  // Of the other kinds, those for which it matters where the machine stands.
-  constexpr std::array kMessages = {"R less than", "polar coordinate", "Start point too close", "rotary axes with G76"};
+  // Of the other kinds, those for which it matters where the machine stands, or which spindle a number is.
+  constexpr std::array kMessages = {"R less than", "polar coordinate", "Start point too close", "rotary axes with G76",
+                                    "Invalid spindle"};
   return std::ranges::find(kKinds, stop.kind) != kKinds.end() || stop.words.arc != nullptr ||
       std::ranges::any_of(kMessages,
                           [&](const char* part) { return stop.interpreter.find(part) != std::string::npos; });
