@@ -135,7 +135,10 @@ class PlainReader {
 
   bool begins_with_owlint() const {
     const char* at = at_;
-    return std::ranges::all_of(kOwlint, [&](char c) { return *at++ == c; });
+    for (const char c : kOwlint) {
+      if (*at++ != c) return false;
+    }
+    return true;
   }
 
   /// The text of a comment; false if it is a command, or may be meant for owlint.

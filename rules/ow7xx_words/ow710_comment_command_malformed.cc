@@ -53,8 +53,10 @@ class Checker {
   void run() {
     for (const uint64_t begin : in_.program.syntax.command_lines)
       line(begin, std::min(text_.find('\n', begin), text_.size()));
-    const uint64_t end = source_.line(in_.program.syntax.last_code).end;
-    for (size_t at = text_.find('('); at < end; at = text_.find('(', at + 1)) misspelt(at);
+    constexpr uint64_t kMost = 1'000'000;  // bytes: nobody writes more by hand
+    const uint64_t end = std::min(source_.line(in_.program.syntax.last_code).end, kMost);
+    const std::string_view head = text_.substr(0, end);
+    for (size_t at = head.find('('); at < end; at = head.find('(', at + 1)) misspelt(at);
   }
 
  private:
