@@ -1,7 +1,4 @@
 #include "analyzer/syntax/plain_line.h"
-
-#include <algorithm>
-
 #include "analyzer/syntax/comment_command.h"
 #include "analyzer/text/characters.h"
 
