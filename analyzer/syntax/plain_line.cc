@@ -1,4 +1,5 @@
 #include "analyzer/syntax/plain_line.h"
+
 #include "analyzer/syntax/comment_command.h"
 #include "analyzer/text/characters.h"
 
