@@ -78,7 +78,9 @@ std::vector<double> Refinement::compared_numbers(ExprId other, bool of_while) {
 // Depth is bounded by the length of a line.
 void Refinement::count_comparisons(ExprId id, bool of_while, std::vector<double>& thresholds) {
   const Expr& expr = syntax_.exprs[id];
-  const auto is_comparison_at = [&](ExprId side) { return is_comparison(syntax_.exprs[side].op); };
+  // `[[#1 EQ 3] EQ 0]` compares an outcome.
+  const auto compares = [&](ExprId side) { return side != kNoExpr && is_comparison(syntax_.exprs[side].op); };
+  const bool of_outcome = is_comparison(expr.op) && (compares(expr.left()) || compares(expr.right()));
   const auto count = [&](ExprId side, ExprId other) {
     const std::vector<double> written = other == kNoExpr ? std::vector<double>() : compared_numbers(other, of_while);
     std::vector<double> numbers = written;
@@ -94,10 +96,7 @@ void Refinement::count_comparisons(ExprId id, bool of_while, std::vector<double>
       thresholds.push_back(compared_with + 3 * kEqualTolerance);
     }
   };
-  if (expr.op == Operator::kAnd || expr.op == Operator::kOr) {
-    for_each_operand(expr, [&](ExprId operand) { count_comparisons(operand, of_while, thresholds); });
-  } else if (is_comparison(expr.op) && (is_comparison_at(expr.left()) || is_comparison_at(expr.right()))) {
-    // `[[#1 EQ 3] EQ 0]`
+  if (expr.op == Operator::kAnd || expr.op == Operator::kOr || of_outcome) {
     for_each_operand(expr, [&](ExprId operand) { count_comparisons(operand, of_while, thresholds); });
   } else if (is_comparison(expr.op)) {
     count(expr.left(), expr.right());

@@ -207,8 +207,9 @@ void AbstractMachine::Step::find_sub(State enter, Context callee, int repeats) {
   const Definers::Set set = m.definers_.get(state.table.get(defined));
   take_apart(set);
   enter.mixed = state.mixed;
+  const bool has_own = m.linked_.files().size() > 1 && own_file_has(plain);
   for (const StatementId line : set.lines) {
-    if (m.linked_.files().size() > 1 && own_file_has(plain)) {
+    if (has_own) {
       const bool own = m.linked_.file_of(line) == m.linked_.file_of(here);
       hazard(own ? HazardKind::kOwnHelper : HazardKind::kOtherHelper, line);
     }
@@ -222,7 +223,7 @@ void AbstractMachine::Step::find_sub(State enter, Context callee, int repeats) {
     return;
   }
   const CallTarget target = m.target(callee.sub);
-  if (m.linked_.files().size() > 1 && own_file_has(plain)) tell_file_before_own(plain, target);
+  if (has_own) tell_file_before_own(plain, target);
   enter.table.set(m.pool_, defined, 0);
   enter.skip = defined;
   enter.seek = true;
