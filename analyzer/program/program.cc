@@ -245,6 +245,7 @@ std::shared_ptr<const Program> without_deleted_lines(std::shared_ptr<const Progr
       }
       continue;
     }
+    if (s.kind == LineKind::kOWord && s.label != kNoName) out->left_out.try_emplace({s.label, s.keyword}, s.line);
     if (s.asks_inputs && !statements.empty()) statements.back().asks_inputs = true;
     if (s.plain_code_follows && !statements.empty() && !statements.back().plain_code_follows) {
       statements.back().plain_code_follows = true;

@@ -2,6 +2,7 @@
 // the syntax; the flow room and the rules read it.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -68,6 +69,8 @@ struct Program {
   std::vector<BlockId> block_of;    ///< by statement: the block that it opens, divides, ends, breaks or continues
   std::vector<Call> calls;
   Grouped by_label;  ///< by NameId: the O-words with that label, in file order
+  /// Of O-words that block delete leaves out, the number of the first line with each label and keyword.
+  std::map<std::pair<NameId, Keyword>, uint32_t> left_out;
 
   /// The file is called from elsewhere: it defines the sub it is named after, and is no program itself.
   bool sub_file = false;

@@ -1,10 +1,5 @@
 #include "rules/driver/wrong_ends.h"
 
-#include <algorithm>
-
-#include "analyzer/syntax/line_text.h"
-#include "analyzer/text/characters.h"
-
 namespace owlint::rules {
 
 Span all_of_oword(const Program& p, const Statement& s) {
@@ -45,34 +40,21 @@ const Block* ended_again(const Program& p, BlockId loop, StatementId id) {
   const NameId label = p.at(id).label;
   if (b.end == kNoStatement || b.end >= id || b.region != p.region_of[id]) return nullptr;
   if (b.label == label) return &b;
-  const auto inner = std::ranges::find_if(p.blocks, [&](const Block& other) {
-    return other.label == label && other.region == b.region && other.opener > b.opener && other.end < b.end &&
-        other.kind != Keyword::kIf;
-  });
-  return inner == p.blocks.end() ? nullptr : &*inner;
+  if (label == kNoName) return nullptr;
+  for (const StatementId opener : p.by_label[label]) {
+    const BlockId inner = p.block_of[opener];
+    if (inner == kNoBlock) continue;
+    const Block& other = p.blocks[inner];
+    if (other.region == b.region && other.opener > b.opener && other.end < b.end && other.kind != Keyword::kIf)
+      return &other;
+  }
+  return nullptr;
 }
 
 uint32_t deleted_opener(const Program& p, NameId label, bool (*wanted)(Keyword)) {
   if (label == kNoName) return 0;
-  const std::string_view bytes = p.source->bytes();
-  uint32_t number = 0;
-  for (size_t at = 0; at < bytes.size();) {
-    const size_t end = std::min(bytes.find('\n', at), bytes.size());
-    std::string_view line = bytes.substr(at, std::min<size_t>(end - at, kLineLimit));
-    at = end + 1;
-    ++number;
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    if (!line.starts_with('/')) continue;
-    std::string text = small_letters(line.substr(1));
-    std::erase_if(text, is_blank);
-    if (text.size() > 1 && text[0] == 'n')
-      text.erase(0, std::min(text.find_first_not_of("0123456789.", 1), text.size()));
-    if (text.size() < 2 || text[0] != 'o') continue;
-    const bool named = text[1] == '<';
-    const size_t from = named ? 2 : std::min(text.find_first_not_of('0', 1), text.size());
-    const size_t to = std::min(named ? text.find('>') : text.find_first_not_of("0123456789", from), text.size());
-    const std::string_view rest = std::string_view(text).substr(std::min(named ? to + 1 : to, text.size()));
-    if (text.substr(from, to - from) == p.name(label) && wanted(keyword_of(rest))) return number;
+  for (auto at = p.left_out.lower_bound({label, Keyword{}}); at != p.left_out.end() && at->first.first == label; ++at) {
+    if (wanted(at->first.second)) return at->second;
   }
   return 0;
 }

@@ -84,13 +84,12 @@ void check(const Input& in, Reporter& out) {
   }
   const std::vector<bool> used = reached(p, begins, called);
   const std::vector<std::string> undefined = undefined_calls(in);
+  std::unordered_map<NameId, size_t> definitions;
+  for (const Region& region : p.regions) ++definitions[region.name];
+  if (!in.data.structure().regular || in_cycles(p)) return;
   for (const RegionId r : alone) {
     const Region& region = p.regions[r];
-    if (used[r]) continue;
-    if (std::ranges::any_of(p.regions,
-                            [&](const Region& other) { return other.name == region.name && &other != &region; }))
-      continue;
-    if (!in.data.structure().regular || in_cycles(p)) return;
+    if (used[r] || definitions[region.name] > 1) continue;
     // The call that is meant for it is reported where its name is misspelled.
     if (!nearest(p.name(region.name), undefined, 1).empty()) continue;
     Finding& f = out.add(p.at(region.opener).head_span(), "nothing calls " + region_words(p, r));

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "analyzer/flow/interpreter/new_machine.h"
 
 namespace owlint::flow {
 namespace {
 
-using Seeking = std::vector<const Partition*>;
+/// The states that seek the sub of a context where the file ends.
+struct Seeking {
+  std::vector<const Partition*> at_end;      ///< behind its last line
+  std::vector<const Partition*> at_percent;  ///< at a line with `%` above that
+};
 
 /// One call of a context whose states seek its sub: at the end of a file it has not been found.
 void add_if_missing(const Iteration& analysis, ContextId context, const Caller& caller, const Seeking& seeking,
@@ -21,10 +26,9 @@ void add_if_missing(const Iteration& analysis, ContextId context, const Caller& 
   const CallTarget target = machine.target(sub);
   const bool has_file = target.file != CallTarget::kNotFound;
   const LinkedFile& file = linked.files()[has_file ? target.file : linked.file_of(call)];
-  const bool at_end = std::ranges::any_of(seeking, [&](const Partition* p) { return p->position == file.last; });
-  const bool percent = !at_end && program.syntax.percent && std::ranges::any_of(seeking, [&](const Partition* p) {
-    return p->position >= std::max(file.first, 1U) && p->position < file.last &&
-        program.at(p->position).kind == LineKind::kPercent;
+  const bool at_end = std::ranges::any_of(seeking.at_end, [&](const Partition* p) { return p->position == file.last; });
+  const bool percent = !at_end && std::ranges::any_of(seeking.at_percent, [&](const Partition* p) {
+    return p->position >= std::max(file.first, 1U) && p->position < file.last;
   });
   if (!at_end && !percent) return;
   FlowStop stop;
@@ -47,7 +51,7 @@ void add_if_missing(const Iteration& analysis, ContextId context, const Caller& 
   stop.on_new_machine = is_on_new_machine(caller.state.parameters);
   if (stop.on_new_machine) stop.unset = analysis.unset();
   const uint32_t key = stops.add(caller.state.record, std::move(stop));
-  for (const Partition* partition : seeking) {
+  for (const Partition* partition : percent ? seeking.at_percent : seeking.at_end) {
     for (const auto& [hash, record] : partition->seen) analysis.trace()->terminate(record, key);
   }
 }
@@ -70,13 +74,20 @@ StopKind why_not_found(const Iteration& analysis, NameId sub, StatementId call) 
 }
 
 void find_missing_subs(const Iteration& analysis, Stops& stops) {
+  const Program& program = analysis.program();
+  std::set<StatementId> ends;
+  for (const LinkedFile& file : analysis.linked().files()) ends.insert(file.last);
   std::map<ContextId, Seeking> seeking;
   for (const Partition& partition : analysis.partitions().all()) {
-    if (partition.seek) seeking[partition.context].push_back(&partition);
+    if (!partition.seek) continue;
+    const StatementId at = partition.position;
+    if (ends.contains(at)) seeking[partition.context].at_end.push_back(&partition);
+    if (program.syntax.percent && at < program.size() && program.at(at).kind == LineKind::kPercent)
+      seeking[partition.context].at_percent.push_back(&partition);
   }
-  for (const auto& [context, partitions] : seeking) {
+  for (const auto& [context, found] : seeking) {
     for (const Caller& caller : analysis.calls()[context].callers)
-      add_if_missing(analysis, context, caller, partitions, stops);
+      add_if_missing(analysis, context, caller, found, stops);
   }
 }
 
