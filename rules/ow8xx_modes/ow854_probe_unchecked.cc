@@ -48,8 +48,10 @@ struct Use {
 /// Follows a probed point through the lines behind its probe move, also where a parameter holds it.
 class Point {
  public:
-  Point(const Input& in, uint32_t line, const std::vector<WrittenWord>& probe)
-      : p_(in.program), line_(line), lines_(p_, line), probe_(probe) {}
+  /// `measures`: the program measures with such moves only. Where others of its moves probe, G38.3 is often a move to a place
+  /// that stops if something is in the way.
+  Point(const Input& in, uint32_t line, const std::vector<WrittenWord>& probe, bool measures)
+      : p_(in.program), line_(line), lines_(p_, line), probe_(probe), measures_(measures) {}
 
   /// The first use; nothing if a comparison comes before it, which may be the program's way to find out.
   std::optional<Use> first_use() {
@@ -73,14 +75,9 @@ class Point {
     bool compared = false;
   };
 
-  /// Where other moves of the file probe, or a sub may have, G38.3 is often a move to a place that stops if something is in the
-  /// way.
+  /// Whether no sub may have probed before, either.
   bool measures() const {
-    const Source& source = *p_.source;
-    const bool others = std::ranges::any_of(p_.syntax.input_lines, [&](uint32_t other) {
-      return find_word(words_of(source, source.line(other)), "G38.2 G38.4") != nullptr;
-    });
-    return !others &&
+    return measures_ &&
         std::ranges::none_of(p_.calls, [&](const Call& call) { return p_.at(call.statement).line < line_; });
   }
 
@@ -148,16 +145,17 @@ class Point {
   const uint32_t line_;
   LinesBehind lines_;
   const std::vector<WrittenWord>& probe_;
+  const bool measures_;
   bool fresh_ = true;   // #5061 to #5069 are of this move
   bool moved_ = false;  // the position is another one by now
   std::set<flow::ParameterKey> held_;
 };
 
-bool check_probe(const Input& in, Reporter& out, uint32_t line) {
+bool check_probe(const Input& in, Reporter& out, uint32_t line, bool measures) {
   const Source& source = *in.program.source;
   const std::vector<WrittenWord> words = words_of(source, source.line(line));
   const WrittenWord* probe = find_word(words, kGoesOn);
-  const std::optional<Use> use = Point(in, line, words).first_use();
+  const std::optional<Use> use = Point(in, line, words, measures).first_use();
   if (!use) return false;
   const std::string code = shown(source, probe->span);
   const std::string what =
@@ -241,16 +239,18 @@ void check(const Input& in, Reporter& out) {
   const Source& source = *in.program.source;
   std::vector<uint32_t> probes;
   std::vector<uint32_t> inputs;
+  bool measures = true;
   for (const uint32_t line : in.program.syntax.input_lines) {
     const std::vector<WrittenWord> words = words_of(source, source.line(line));
     if (find_word(words, kGoesOn) != nullptr && !reads_position(source, line, words)) probes.push_back(line);
+    if (find_word(words, "G38.2 G38.4") != nullptr) measures = false;
     if (waits(words)) inputs.push_back(line);
   }
   // What nothing looks at, nothing looks at behind the other lines either: that is one mistake.
   if (!probes.empty() && looked_at(in, kTouched)) probes.clear();
   if (!inputs.empty() && looked_at(in, kInput)) inputs.clear();
   for (const uint32_t line : probes) {
-    if (check_probe(in, out, line)) break;
+    if (check_probe(in, out, line, measures)) break;
   }
   for (const uint32_t line : inputs) {
     if (check_wait(in, out, line)) break;

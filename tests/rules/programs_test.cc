@@ -10,14 +10,13 @@
 
 using namespace owlint::test;
 
-TEST_CASE("fixtures meet their expectations", "[programs]") {
+TEST_CASE("fixtures meet their expectations", "[programs][fixtures]") {
   if (updating()) {
     if (const size_t count = update_fixtures(); count > 0)
       WARN(count << " fixtures rewritten: read the difference before you keep it");
     return;
   }
-  const std::vector<Fixture> fixtures = all_fixtures();
-  const std::vector<nlohmann::json> findings = check_fixtures(fixtures);
+  const auto& [fixtures, findings] = checked_fixtures();
   REQUIRE(fixtures.size() > 400);
   for (size_t i = 0; i < fixtures.size(); ++i) {
     const std::vector<std::string> found = expectations(findings[i]);

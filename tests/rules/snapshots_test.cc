@@ -34,10 +34,9 @@ void snapshot(const std::string& name, const std::string& arguments,
 
 }  // namespace
 
-TEST_CASE("the text of one fixture for each rule is as in its snapshot", "[snapshots]") {
+TEST_CASE("the text of one fixture for each rule is as in its snapshot", "[snapshots][fixtures]") {
   if (updating()) update_fixtures();  // their lines are in the snapshots
-  const std::vector<Fixture> fixtures = all_fixtures();
-  const std::vector<nlohmann::json> findings = check_fixtures(fixtures);
+  const auto& [fixtures, findings] = checked_fixtures();
   std::map<std::string, const Fixture*> first;
   for (size_t i = 0; i < fixtures.size(); ++i) {
     const auto own = [&](const auto& f) { return f["code"].template get<std::string>() == fixtures[i].folder; };

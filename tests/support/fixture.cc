@@ -136,6 +136,15 @@ std::vector<nlohmann::json> check_fixtures(const std::vector<Fixture>& fixtures)
   return out;
 }
 
+const CheckedFixtures& checked_fixtures() {
+  static const CheckedFixtures checked = [] {
+    std::vector<Fixture> fixtures = all_fixtures();
+    std::vector<nlohmann::json> findings = check_fixtures(fixtures);
+    return CheckedFixtures{std::move(fixtures), std::move(findings)};
+  }();
+  return checked;
+}
+
 size_t update_fixtures() {
   size_t first = 0;
   for (int round = 0; round < 4; ++round) {

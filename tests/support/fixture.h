@@ -46,4 +46,11 @@ size_t update_fixtures();
 /// Checks all fixtures, those with the same options in one run: their findings, in the order of `fixtures`.
 std::vector<nlohmann::json> check_fixtures(const std::vector<Fixture>& fixtures);
 
+/// All fixtures with what is found in them. Checked once in a process: test cases with the tag [fixtures] share it.
+struct CheckedFixtures {
+  std::vector<Fixture> fixtures;
+  std::vector<nlohmann::json> findings;
+};
+const CheckedFixtures& checked_fixtures();
+
 }  // namespace owlint::test
