@@ -241,6 +241,11 @@ void add_label_fix(const Program& p, StatementId id, Finding& finding) {
     const std::string label = p.label_text(block.label);
     finding.help = "write `" + label + " " + std::string(spelling(line.keyword)) + "`, if `" + p.head_of(block) +
         "` on line " + std::to_string(p.at(block.opener).line) + " is the one you mean";
+    const bool shared = std::ranges::any_of(p.by_label[block.label], [&](StatementId other) {
+      return other < id && other != block.opener && p.region_of[other] == block.region &&
+          opens_block(p.at(other).keyword);
+    });
+    if (shared) return;  // the label would name the block that had it first
     finding.fixes.push_back({"write `" + label + "`", false, {{line.label_span(), label}}});
     return;
   }

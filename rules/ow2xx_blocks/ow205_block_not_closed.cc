@@ -17,6 +17,7 @@ bool would_close(const Program& p, const Block& block) {
   if (id < p.size() && p.region_of[id] != block.region && p.regions[p.region_of[id]].opener != id) return false;
   return std::ranges::none_of(p.by_label[block.label], [&](StatementId line) {
     const BlockId other = p.block_of[line];
+    if (line > block.opener && line < id && p.at(line).opens_sub()) return true;
     if (line <= block.opener || line >= id || other == kNoBlock || p.blocks[other].opener != line) return false;
     return p.blocks[other].region == block.region && p.blocks[other].end == kNoStatement;
   });
