@@ -21,8 +21,22 @@ bool in_block(const Program& p, StatementId statement) {
   });
 }
 
-Finding& report_sub(const Program& p, const Hazard& h, Reporter& out) {
-  const Region& region = p.regions[p.region_of[h.statement]];
+/// The sub that a line is inside of. Of a `sub` line that begins a sub by itself: the one above it that is not closed.
+const Region* around(const Input& in, StatementId id) {
+  const Program& p = in.program;
+  const Region& own = p.regions[p.region_of[id]];
+  if (own.opener == kNoStatement) return nullptr;
+  if (own.opener != id) return &own;
+  const uint32_t file = in.linked.file_of(id);
+  const Region* open = nullptr;
+  for (const Region& region : p.regions) {
+    if (region.opener == kNoStatement || region.opener >= id || region.end != kNoStatement) continue;
+    if (in.linked.file_of(region.opener) == file && (open == nullptr || region.opener > open->opener)) open = &region;
+  }
+  return open;
+}
+
+Finding& report_sub(const Program& p, const Hazard& h, const Region& region, Reporter& out) {
   Finding& f = out.add(p.at(h.statement).head_span(),
                        "`" + p.head(h.statement) + "` is inside `" + p.head(region.opener) +
                            "`: its lines run here at once, and its `endsub` ends the outer sub");
@@ -47,8 +61,8 @@ void check(const Input& in, Reporter& out) {
   for (const Hazard& h : in.flow.hazards) {
     const bool sub = h.kind == HazardKind::kSubInCall;
     if (!sub && h.kind != HazardKind::kForeignEnd) continue;
-    const RegionId region = p.region_of[h.statement];
-    if (region == kMainRegion || p.regions[region].opener == h.statement) continue;
+    const Region* region = around(in, h.statement);
+    if (region == nullptr) continue;
     if (!sub) {
       // The `endsub` of an inner `sub` is reported there, the only one of its sub by OW204.
       const bool of_inner = std::ranges::any_of(in.flow.hazards, [&](const Hazard& other) {
@@ -57,8 +71,8 @@ void check(const Input& in, Reporter& out) {
       });
       if (of_inner || cut_short(p, h.statement) == nullptr) continue;
     }
-    Finding& f = sub ? report_sub(p, h, out) : report_end(p, h, out);
-    relate(f, p, p.regions[region].opener, "the called sub begins here");
+    Finding& f = sub ? report_sub(p, h, *region, out) : report_end(p, h, out);
+    relate(f, p, region->opener, "the called sub begins here");
     f.reach = h.reach;
     f.runs_other = true;
     f.uncertain = !sub && in_block(p, h.statement);  // it is meant as a `return`, as it seems

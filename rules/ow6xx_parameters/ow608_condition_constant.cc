@@ -1,5 +1,9 @@
 // OW608 condition-constant: a condition that is the same every time, and the branch that never runs.
 // Depends on: a condition that is 0 is false, any other is true.
+#include <optional>
+
+#include <fmt/format.h>
+
 #include "rules/driver/parameter_helpers.h"
 
 namespace owlint::rules::ow608 {
@@ -43,6 +47,21 @@ bool guards_division(const Program& p, StatementId id) {
   return false;
 }
 
+/// `[#1 EQ 5 OR 6]`: a number that an `AND` or `OR` joins to a comparison.
+std::optional<double> joined_number(const Syntax& syntax, ExprId condition, std::string_view* joint) {
+  std::optional<double> number;
+  const Expr* expr = &syntax.exprs[condition];
+  while (expr->op == Operator::kAnd || expr->op == Operator::kOr) {
+    const Expr& right = syntax.exprs[expr->right()];
+    if (right.op == Operator::kNumber) {
+      number = right.value();
+      *joint = expr->op == Operator::kAnd ? "AND" : "OR";
+    }
+    expr = &syntax.exprs[expr->left()];
+  }
+  return expr->op >= Operator::kEq && expr->op <= Operator::kLe ? number : std::nullopt;
+}
+
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
   if (p.syntax.runs_python) return;  // which may set what the conditions read
@@ -62,6 +81,11 @@ void check(const Input& in, Reporter& out) {
                                                                : "is always false: its lines never run";
     Finding& f = out.add(s.head_span(), "the condition of " + head + " " + says);
     f.help = "check the comparison: the direction, the number, the parameter";
+    std::string_view joint;
+    if (const auto number = joined_number(p.syntax, p.syntax.values_of(s).front(), &joint)) {
+      f.message += fmt::format(", for `{:g}` beside `{}` is compared with nothing", *number, joint);
+      f.help = fmt::format("write a whole comparison on each side of `{}`", joint);
+    }
     f.reach = in.flow.reach(c.statement);
   }
 }
