@@ -15,6 +15,8 @@ constexpr Idiom kIdioms[] = {
     has_thousands_mark,
     quotes_text,
     has_look_alike,
+    has_letter_for_digit,
+    has_exponent_in_parameter,
     begins_with_zero,
     has_letter_in_label,
     has_sign_behind_label,

@@ -107,6 +107,10 @@ bool is_other_word(const RefusedLine& line, Finding& f);
 bool has_look_alike(const RefusedLine& line, Finding& f);
 bool has_letters_in_number(const RefusedLine& line, Finding& f);
 
+// In a letter that looks like a digit (idioms_digits.cc).
+bool has_letter_for_digit(const RefusedLine& line, Finding& f);
+bool has_exponent_in_parameter(const RefusedLine& line, Finding& f);
+
 // In a number that is written otherwise, and where a part of a word or value is missing (idioms_numbers.cc).
 /// A number with an exponent, `1E-3`, with all its digits; empty if it is none, or would be very long.
 std::string with_all_digits(std::string_view number);

@@ -245,7 +245,19 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
     f.help = "write a calculation in brackets, such as `[1 + 2]`, and text in a comment";
     return true;
   }
+  if (start > 0 && line.text[start - 1] == 'n' && start == 1) {
+    f.message = "a line number has digits only";
+    f.help = "write the number, and a word's letter before each other value";
+    return true;
+  }
   const std::string all = without_edges(line.written(start, *end));
+  // `X40.1 -0.01`: a blank before the sign and none behind it, as where a letter was lost.
+  const bool sign = line.text[line.at] == '-' || line.text[line.at] == '+';
+  if (sign && !assigns && line.apart(line.at) && line.at + 1 < line.end && !line.apart(line.at + 1)) {
+    f.message = "`" + line.written(line.at, *end) + "` has no letter";
+    f.help = "write the letter of the word before it; a calculation is in brackets: `[" + all + "]`";
+    return true;
+  }
   const std::string sum = as_sum(all);
   const Span span = line.text.span(start, *end);
   f.message = "a calculation must be in brackets";

@@ -109,6 +109,11 @@ bool has_unit(const RefusedLine& line, Finding& f) {
       kUnits, [&](const Unit& u) { return line.rest().starts_with(u.text) && ends_at(line, line.at + u.text.size()); });
   if (unit == std::end(kUnits)) return false;
   const size_t behind = line.at + unit->text.size();
+  // `S5000 MM3`, `N105 MM30`: a letter that is written twice.
+  const std::string_view text = line.text.text();
+  const size_t letter = line.before().find_last_not_of("0123456789.");
+  const bool other_word = letter != std::string_view::npos && (text[letter] == 'n' || text[letter] == 't');
+  if (!inside && (other_word || (behind < text.size() && is_digit(text[behind]) && !line.apart(behind)))) return false;
   f.message = "`" + line.written(line.at, behind) + "` is a unit: LinuxCNC reads numbers only";
   f.help = unit->help;
   const uint64_t from = line.text.offset(line.at - 1) + 1;

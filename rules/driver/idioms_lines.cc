@@ -23,6 +23,10 @@ bool has_braces(const RefusedLine& line, Finding& f) {
   // Otherwise something else stops the line, too.
   if (line.rest()[0] != '{' && surely_refused(right)) return false;
   f.message = "`{ }` are not brackets in LinuxCNC";
+  if (surely_refused(right)) {  // `X5 {why}`
+    f.help = "write a comment in `( )`, and a calculation in `[ ]`";
+    return true;
+  }
   f.help = "write square brackets: `[ ]`";
   line.propose(f, f.help, std::move(edits), false);
   return true;

@@ -66,6 +66,7 @@ bool expects_word(const RefusedLine& line, size_t from) {
 bool begins_comment(const RefusedLine& line, size_t from, size_t to) {
   if (line.statement.kind != LineKind::kWords) return false;
   if (from == 1 || (from == 2 && line.text[0] == '/')) return true;
+  if (!surely_refused(line.written(from, line.end))) return false;  // `G0# X60`, `X5 #G1`: words, not text
   const bool text = line.apart(from) || (line.apart(from - 1) && expects_word(line, from));  // `# text`, `X1 #text`
   return text && !line.is_parameter(line.text.text().substr(from, to - from));
 }
@@ -105,6 +106,11 @@ bool names_without_brackets(const RefusedLine& line, Finding& f) {
     return true;
   }
   if (!assigns && !closed && line.statement.kind == LineKind::kWords && expects_word(line, from)) {
+    if (name.size() > 1 && !surely_refused(name)) {  // `G0# X60`, `X5 #G1`
+      f.message = "`#` does not belong before `" + name + "`";
+      f.help = "remove the `#`";
+      return true;
+    }
     f.message = "a letter is missing before `#" + name + "`";
     f.help = "write the letter of the word, such as `X#<" + name + ">`";
     return true;

@@ -1,10 +1,23 @@
 // OW308 comment-malformed: a comment inside a comment, or one that is not closed on its line.
 // Depends on: comments are found while the line is read, before anything else, in skipped lines and
 // uncalled subs too.
+#include "analyzer/syntax/known_line.h"
+#include "analyzer/text/characters.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow308 {
 namespace {
+
+/// Whether what stands behind the `(` is words that LinuxCNC would carry out, or the `(` is within a number.
+bool holds_words(const Program& p, Span comment) {
+  const std::string_view text = p.source->slice(comment);
+  if (text.empty()) return false;
+  const std::string_view inside = text.substr(1);
+  if (inside.find_first_not_of(" \t") == std::string_view::npos) return false;
+  if (!surely_refused(std::string(inside))) return true;
+  const bool digit_before = comment.begin > 0 && is_digit(p.source->bytes()[comment.begin - 1]);
+  return digit_before && is_digit(inside[0]);
+}
 
 Finding* report(const Input& in, Reporter& out, StatementId id) {
   const LineError* error = in.program.syntax.error(in.program.at(id));
@@ -12,8 +25,8 @@ Finding* report(const Input& in, Reporter& out, StatementId id) {
   Finding& f = out.add(error->span,
                        nested ? "a comment begins inside another comment" : "the comment is not closed on its line");
   f.help = nested ? "use other brackets inside the comment" : "close it with `)`, or begin it with `;`";
-  // All of the rest is then a comment, as it was meant or not.
-  if (!nested)
+  // All of the rest is then a comment, unless it is words: `X50( Z10`.
+  if (!nested && !holds_words(in.program, error->span))
     f.fixes.push_back({"close the comment at the end of the line", false, {{{error->span.end, error->span.end}, ")"}}});
   return &f;
 }
