@@ -85,15 +85,19 @@ const ModeNeed* ModeHazards::needed_behind(StatementId call, Mode mode) const {
   return needed_in(program_.region_of[call], call, mode, kDeepest);
 }
 
-/// Whether the caller has set the mode itself: then it expects to find it like that.
-bool ModeHazards::sets_before(StatementId call, Mode mode) const {
+/// Whether the caller has set the mode itself, or has moved in it: then it expects to find it like that.
+bool ModeHazards::uses_before(StatementId call, Mode mode) const {
   const ModeUses& uses = analysis_.machine().mode_uses();
   const RegionId region = program_.region_of[call];
   const auto sets = [mode](const ModeChange& change) { return change.mode == mode; };
-  if (region == kMainRegion && std::ranges::any_of(program_.syntax.first_changes, sets)) return true;
+  const auto needs = [mode](const ModeNeed& need) { return need.mode == mode; };
+  if (region == kMainRegion && (std::ranges::any_of(program_.syntax.first_changes, sets) ||
+                                std::ranges::any_of(program_.syntax.first_needs, needs)))
+    return true;
   for (StatementId id = call; id-- > 0 && (region == kMainRegion || program_.region_of[id] == region);) {
     if (program_.region_of[id] != region) continue;
-    if ((uses.set_at(id) & mask_of(mode)) != 0 || std::ranges::any_of(program_.syntax.changes_after(id), sets))
+    if ((uses.set_at(id) & mask_of(mode)) != 0 || std::ranges::any_of(program_.syntax.changes_after(id), sets) ||
+        std::ranges::any_of(program_.syntax.needs_after(id), needs))
       return true;
   }
   return false;
@@ -104,7 +108,7 @@ void ModeHazards::find_leaks(Hazards& hazards) const {
   for (const auto& [place, leak] : leaks_) {
     const auto& [call, mode] = place;
     const bool incremental = mode == Mode::kDistance && leak.to == modes::kG91;
-    if (!incremental && !sets_before(call, mode)) continue;
+    if (!incremental && !uses_before(call, mode)) continue;
     const ModeNeed* const need = needed_behind(call, mode);
     if (need == nullptr) continue;
     const ModeSetter setter = last_setter(analysis_, leak.record, kNoStatement, mask_of(mode));

@@ -41,7 +41,7 @@ class ModeHazards final : public ModeWatch {
   void find_unused(Hazards& hazards) const;
   const ModeNeed* needed_in(RegionId region, StatementId from, Mode mode, int depth) const;
   const ModeNeed* needed_behind(StatementId call, Mode mode) const;
-  bool sets_before(StatementId call, Mode mode) const;
+  bool uses_before(StatementId call, Mode mode) const;
 
   const Iteration& analysis_;
   const Program& program_;
