@@ -59,6 +59,25 @@ WordStop word_stop(const Input& in, const FlowStop& stop, std::string_view names
 
 std::string subject(const WordStop& stop) { return stop.letter == 0 ? "this line" : "`" + stop.word + "`"; }
 
+/// Of a stop that several modes decide the line above the last one that set any of them; not beyond an O-word.
+std::optional<Setter> setter_above(Setter setter, std::string_view names) {
+  constexpr uint32_t kMostLines = 1000;
+  const Source& source = *setter.program->source;
+  for (uint32_t left = kMostLines; setter.line > 1 && left > 0; --left) {
+    const Span span = source.line(--setter.line);
+    const std::string_view text = source.slice(span);
+    const size_t first = text.find_first_not_of(" \t/");
+    if (first != std::string_view::npos && (text[first] == 'o' || text[first] == 'O')) return std::nullopt;
+    const std::vector<WrittenWord> line = words_of(source, span);
+    if (const WrittenWord* word = find_word(line, names)) {
+      setter.span = word->span;
+      setter.word = shown(source, word->span);
+      return setter;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Setter> setter_of(const Input& in, const FlowStop& stop, std::string_view names, bool own) {
   const Statement& stops = in.program.at(stop.statement);
   const bool known = stop.set_in != nullptr;
@@ -77,7 +96,8 @@ std::optional<Setter> setter_of(const Input& in, const FlowStop& stop, std::stri
   if (!known || out.on_line) return std::nullopt;
   // M72, or the end of a sub behind M73.
   if (const WrittenWord* restore = find_word(line, "M72")) out.span = restore->span;
-  return out;
+  if (line.empty() || find_word(line, "M72") != nullptr) return out;
+  return setter_above(out, names);
 }
 
 std::string where(const Input& in, const Setter& setter) {

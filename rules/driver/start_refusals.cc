@@ -159,7 +159,9 @@ std::string meant_key(std::string_view section, std::string_view name) {
     if (key.section != section_family(section)) continue;
     if (small_letters(key.name) == small_letters(name)) return std::string(key.name);
     // Displays have many keys of their own.
-    if (section == "DISPLAY" && key.name != "PROGRAM_PREFIX" && key.name != "NGCGUI_SUBFILE_PATH") continue;
+    if (section == "DISPLAY" && key.name != "DISPLAY" && key.name != "PROGRAM_PREFIX" &&
+        key.name != "NGCGUI_SUBFILE_PATH")
+      continue;
     if (name.size() >= kLong && key.name.ends_with("_" + std::string(name))) {
       whole = key.name;
       ++wholes;
@@ -167,7 +169,7 @@ std::string meant_key(std::string_view section, std::string_view name) {
     candidates.emplace_back(key.name);
   }
   if (wholes == 1) return whole;
-  if (name.size() < kShort) return {};
+  if (name.size() < kShort) return section == "TASK" ? nearest(std::string(name), {"TASK"}, 1) : std::string();
   return nearest(std::string(name), candidates, name.size() < kLong ? 1 : 2);
 }
 

@@ -1,6 +1,9 @@
 // OW303 expression-malformed: an expression on an O-word line that the interpreter cannot read.
 // Depends on: brackets, operators, functions and operands are checked when the expression is
 // evaluated, not when the line is skipped.
+#include <algorithm>
+#include <initializer_list>
+
 #include "rules/driver/idioms.h"
 
 namespace owlint::rules::ow303 {
@@ -53,11 +56,53 @@ void word(Finding& f) {
   }
 }
 
+/// The operations that a value may have failed in.
+struct Failing {
+  std::string_view interpreter;
+  std::initializer_list<Operator> in;
+};
+constexpr Failing kFailing[] = {
+    {"Attempt to divide by zero", {Operator::kDivide}},
+    {"Negative argument to sqrt", {Operator::kSqrt}},
+    {"Zero or negative argument to ln", {Operator::kLn}},
+    {"Argument to acos", {Operator::kAcos}},
+    {"Argument to asin", {Operator::kAsin}},
+    {"Attempt to raise negative", {Operator::kPower}},
+    {"Parameter number out of range", {Operator::kParameter}},
+    {"Non integer value", {Operator::kParameter}},
+};
+
+// Depth is bounded by the length of a line.
+bool has_operator(const Syntax& syntax, ExprId id, const Failing& failing) {
+  const Expr& expr = syntax.exprs[id];
+  if (std::ranges::find(failing.in, expr.op) != failing.in.end()) return true;
+  bool found = false;
+  for_each_operand(expr, [&](ExprId operand) { found = found || has_operator(syntax, operand, failing); });
+  return found;
+}
+
+/// The word or setting whose value cannot be computed, if only one of the line has such an operation; else all of the line.
+Span failing_item(const Program& p, const Statement& s, std::string_view interpreter) {
+  const auto* const failing =
+      std::ranges::find_if(kFailing, [&](const Failing& f) { return interpreter.starts_with(f.interpreter); });
+  if (failing == std::end(kFailing)) return s.whole();
+  const Item* only = nullptr;
+  for (const Item& item : p.syntax.items_of(s)) {
+    const bool fails = (item.value != kNoExpr && has_operator(p.syntax, item.value, *failing)) ||
+        (item.target != kNoExpr && has_operator(p.syntax, item.target, *failing));
+    if (!fails) continue;
+    if (only != nullptr) return s.whole();
+    only = &item;
+  }
+  return only == nullptr ? s.whole() : s.span(only->from, only->to);
+}
+
 Finding* report(const Input& in, Reporter& out, StatementId id, const std::string& interpreter) {
   const Statement& s = in.program.at(id);
   const LineError* error = in.program.syntax.error(s);
   const bool reading = error != nullptr && error->message == interpreter;
-  const Span whole = s.kind == LineKind::kOWord ? Span{s.offset + s.label_from, s.end()} : s.whole();
+  const Span whole =
+      s.kind == LineKind::kOWord ? Span{s.offset + s.label_from, s.end()} : failing_item(in.program, s, interpreter);
   Finding& f = out.add(reading ? error->span : whole, "");
   f.interpreter = interpreter;
   word(f);

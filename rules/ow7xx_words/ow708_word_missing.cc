@@ -44,6 +44,7 @@ void g76(const WordStop& at, const std::string& code, Finding& f) {
   }
   f.message = code + " needs " + (missing.empty() ? "`I`, `J` and `K`" : missing);
   f.help = "write it on this line";
+  if (at.letter != 'g') f.help = "write `G0` before it for a move back; for another thread " + f.help;
 }
 
 /// `G92` alone, as in the first lines of many programs: meant is the code that clears the offset.
@@ -74,6 +75,8 @@ void explain(const WordStop& at, Finding& f) {
   if (on_line && !at.value && needed->code[0] == 'G')
     f.message = fmt::format("{} is {} here, which {}", code, in_table, needed->message);
   f.help = needed->help;
+  if (!on_line && (needed->code == "G33" || needed->code == "G76"))
+    f.help = "write `G0` before it for a move back; for another thread " + f.help;
   if (const WrittenWord* p = at.find('p'); p != nullptr && f.interpreter.starts_with("Dwell"))
     f.help = "`P-1` counts as no `P`: " + f.help;
 }

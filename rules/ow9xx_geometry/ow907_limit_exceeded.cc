@@ -192,11 +192,11 @@ void add_doubts(const Input& in, const LimitFault& fault, Finding& f) {
     f.unproven = true;
   }
   if (assumes(in, Mode::kUnits, fault.line) && !is_beyond_in_inches(fault)) {
-    f.message += ", in millimeters";
+    f.message += ", if the machine starts in millimeters";
     f.unproven = true;
   }
   if (!fault.machine && assumes(in, Mode::kDistance, fault.line)) {
-    f.message += ", in `G90`";
+    f.message += ", if the machine starts in `G90`";
     f.unproven = true;
   }
 }
