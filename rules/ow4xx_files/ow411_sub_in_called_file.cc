@@ -27,11 +27,10 @@ const Region* around(const Input& in, StatementId id) {
   const Region& own = p.regions[p.region_of[id]];
   if (own.opener == kNoStatement) return nullptr;
   if (own.opener != id) return &own;
-  const uint32_t file = in.linked.file_of(id);
   const Region* open = nullptr;
   for (const Region& region : p.regions) {
     if (region.opener == kNoStatement || region.opener >= id || region.end != kNoStatement) continue;
-    if (in.linked.file_of(region.opener) == file && (open == nullptr || region.opener > open->opener)) open = &region;
+    if (open == nullptr || region.opener > open->opener) open = &region;
   }
   return open;
 }
@@ -63,6 +62,8 @@ void check(const Input& in, Reporter& out) {
     if (!sub && h.kind != HazardKind::kForeignEnd) continue;
     const Region* region = around(in, h.statement);
     if (region == nullptr) continue;
+    // In the file that is checked the missing `endsub` is reported: OW204.
+    if (region->end == kNoStatement && in.linked.files()[0].program.get() == &p) continue;
     if (!sub) {
       // The `endsub` of an inner `sub` is reported there, the only one of its sub by OW204.
       const bool of_inner = std::ranges::any_of(in.flow.hazards, [&](const Hazard& other) {
