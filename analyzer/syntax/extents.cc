@@ -83,6 +83,14 @@ void Extents::add_arc(const Moves& moves, Origin origin, double factor) {
   add(origin, first, false, {Coordinate::of(box.least.first), Coordinate::of(box.greatest.first), line, line}, factor);
   add(origin, second, false, {Coordinate::of(box.least.second), Coordinate::of(box.greatest.second), line, line},
       factor);
+  // In a system that is turned, the arc reaches elsewhere along the machine's axes.
+  const Coordinate& turn = moves.place->system.rotation;
+  if (origin.from_start || !turn.is_known() || turn.value != 0) return;
+  Moves between = moves;
+  between.ways[first] = {Coordinate::of(box.least.first), Coordinate::of(box.greatest.first), line, line};
+  between.ways[second] = {Coordinate::of(box.least.second), Coordinate::of(box.greatest.second), line, line};
+  add_machine(between, first);
+  add_machine(between, second);
 }
 
 bool Extents::visit(const Moves& moves) {
