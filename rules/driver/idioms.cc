@@ -69,6 +69,7 @@ constexpr Idiom kIdioms[] = {
     names_arguments,
     has_comment_in_value,
     calls_function_in_round,
+    calls_function_behind_letter,
     has_checksum,
     has_slash_inside,
     computes_across_comment,

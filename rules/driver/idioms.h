@@ -142,6 +142,7 @@ bool has_slash_inside(const RefusedLine& line, Finding& f);
 bool computes_across_comment(const RefusedLine& line, Finding& f);
 bool computes_without_brackets(const RefusedLine& line, Finding& f);
 bool calls_function_in_round(const RefusedLine& line, Finding& f);
+bool calls_function_behind_letter(const RefusedLine& line, Finding& f);
 
 // In a comma or a semicolon (idioms_commas.cc).
 /// Whether `1,000` may be a thousand: then no point is put in the place of the comma at `comma`. `*text` says so.

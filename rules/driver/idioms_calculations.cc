@@ -281,6 +281,26 @@ bool computes_without_brackets(const RefusedLine& line, Finding& f) {
   return true;
 }
 
+/// `XSIN(30)`, `Y ABS #1`: behind the letter of a word.
+bool calls_function_behind_letter(const RefusedLine& line, Finding& f) {
+  if (line.kind() != StopKind::kWordUnreadable && line.kind() != StopKind::kNumberMissing &&
+      line.kind() != StopKind::kNumberMalformed)
+    return false;
+  const std::string_view text = line.text.text();
+  const size_t from = line.at + 1;
+  if (from >= text.size()) return false;
+  const auto* const name = std::ranges::find_if(
+      kFunctionNames, [&](std::string_view function) { return text.substr(from).starts_with(function); });
+  if (name == std::end(kFunctionNames)) return false;
+  const size_t to = from + name->size();
+  const char next = to < text.size() ? text[to] : '\0';
+  if (next != '(' && next != '#' && next != '-' && next != '.' && !is_digit(next)) return false;
+  const std::string function = line.written(from, to);
+  f.message = "the argument of `" + function + "` is not in square brackets";
+  f.help = "write `" + function + "[...]`, such as `" + line.written(line.at, line.at + 1) + function + "[30]`";
+  return true;
+}
+
 /// `ABS(-5)`, `SQRT #1`.
 bool calls_function_in_round(const RefusedLine& line, Finding& f) {
   if (line.kind() != StopKind::kExpression || !line.error.message.starts_with("Left bracket missing after unary"))
