@@ -31,7 +31,8 @@ class ModesInEffect {
   /// Follows where plain lines go, the first of which has this number; see PlacesInEffect::pass. To be called before pass().
   size_t follow(std::string_view bytes, size_t from, size_t to, uint32_t line, const PlainEffect& effect,
                 const LastLines& last) {
-    return stopped_ ? to : places_.pass(bytes, from, to, line, effect, last, state_.now);
+    if (stopped_) return to;
+    return drills_deep(effect) ? from : places_.pass(bytes, from, to, line, effect, last, state_.now);
   }
   /// Carries out the line that was parsed last. An error that it has whatever was in effect before goes into the statement.
   /// Returns whether the line is to be kept: `keep`, or because of its words.
@@ -48,6 +49,7 @@ class ModesInEffect {
   void forget();
   void leave_out_asked(ModeMask assigned);
   static void set_feed(const WordLine& words, ModeSets* after);
+  bool drills_deep(const PlainEffect& effect) const;
   bool asks(const WordLine& words, const ModeState& after, bool alone) const;
   bool judge_behind(Statement& statement, const WordLine& words);
   bool writes_offsets(const Statement& statement) const;

@@ -88,4 +88,14 @@ void ModesInEffect::push(const Statement& statement) {
   if (remaps && !ends_program(statement)) push_remaps(statement, question);
 }
 
+/// Whether plain lines may be holes of a cycle with depths of their own, each of which is compared with `R`.
+bool ModesInEffect::drills_deep(const PlainEffect& effect) const {
+  const ModeSets& now = state_.now;
+  if (!effect.alone || now.is_open(Mode::kMotion) || (now[Mode::kMotion] & kCycles) == 0) return false;
+  const auto along = [&](modes::Plane plane, char axis) {
+    return (now[Mode::kPlane] & value_bit(plane)) != 0 && (effect.axes & letter_set({&axis, 1})) != 0;
+  };
+  return along(modes::kG17, 'z') || along(modes::kG18, 'y') || along(modes::kG19, 'x');
+}
+
 }  // namespace owlint

@@ -196,10 +196,7 @@ bool PlainLine::runs(uint32_t number, Proven* proven, PlainEffect* effect) const
 
 void PlainLine::learn(Proven* proven) const {
   if ((words_ & kMoveLetters) == 0) return;
-  // By what motion it moved is not known: in a cycle each depth is compared with R.
-  const bool depth = motion(*proven) == Proven::kNoCode && (words_ & letter_set("z")) != 0;
-  if (uint8_t* const table = depth ? nullptr : table_of(*proven))
-    table[has_feed() ? 1 : 0] |= static_cast<uint8_t>(1U << key(*proven));
+  if (uint8_t* const table = table_of(*proven)) table[has_feed() ? 1 : 0] |= static_cast<uint8_t>(1U << key(*proven));
   if (has_g()) proven->code = static_cast<int8_t>(code_);
   proven->rotary |= words_ & kRotaryWords;
 }

@@ -20,7 +20,7 @@ struct Proven {
   uint8_t straight[2] = {0, 0};  ///< G0 is bit 0, G1 bit 1
   uint8_t arcs[2] = {0, 0};      ///< by the set of I, J and K
   uint32_t rotary = 0;           ///< letters of A, B and C that have been there
-  uint8_t alone[2] = {0, 0};     ///< by the set of X and Y, where the motion in effect is not known
+  uint8_t alone[2] = {0, 0};     ///< by the set of X, Y and Z, where the motion in effect is not known
 
   /// While kUsualModes are as an interpreter starts: G0, and G1 with a feed.
   static Proven usual() {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <mutex>
 
 #include "analyzer/syntax/bulk.h"
 #include "analyzer/syntax/comment_command.h"
@@ -65,37 +64,10 @@ PlainEffect behind(PlainEffect effect, uint32_t lines) {
   return effect;
 }
 
-/// Whether a file may choose a plane in which cycles do not drill along Z. Asked by the stretches that have cycles, answered once.
-class Planes {
- public:
-  explicit Planes(std::string_view bytes) : bytes_(bytes) {}
-
-  bool others() {
-    std::call_once(asked_, [this] { others_ = has('g') || has('G'); });
-    return others_;
-  }
-
- private:
-  /// G18 or G19, with blanks or zeros in it.
-  bool has(char letter) const {
-    for (size_t at = bytes_.find(letter); at != std::string_view::npos; at = bytes_.find(letter, at + 1)) {
-      const size_t one = bytes_.find_first_not_of(" \t0", at + 1);
-      if (one == std::string_view::npos || bytes_[one] != '1') continue;
-      const size_t digit = bytes_.find_first_not_of(" \t", one + 1);
-      if (digit != std::string_view::npos && (bytes_[digit] == '8' || bytes_[digit] == '9')) return true;
-    }
-    return false;
-  }
-
-  std::string_view bytes_;
-  std::once_flag asked_;
-  bool others_ = false;
-};
-
 /// Reads a stretch and passes what it finds to `take`; plain lines, which have none of the `refused` letters, are not stored.
 template <typename Take>
 void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refused, const Proven& always,
-                  Planes& planes, const Take& take) {
+                  const Take& take) {
   const std::string_view until_end = no_line_is_plain ? "" : whole_lines(bytes.substr(0, stretch.end));
   PlainLines plain(until_end, &byte_classifiers().front(), refused);
   uint32_t line = 0;
@@ -124,8 +96,6 @@ void look_through(std::string_view bytes, const Stretch& stretch, uint32_t refus
     found.line = ++line;
     const std::string_view text = bytes.substr(at, found.end - at);
     proven = proven_after(text, passed.proven, always, refused);
-    if (!std::ranges::equal(proven.alone, passed.proven.alone) && planes.others())
-      std::ranges::copy(passed.proven.alone, proven.alone);
     // The limit counts the line feed: a last line without one may be a character longer.
     const size_t limit = kLineLimit + (feed == nullptr ? 1 : 0);
     if (text.size() <= limit) {
@@ -202,6 +172,7 @@ class Reader {
     if (!seen_first_) note_first_line(line);
     if (view.whole_p) out_.whole_p_lines.push_back(begin);
     if (view.owlint) out_.owlint_lines.push_back(begin);
+    if (line.find('^') != std::string_view::npos) out_.angle_lines.push_back(begin);
     Statement statement;
     statement.line = number;
     const bool too_long = view.too_long && !ends_in_nuls(line);
@@ -312,11 +283,10 @@ Syntax scan(const Source& source, const MachineWords& machine, Expected expected
   for (const RemappedCode& code : machine.remapped) {
     if (code.letter == 'f' || code.letter == 's') refused |= letter_set({&code.letter, 1});
   }
-  Planes planes(bytes);
   const auto look_at = [&](size_t i, const auto& take) {
     const Span span{stretches[i].begin, stretches[i].end};
     if (stretches.size() > 1) source.will_read(span);
-    look_through(bytes, stretches[i], refused, always, planes, take);
+    look_through(bytes, stretches[i], refused, always, take);
   };
   if (stretches.size() == 1 || one_core()) {
     for (size_t i = 0; i < stretches.size() && !out.unusual; ++i) {

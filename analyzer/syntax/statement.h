@@ -240,8 +240,9 @@ struct Syntax {
   /// Offsets of lines with a `P` and a whole number of three digits or more, without a point: a time of minutes, perhaps.
   std::vector<uint64_t> whole_p_lines;
   std::vector<uint64_t>
-      owlint_lines;                 ///< offsets of lines with the word `owlint`, in small letters, first in a comment
-  std::vector<Span> split_numbers;  ///< `1 2` in a value, which is read as 12
+      owlint_lines;                   ///< offsets of lines with the word `owlint`, in small letters, first in a comment
+  std::vector<uint64_t> angle_lines;  ///< offsets of lines with `^`, in a comment perhaps
+  std::vector<Span> split_numbers;    ///< `1 2` in a value, which is read as 12
   ExprPool exprs;
   Names names;
   uint32_t lines = 0;             ///< number of lines in the file

@@ -54,9 +54,8 @@ class Checker {
     for (const uint64_t begin : in_.program.syntax.command_lines)
       line(begin, std::min(text_.find('\n', begin), text_.size()));
     constexpr uint64_t kMost = 1'000'000;  // bytes: nobody writes more by hand
-    const uint64_t end = std::min(source_.line(in_.program.syntax.last_code).end, kMost);
-    const std::string_view head = text_.substr(0, end);
-    for (size_t at = head.find('('); at < end; at = head.find('(', at + 1)) misspelt(at);
+    const std::string_view head = text_.substr(0, kMost);
+    for (size_t at = head.find('('); at != std::string_view::npos; at = head.find('(', at + 1)) misspelt(at);
   }
 
  private:
@@ -112,7 +111,7 @@ class Checker {
     }
     const size_t line_feed = text_.rfind('\n', open);
     const size_t begin = line_feed == std::string_view::npos ? 0 : line_feed + 1;
-    if (in_comment(begin, open)) return;
+    if (in_comment(begin, open) || begin >= source_.line(in_.program.syntax.last_code).end) return;
     const StatementId above = last_statement(in_.program.syntax, open);
     id_ = above != kNoStatement && in_.program.at(above).offset >= begin ? above : kNoStatement;
     if (id_ != kNoStatement && in_.program.syntax.error(in_.program.at(id_)) != nullptr) return;

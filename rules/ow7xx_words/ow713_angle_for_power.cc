@@ -33,14 +33,13 @@ void report(const Input& in, Reporter& out, Span line) {
 }
 
 void check(const Input& in, Reporter& out) {
-  const std::string_view bytes = in.program.source->bytes();
-  const uint64_t end = in.program.source->line(in.program.syntax.last_code).end;
-  for (size_t at = bytes.find('^'); at < end; at = bytes.find('^', at)) {
-    const size_t before = bytes.rfind('\n', at);
-    const size_t begin = before == std::string_view::npos ? 0 : before + 1;
-    const size_t behind = std::min(bytes.find('\n', at), bytes.size());
+  if (in.program.syntax.angle_lines.empty()) return;
+  const Source& source = *in.program.source;
+  const uint64_t end = source.line(in.program.syntax.last_code).end;
+  for (const uint64_t begin : in.program.syntax.angle_lines) {
+    if (begin >= end) return;
+    const size_t behind = std::min(source.bytes().find('\n', begin), source.bytes().size());
     if (behind - begin <= kLineLimit) report(in, out, {begin, behind});
-    at = behind;
   }
 }
 
