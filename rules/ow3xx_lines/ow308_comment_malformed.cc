@@ -2,7 +2,6 @@
 // Depends on: comments are found while the line is read, before anything else, in skipped lines and
 // uncalled subs too.
 #include "analyzer/syntax/known_line.h"
-#include "analyzer/text/characters.h"
 #include "rules/driver/stops.h"
 
 namespace owlint::rules::ow308 {
@@ -15,6 +14,7 @@ bool holds_words(const Program& p, Span comment) {
   const std::string_view inside = text.substr(1);
   if (inside.find_first_not_of(" \t") == std::string_view::npos) return false;
   if (!surely_refused(std::string(inside))) return true;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const bool digit_before = comment.begin > 0 && is_digit(p.source->bytes()[comment.begin - 1]);
   return digit_before && is_digit(inside[0]);
 }

@@ -91,8 +91,9 @@ bool ModeHazards::uses_before(StatementId call, Mode mode) const {
   const RegionId region = program_.region_of[call];
   const auto sets = [mode](const ModeChange& change) { return change.mode == mode; };
   const auto needs = [mode](const ModeNeed& need) { return need.mode == mode; };
-  if (region == kMainRegion && (std::ranges::any_of(program_.syntax.first_changes, sets) ||
-                                std::ranges::any_of(program_.syntax.first_needs, needs)))
+  if (region == kMainRegion &&
+      (std::ranges::any_of(program_.syntax.first_changes, sets) ||
+       std::ranges::any_of(program_.syntax.first_needs, needs)))
     return true;
   for (StatementId id = call; id-- > 0 && (region == kMainRegion || program_.region_of[id] == region);) {
     if (program_.region_of[id] != region) continue;
