@@ -24,11 +24,13 @@ SKIPPED = 77
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--owlint", required=True)
-    owlint = os.path.abspath(parser.parse_args().owlint)
+    parser.add_argument("--every", type=int, default=1, help="only every Nth program")
+    options = parser.parse_args()
+    owlint = os.path.abspath(options.owlint)
     if not rs274.available:
         print("skipped: rs274 is not here")
         return SKIPPED
-    paths = sorted(glob.glob(os.path.join(ROOT, "corpus", "*.ngc")) + glob.glob(os.path.join(ROOT, "tests", "programs", "*", "*.ngc")))
+    paths = sorted(glob.glob(os.path.join(ROOT, "corpus", "*.ngc")) + glob.glob(os.path.join(ROOT, "tests", "programs", "*", "*.ngc")))[::options.every]
     with tempfile.TemporaryDirectory() as folder:
         # Alone in its folder each, so that none is the called file of another.
         copies = []
