@@ -71,14 +71,13 @@ bool has_letter_for_digit(const RefusedLine& line, Finding& f) {
   std::ranges::replace(number, 'o', '0');
   std::ranges::replace_if(number, is_one, '1');
   size_t from = token.from;
-  if (from > 0 && (is_sign(text[from - 1]) || text[from - 1] == '#')) --from;
+  if (is_sign(text[from - 1]) || text[from - 1] == '#') --from;
   if (from > 0 && is_small_letter(text[from - 1]) && !line.apart(from)) --from;
   const std::string right = line.written(from, token.from) + number;
   f.message = "`" + line.written(from, token.to) + "` has " +
       (zero ? "the letter O in place of a zero" : "a letter in place of a digit");
   f.help = "write `" + right + "`";
-  line.propose(f, f.help, {line.put(token.from, token.to, number)},
-               zeros_only && text[token.from - (token.from > 0)] != '#');
+  line.propose(f, f.help, {line.put(token.from, token.to, number)}, zeros_only && text[token.from - 1] != '#');
   return true;
 }
 

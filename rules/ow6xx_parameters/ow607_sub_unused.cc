@@ -63,7 +63,7 @@ std::vector<std::string> undefined_calls(const Input& in) {
 
 void check(const Input& in, Reporter& out) {
   const Program& p = in.program;
-  const std::vector<RegionId> alone = called_by_no_other(p);
+  std::vector<RegionId> alone = called_by_no_other(p);
   if (alone.empty() || does_nothing(p)) return;  // other programs call a collection of subs
   if (!p.syntax.errors.empty()) return;          // the call may be on a line that is broken
   std::unordered_set<std::string> from_files;
@@ -83,13 +83,13 @@ void check(const Input& in, Reporter& out) {
     if (name == kNoName || p.name(name) == own_name || from_files.contains(p.name(name))) begins.push_back(r);
   }
   const std::vector<bool> used = reached(p, begins, called);
-  const std::vector<std::string> undefined = undefined_calls(in);
   std::unordered_map<NameId, size_t> definitions;
   for (const Region& region : p.regions) ++definitions[region.name];
-  if (!in.data.structure().regular || in_cycles(p)) return;
+  std::erase_if(alone, [&](RegionId r) { return used[r] || definitions[p.regions[r].name] > 1; });
+  if (alone.empty() || !in.data.structure().regular || in_cycles(p)) return;
+  const std::vector<std::string> undefined = undefined_calls(in);
   for (const RegionId r : alone) {
     const Region& region = p.regions[r];
-    if (used[r] || definitions[region.name] > 1) continue;
     // The call that is meant for it is reported where its name is misspelled.
     if (!nearest(p.name(region.name), undefined, 1).empty()) continue;
     Finding& f = out.add(p.at(region.opener).head_span(), "nothing calls " + region_words(p, r));

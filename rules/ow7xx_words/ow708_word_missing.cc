@@ -28,6 +28,9 @@ constexpr Needed kNeeded[] = {
     {"All axes missing with motion", "the motion", "needs an axis word", "write where it goes"},
 };
 
+/// Of a line behind a thread, whose code is still in effect.
+constexpr std::string_view kMoveBack = "write `G0` before it for a move back; for another thread ";
+
 void g10(const WordStop& at, Finding& f) {
   f.help = "`L2` and `L20` set a coordinate system, `L1`, `L10` and `L11` an entry of the tool table";
   f.message = at.other_word.empty() ? "`G10` needs an `L` that says what it sets"
@@ -44,7 +47,7 @@ void g76(const WordStop& at, const std::string& code, Finding& f) {
   }
   f.message = code + " needs " + (missing.empty() ? "`I`, `J` and `K`" : missing);
   f.help = "write it on this line";
-  if (at.letter != 'g') f.help = "write `G0` before it for a move back; for another thread " + f.help;
+  if (at.letter != 'g') f.help = std::string(kMoveBack) + f.help;
 }
 
 /// `G92` alone, as in the first lines of many programs: meant is the code that clears the offset.
@@ -75,8 +78,7 @@ void explain(const WordStop& at, Finding& f) {
   if (on_line && !at.value && needed->code[0] == 'G')
     f.message = fmt::format("{} is {} here, which {}", code, in_table, needed->message);
   f.help = needed->help;
-  if (!on_line && (needed->code == "G33" || needed->code == "G76"))
-    f.help = "write `G0` before it for a move back; for another thread " + f.help;
+  if (!on_line && (needed->code == "G33" || needed->code == "G76")) f.help = std::string(kMoveBack) + f.help;
   if (const WrittenWord* p = at.find('p'); p != nullptr && f.interpreter.starts_with("Dwell"))
     f.help = "`P-1` counts as no `P`: " + f.help;
 }
